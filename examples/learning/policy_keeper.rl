@@ -4,5 +4,6 @@ agent ego is car on bent at 5m {
   lane: -1
   drive with process { command: ["python3", "policy_keeper.py"], brake_on_failure: true }
 }
+world { friction: 0.3..0.9 }
 expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
-falsify with cma { expects: in_lane, evaluations: 200, failures: 5 }
+falsify with cma { expects: in_lane, evaluations: 200 }

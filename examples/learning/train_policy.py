@@ -1,6 +1,7 @@
 """Train a small lane keeper in about a minute of one core, and write it to policy.json.
 
     python train_policy.py [--generations 60]
+    python train_policy.py --failures search   # goes on with policy.json, also where it has failed
 
 A policy is a network with 8 inputs, 6 hidden neurons and 2 outputs. CMA-ES (Hansen 2016) searches
 its 68 weights: each of 64 policies is judged by what it earns on the same four scenes, all side by
@@ -16,6 +17,7 @@ from pathlib import Path
 import cma
 import numpy as np
 
+import roadlang
 from roadlang.envs import SceneVectorEnv, Transition
 
 POLICIES, ROADS, HIDDEN = 64, 4, 6
@@ -58,16 +60,31 @@ def earned(env: SceneVectorEnv, weights: np.ndarray, seeds: list[int]) -> np.nda
     return total.reshape(len(weights), -1).mean(axis=1)
 
 
+def scenes(failures: str | None) -> list[roadlang.Scene]:
+    """Random ones; of those that `roadlang falsify` found, if there are any, as many again."""
+    drawn = list(roadlang.load("policy_keeper.rl").sample(100))
+    if failures is None:
+        return drawn
+    files = sorted(Path(failures, "failures").glob("????.json"))
+    failing = [roadlang.Scene.from_json(file.read_text(encoding="utf-8")) for file in files]
+    return drawn + [failing[i % len(failing)] for i in range(len(drawn))]
+
+
 def main() -> None:
     """Search, print a line for every tenth generation, and write the best."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--generations", type=int, default=60)
+    parser.add_argument("--failures", metavar="DIR", help="what `roadlang falsify` wrote")
     arguments = parser.parse_args()
     env = SceneVectorEnv(
-        "policy_keeper.rl", POLICIES * ROADS, scenes=100, duration=30.0, reward=reward, agents=0
+        scenes(arguments.failures), POLICIES * ROADS, duration=45.0, reward=reward, agents=0
     )
+    start, spread = np.zeros(SIZE), 0.5
+    if arguments.failures is not None:
+        start = np.array(json.loads(Path("policy.json").read_text(encoding="utf-8"))["weights"])
+        spread = 0.1
     settings = {"popsize": POLICIES, "seed": 1, "verbose": -9}
-    search = cma.CMAEvolutionStrategy(np.zeros(SIZE), 0.5, settings)
+    search = cma.CMAEvolutionStrategy(start, spread, settings)
     for generation in range(arguments.generations):
         candidates = np.array(search.ask())
         found = earned(env, candidates, [ROADS * generation + i for i in range(ROADS)])

@@ -47,7 +47,7 @@ def test_a_policy_that_is_trained_on_its_failures_fails_less(folder: Path) -> No
     policy = json.loads((folder / "policy.json").read_text())
     assert len(policy["weights"]) == 68
     first = failing(folder, "search")
-    assert first >= 3
+    assert first >= 1
     run(folder, "train_policy.py", "--failures", "search")
     assert failing(folder, "again") < first
 
