@@ -98,7 +98,50 @@ class DenseReference:
             case stl.WeakSince(interval, p, q):
                 to_end = stl.Interval(0, interval.hi if interval else math.inf)
                 return max(of(stl.Since(interval, p, q)), of(stl.Historically(to_end, p)))
+            case stl.Duration(_, p, op, amount):
+                return self._duration(node, p, op, Fraction(amount), at)
         raise TypeError(node)
+
+    def _duration(self, node: Any, p: Any, op: str, amount: Fraction, at: Moment) -> Number:
+        """The greatest level that p has for so long, or (`strict`) for longer."""
+        if op in ("<", "<="):
+            opposite: Any = {"<": ">=", "<=": ">"}[op]
+            at_least = stl.Duration(node.interval, p, opposite, float(amount))
+            return -self.value(at_least, at)
+        if amount < 0 or (amount == 0 and op == ">="):
+            return math.inf
+        window = self._window(node, at)
+        if window is None:
+            return -math.inf
+        first, last = window[0][0], window[1][0]
+        times = sorted({first, last, *(t for t in self.kinks(p) if first < t < last)})
+        pieces = [
+            (end - start, self.value(p, (start, 1)), self.value(p, (end, -1)))
+            for start, end in itertools.pairwise(times)
+        ]
+
+        def lasts(level: Number) -> Fraction:
+            return sum((_time_at(level, *piece) for piece in pieces), Fraction(0))
+
+        def is_enough(time: Fraction) -> bool:
+            return time > amount if op == ">" else time >= amount
+
+        levels = sorted({value for piece in pieces for value in piece[1:]})
+        reached = [level for level in levels if is_enough(lasts(level))]
+        best = max(reached, default=-math.inf)
+        higher = [level for level in levels if level > best]
+        if higher and math.isfinite(higher[0]):
+            # Linear between two levels; below the lowest one nothing changes.
+            if math.isinf(best):
+                return best
+            middle, near = (best + higher[0]) / 2, (3 * best + higher[0]) / 4
+            slope = (lasts(middle) - lasts(near)) / (middle - near)
+            if slope:
+                crossing = middle + (amount - lasts(middle)) / slope
+                best = max(best, min(crossing, higher[0]))
+            elif is_enough(lasts(middle)):
+                best = higher[0]
+        return best
 
     def _signal(self, name: str, at: Moment) -> Fraction:
         grid = self.grids[name]
@@ -224,6 +267,14 @@ class DenseReference:
                 if d0 * d1 < 0:
                     found.add(t0 + (t1 - t0) * d0 / (d0 - d1))
         return found
+
+
+def _time_at(level: Number, length: Fraction, first: Number, last: Number) -> Fraction:
+    """For how long a piece is at a level or above."""
+    top, bottom = max(first, last), min(first, last)
+    if bottom >= level:
+        return length
+    return Fraction(0) if top < level else length * (top - level) / (top - bottom)
 
 
 def _bounds(interval: stl.Interval | None) -> tuple[Fraction, Number]:

@@ -73,6 +73,53 @@ def test_robustness_is_that_of_the_definitions(seed: int, semantics: Any) -> Non
     assert formula.rho(times, signals, semantics=semantics) == found[0]
 
 
+@pytest.mark.parametrize("semantics", ["held", "linear"])
+@pytest.mark.parametrize("seed", range(200))
+def test_durations_are_those_of_the_definitions(seed: int, semantics: Any) -> None:
+    """At all breakpoints of the result, next to them, and in between."""
+    draw = DenseDraw(9000 + seed, bounded=True)
+    interval, operand = draw.interval(), draw.formula(seed % 3)
+    amount = draw.random.choice([0, 0.25, 0.5, 0.75, 1, 2])
+    op: Any = draw.random.choice([">=", ">", "<", "<="])
+    formula = stl.Duration(interval, operand, op, amount)
+    grids = draw_grids(seed, same=seed % 2 == 0)
+    used = {name: grids[name] for name in formula.variables}
+    if not used:
+        return
+    reference = DenseReference(used, linear=semantics == "linear")
+    signals = {name: stl.OwnGrid(*grid) for name, grid in grids.items()}
+    first, last = float(reference.start), float(reference.end)
+    function = stl.dense_function(formula, [first], signals, semantics)
+    breaks = first + function.times
+    # Eighths are exact; at other breakpoints a double may be on either side of a jump.
+    exact = [t for t in breaks.tolist() if (8 * t).is_integer()]
+    between = (breaks[:-1] + np.diff(breaks) * draw.random.uniform(0.1, 0.9)).tolist()
+    times = sorted({first, last, *exact, *between})
+
+    found = formula.robustness(times, signals, semantics=semantics)
+
+    np.testing.assert_allclose(found, [reference.rho(formula, t) for t in times], atol=1e-9)
+
+
+@pytest.mark.parametrize("semantics", ["held", "linear"])
+@pytest.mark.parametrize("seed", range(60))
+def test_no_moment_has_less_than_always_a_duration(seed: int, semantics: Any) -> None:
+    draw = DenseDraw(9500 + seed, bounded=True)
+    inner = stl.Duration(draw.interval(), draw.formula(0), ">=", draw.random.choice([0.25, 1]))
+    grids = draw_grids(seed, same=True)
+    signals = {name: stl.OwnGrid(*grid) for name, grid in grids.items()}
+    grid = np.array(grids["x"][0])
+    if not inner.variables or grid.size < 2:
+        return
+    fine = np.unique(np.concatenate([np.linspace(grid[0], grid[-1], 400), grid, grid[:-1] + 1e-9]))
+    along = inner.robustness(fine, signals, semantics=semantics)
+    least = float(stl.Always(None, inner).rho(fine, signals, semantics=semantics))
+    assert least <= along.min() + 1e-9
+    function = stl.dense_function(inner, fine, signals, semantics)
+    limits = [function.at.min(), function.after.min(), function.before.min()]
+    assert least == min(limits)
+
+
 @pytest.mark.parametrize("seed", range(60))
 def test_rtamt_holds_signals_as_we_do(seed: int) -> None:
     """Where no window reaches the end of the trace, behind which RTAMT goes on."""

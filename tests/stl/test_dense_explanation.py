@@ -63,3 +63,12 @@ def test_under_not_the_opposite_fails() -> None:
 def test_a_window_behind_the_end_is_empty() -> None:
     why = stl.parse("eventually[5, 6] (x > 5)").explain([0, 1], {"x": [0, 9]}, semantics="linear")
     assert (why.window_empty, why.verdict) == (True, "unknown")
+
+
+def test_a_duration_is_explained_by_the_moment_at_its_level() -> None:
+    """For 1.5 s the tent is above 2.5 - 1 = 1.5; it crosses that level between two samples."""
+    x = {"x": [0, 1, 1.5, 1, 0]}
+    why = stl.parse("duration (x > 1) >= 2.5").explain([0, 1, 2, 3, 4], x, semantics="linear")
+    assert why.predicate == "x > 1"
+    assert why.values["x"] == pytest.approx(1 + why.rho)
+    assert why.rho == pytest.approx(-0.25)

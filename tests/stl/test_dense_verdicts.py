@@ -159,3 +159,26 @@ def test_the_command_bounds_the_sampling_error(
     with pytest.raises(SystemExit):
         main(["monitor", "always (x >= 0)", touching, "--semantics", "held"])
     assert "sampling error at most 2, if no signal changes faster" in capfd.readouterr().out
+
+
+@pytest.mark.parametrize("semantics", ["held", "linear"])
+@pytest.mark.parametrize("seed", range(20))
+def test_no_continuation_leaves_the_range_of_a_duration(seed: int, semantics: Any) -> None:
+    draw = DenseDraw(7700 + seed, bounded=True)
+    operator: Any = draw.random.choice([">=", ">", "<", "<="])
+    amount = draw.random.choice([0.25, 0.5, 1])
+    lasting = stl.Duration(draw.interval(), draw.formula(seed % 2), operator, amount)
+    formula = (lasting, stl.Always(stl.Interval(0, 1), lasting))[seed % 2]
+    rng = np.random.default_rng(seed)
+    times = np.cumsum(rng.choice([0.25, 0.5, 1], size=8))
+    signals = {name: rng.integers(-4, 5, 8).astype(float) for name in NAMES}
+    for known in (1, 3, 6):
+        seen = {name: values[:known] for name, values in signals.items()}
+        lo, hi = formula.range(times[:known], seen, semantics=semantics)
+        verdict = formula.verdict(times[:known], seen, semantics=semantics)
+        for later in (known, known + 1, 8):
+            part = {name: values[:later] for name, values in signals.items()}
+            rho = formula.rho(times[:later], part, semantics=semantics)
+            assert lo - 1e-9 <= rho <= hi + 1e-9
+            holds = bool(formula.satisfied(times[:later], part, semantics=semantics))
+            assert verdict == "unknown" or holds is (verdict == "satisfied")

@@ -97,3 +97,10 @@ def test_missing_and_binary_files(tmp_path: Path) -> None:
     for name in ("missing.csv", "binary.csv"):
         with pytest.raises(DiagnosticError, match="RL340"):
             read_trace(tmp_path / name)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "latin-1"])
+def test_what_stands_around_the_numbers_does_not_matter(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "t.csv"
+    path.write_bytes("# gemäß Protokoll\n\ns,größe\n# übrigens\n0,1\n\n2,3\n".encode(encoding))
+    assert read_trace(path) == ("s", [0.0, 2.0], {"größe": [1.0, 3.0]})

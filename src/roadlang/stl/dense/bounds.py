@@ -19,6 +19,7 @@ from ..evaluate.static_truth import static_truth
 from ..evaluate.unseen import unseen_range
 from ..formula import formulas as f
 from ..formula.interval import UNBOUNDED
+from .durations import lasting
 from .evaluation import DenseEvaluation
 from .piecewise import PiecewiseLinear, extreme_of, joined, together
 from .windows import reaching, sliding
@@ -56,6 +57,8 @@ class DenseBounds:
                     return reaching(p, q, interval or UNBOUNDED)
                 found = reaching(p, self._absent(q, -np.inf), interval or UNBOUNDED)
                 return self._with_now(found, q, formula, GREATEST)
+            case f.AtLeast() if not formula.counts:
+                return self._lasting(formula, side)
         raise self.evaluation.refusal(str(formula))
 
     def _junction(
@@ -78,6 +81,13 @@ class DenseBounds:
             return sliding(operand, interval, extreme)
         found = sliding(self._absent(operand, extreme.identity), interval, extreme)
         return self._with_now(found, operand, formula, extreme)
+
+    def _lasting(self, formula: f.AtLeast, side: Side) -> PiecewiseLinear:
+        """Time that may never come adds nothing to the lower end, and all it can to the upper."""
+        operand, interval = self.bound(formula.operand, side), formula.interval or UNBOUNDED
+        if side == "lower":
+            operand = self._absent(operand, -np.inf)
+        return lasting(operand, interval, self.evaluation.least_time(formula))
 
     def _with_now(
         self,
@@ -132,9 +142,11 @@ class DenseBounds:
 
 
 def _reach(formula: f.Formula) -> float:
-    """The sum of all finite bounds of intervals: no window reaches farther from the known part."""
-    windows = (part.window for part in formula.walk() if isinstance(part, f.TemporalOperator))
-    return sum(
+    """The sum of all finite bounds of intervals and of durations: nothing looks farther from the
+    known part."""
+    windows = [part.window for part in formula.walk() if isinstance(part, f.TemporalOperator)]
+    durations = sum(part.amount for part in formula.walk() if isinstance(part, f.AtLeast))
+    return durations + sum(
         bound for window in windows if window is not None for bound in (window.lo, window.hi)
         if math.isfinite(bound)
     )  # fmt: skip

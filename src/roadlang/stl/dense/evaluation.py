@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import reduce
 
@@ -17,6 +18,7 @@ from ..formula import terms as t
 from ..formula.evaluation_options import Semantics
 from ..formula.interval import UNBOUNDED
 from ..formula.normal_form import normal_form
+from .durations import lasting
 from .grids import GridSignals, GridsOrSignals
 from .piecewise import PiecewiseLinear, constant, extreme_of, holding, joined, together
 from .windows import reaching, sliding
@@ -141,7 +143,17 @@ class DenseEvaluation:
                     p, q = p.reversed(), q.reversed()
                 found = reaching(p, q, interval or UNBOUNDED)
                 return found.reversed() if formula.past else found
-        raise self.refusal(str(formula))
+            case f.AtLeast(interval, operand) if not formula.counts:
+                return lasting(
+                    self.formula(operand), interval or UNBOUNDED, self.least_time(formula)
+                )
+        measured = formula.measured if isinstance(formula, f.AtLeast) else formula
+        raise self.refusal(str(measured))
+
+    def least_time(self, formula: f.AtLeast) -> float:
+        """The time that is enough for a duration, as far as sums of times tell it apart."""
+        slack = 16 * math.ulp(float(self.grids.span[-1]) + formula.amount)
+        return formula.amount + (slack if formula.strict else -slack)
 
     def _comparison(self, op: str, left: t.Term, right: t.Term) -> PiecewiseLinear:
         if self.boolean:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..dense.evaluation import DenseEvaluation, refuse_laps
 from ..dense.grids import GridSignals, GridsOrSignals
-from ..dense.piecewise import PiecewiseLinear
+from ..dense.piecewise import PiecewiseLinear, constant, together
 from ..dense.verdicts import dense_range, dense_verdict
 from ..evaluate.trace import Positions
 from ..formula import formulas as f
@@ -106,6 +106,8 @@ class _DenseFinder:
             found = [(part, at) for part in formula.operands]
         elif isinstance(formula, f.UnaryTemporal):
             found = self._moments(formula.operand, formula, at)
+        elif isinstance(formula, f.AtLeast):
+            found = self._moments(formula.operand, formula, at, level=rho)
         elif isinstance(formula, f.BinaryTemporal):
             whole = type(formula)(None, formula.left, formula.right)
             found = self._moments(formula.right, formula, at)
@@ -118,9 +120,14 @@ class _DenseFinder:
         return best
 
     def _moments(
-        self, part: f.Formula, formula: f.TemporalOperator, at: SidedTime
+        self,
+        part: f.Formula,
+        formula: f.TemporalOperator,
+        at: SidedTime,
+        level: float | None = None,
     ) -> list[tuple[f.Formula, SidedTime]]:
-        """The moments of the window among which the extremes of `part` are."""
+        """The moments of the window among which the extremes of `part` are, and at which it crosses
+        the level."""
         interval = formula.window or UNBOUNDED
         ends = [at.time - interval.hi, at.time - interval.lo]
         if not formula.past:
@@ -130,7 +137,11 @@ class _DenseFinder:
             return []
         # Where the sides of `until` cross, neither of them alone has a breakpoint.
         whole = f.And(formula.parts) if len(formula.parts) > 1 else part
-        times = self.evaluation.formula(whole).times
+        function = self.evaluation.formula(whole)
+        if level is not None and math.isfinite(level):
+            crossing = constant(level, function.times, function.tolerance)
+            function, _ = together(function, crossing, crossings=True)
+        times = function.times
         inside = times[(times > low) & (times < high)].tolist()
         found = [SidedTime(time, side) for time in inside for side in _SIDES]
         edges = [] if low == high else [low, high]

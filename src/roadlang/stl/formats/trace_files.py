@@ -37,7 +37,8 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     """
     path = Path(path)
     try:
-        text = _decoded(read_file(path))
+        data = read_file(path)
+        text = _decoded(data)
     except UnreadableFile as problem:
         raise _unreadable(path, problem.reason) from None
     except UnicodeDecodeError:
@@ -45,7 +46,9 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     try:
         if path.suffix.lower() == ".json":
             return _from_json(path, text, agent)
-        return _from_csv(path, text, agent)
+        # Line ends other than these are found in the text alone.
+        as_it_is = b"\0" not in data and b"\r" not in data
+        return _from_csv(path, text, agent, path if as_it_is else None)
     except DriveTraceFault as fault:
         raise _unreadable(path, str(fault), fault.help) from None
 
@@ -62,14 +65,14 @@ def _decoded(data: bytes) -> str:
         return data.decode("latin-1")
 
 
-def _from_csv(path: Path, text: str, agent: str | None) -> Columns:
+def _from_csv(path: Path, text: str, agent: str | None, file: Path | None) -> Columns:
     try:
         table = DelimitedText.of(text)
         if is_table(table.names):
             listed = [cells for _, cells in table.rows()]
             return _checked(path, columns_of_rows(table.names, listed, agent))
         _refuse_agent(agent)
-        columns = table.numbers()
+        columns = table.numbers(None if table.delimiter == ";" else file)
     except DelimitedTextFault as fault:
         raise _unreadable(path, str(fault)) from None
     return table.names[0], columns[0], dict(zip(table.names[1:], columns[1:], strict=True))

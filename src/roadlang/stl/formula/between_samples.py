@@ -20,7 +20,7 @@ def unknown_between_samples(
     if semantics == "sampled":
         return None
     for part in formula.walk():
-        if isinstance(part, f.SampleStep | f.Rise | f.Fall | f.Measured):
+        if isinstance(part, f.SampleStep | f.Rise | f.Fall | f.Count):
             return str(part)
         if semantics == "linear" and isinstance(part, f.Comparison):
             terms = (*part.left.walk(), *part.right.walk())
