@@ -114,7 +114,7 @@ def _edge(network: ScenarioNetwork, edge: Edge, rows: SceneRows) -> list[SceneRo
 def _is_equal_network(network: ScenarioNetwork, rows: SceneRows) -> bool:
     """Whether all roads of a network are the same in all scenes."""
     scenario = rows.scenario
-    if any(scenario.is_varying(link.name) for link in scenario.chain(network)):
+    if scenario.is_varying(network.name):
         return False
     links = [link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork)]
     passes = [call for link in links for call in link.passes if call.verb == "perturb"]
