@@ -19,7 +19,14 @@ _FUNCTION = (
     "there are no functions: `let NAME = value` names a value or formula, and an included file "
     "can be given params"
 )
+_CONTROLLERS = (
+    "what an agent does is a list of controllers in its block: `drive with lane_follow`, then "
+    "`drive with brake { when: time > 4s }`"
+)
+_DRIVE_ENDS = "a drive lasts as long as `simulate { duration: 20s }` says"
 _VALUE = "write `param NAME = value`, which can be set from outside, or `let NAME = value`"
+
+_AGENT = "agents and objects are written `agent NAME is KIND on ROAD at POSITION { ... }`"
 
 _HELP = {
     "for": _LOOP, "while": _LOOP, "repeat": _LOOP,
@@ -28,6 +35,10 @@ _HELP = {
     "def": _FUNCTION, "fun": _FUNCTION, "function": _FUNCTION, "class": _FUNCTION,
     "behavior": "write `drive with KIND { ... }` in the block of the agent",
     "monitor": "write `expect NAME: formula`, or `expect NAME with KIND { ... }`",
+    "do": _CONTROLLERS, "take": _CONTROLLERS, "wait": _CONTROLLERS, "try": _CONTROLLERS,
+    "interrupt": _CONTROLLERS, "actor": _AGENT, "vehicle": _AGENT,
+    "terminate": _DRIVE_ENDS, "record": "`roadlang run` records every drive: traces, verdicts",
+    "mutate": "write a range where a value is to vary: `at 20m..30m`",
     "var": _VALUE, "const": _VALUE, "val": _VALUE, "set": _VALUE,
     "assert": "write `require NAME: formula`, or `expect NAME: formula`",
     "seed": "the seed is an option of the command: `roadlang compile scene.rl --seed 7`",
@@ -39,7 +50,6 @@ _HELP = {
     "perturb": "write it in a block: `road bent from main { perturb with sine { ... } }`",
     "drive": "write it in a block: `agent ego is car on main at 5m { drive with pure_pursuit }`",
 }  # fmt: skip
-_AGENT = "agents and objects are written `agent NAME is KIND on ROAD at POSITION { ... }`"
 
 
 def statement_help(tokens: Sequence[Token]) -> tuple[str, ...]:
