@@ -89,3 +89,30 @@ def _first_touch(world: World, thing: SceneActor) -> float:
     apart = separation(rider, Footprints(*np.array(columns, dtype=float).T))
     touching = np.flatnonzero(apart < 0.0)
     return float(s[place[touching[0]]]) - along if len(touching) else math.inf
+
+
+BLOCK = """
+image plan from \"\"\"
+######
+#....#
+#....#
+######
+\"\"\" { scale: 20m/px }
+network town from plan { lanes: 2 }
+agent ego is car on town { route: random, route_length: 800m, drive with traffic }
+"""
+
+
+def test_a_thing_in_the_lane_is_in_the_way_each_time_that_a_route_comes_by() -> None:
+    (sampled,) = testing.sample(BLOCK, 1, seed=1)
+    scene = sampled.record
+    lines = world_of([scene], {}, 0.02, 0.1).track.lines
+    there = int(40.0 / lines.spacing[0])
+    x, y, heading = (float(column[there]) for column in (lines.x, lines.y, lines.heading))
+    wreck = SceneActor("wreck", "wreck", "", x, y, heading, 4.5, 1.8, 1.5)
+    world = world_of([replace(scene, objects=(wreck,))], {}, 0.02, 0.1)
+    last = int(lines.last[0])
+    near = np.hypot(lines.x[:last] - x, lines.y[:last] - y) < 1.0
+    passes = int((np.diff(near.astype(int)) == 1).sum())
+    assert passes >= 2
+    assert len(Obstacles.of(world).begin) == passes

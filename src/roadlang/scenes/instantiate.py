@@ -32,6 +32,7 @@ from .junction_warnings import junction_warnings
 from .roads import scene_networks, scene_roads
 from .scene_rows import SceneRows
 from .start_gaps import slowed_behind
+from .start_meetings import slowed_before_meetings
 from .start_speeds import keep_distance
 
 
@@ -142,17 +143,17 @@ def _driven(
         objects = [(*found, *legend) for found in objects]
     networks = scene_networks(rows)
     agents = scene_actors(source.agents, rows)
-    slowed = [
-        slowed_behind(placed, things, keep_distance(source.agents, placed, rows.scenario), places)
-        for placed, things, places in zip(agents, objects, networks, strict=True)
-    ]
+    roads = scene_roads(rows)
+    free = [keep_distance(source.agents, placed, rows.scenario) for placed in agents]
+    agents = [*map(slowed_before_meetings, agents, free, roads)]
+    slowed = [*map(slowed_behind, agents, objects, free, networks)]
     simulate = source.simulate
     return {
         "index": numbers,
         "provenance": _provenances(rows, numbers, overrides),
         "values": _maps(values, rows),
         "networks": networks,
-        "roads": scene_roads(rows),
+        "roads": roads,
         "agents": slowed,
         "objects": objects,
         "world": _maps(world, rows),

@@ -31,16 +31,20 @@ def zipper(world: World) -> tuple[Floats, Floats, Floats]:
         return gap, speed, stop
     along, half = world.motion.along, 0.5 * world.bodies.length
     before = np.maximum(LEAST_DISTANCE, PREPARED * world.motion.speed) + half
-    changes_lane, least, most = world.table.lane_changes(slice(None), along - half, along + before)
+    changes_lane, least, most = world.table.lane_changes(
+        slice(None), along, along - half, along + before
+    )
     shape = len(world.scenes), world.slots
     changing = (changes_lane & world.has_route & world.present & ~world.halted).reshape(shape)
     scenes = np.flatnonzero(changing.any(axis=1))
     if not len(scenes):
         return gap, speed, stop
-    place = world.place
+    # Who is on a connection is already in line with those on the lane it leads to.
+    place = world.table.coming_place(slice(None), along)
+    station = np.where(world.has_route, place.station, world.station)
     columns: tuple[Any, ...] = (
         np.where(place.turn < 0, place.road, -1), place.direction, place.lane, least, most,
-        world.station, half, world.motion.speed,
+        station, half, world.motion.speed,
     )  # fmt: skip
     road, direction, lane, low, high, station, half_length, pace = (
         column.reshape(shape)[scenes] for column in columns

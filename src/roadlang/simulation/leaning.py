@@ -24,6 +24,8 @@ LONG = 7.0
 """Meters: shorter vehicles have room enough in their lanes."""
 SPACING = 0.5
 """Meters between two points of the line."""
+EASED = 2.5
+"""Meters to each side over which the line is averaged: wheels take time to turn."""
 SPARE = 1.2
 """Times its least radius, at least, is that of the bends that a vehicle follows."""
 
@@ -68,8 +70,19 @@ def _even(source: LineSource, least: float) -> tuple[Floats, Floats, Floats, Flo
     line = with_wider_bends((s, x, y, heading), least)
     gone = _chords(line[1], line[2])
     even = _evenly(float(gone[-1]))
-    s, x, y, heading = (np.interp(even, gone, column) for column in line)
+    s, *rest = (np.interp(even, gone, column) for column in line)
+    x, y, heading = (_eased(column) for column in rest)
     return s, even, x, y, heading
+
+
+def _eased(values: Floats) -> Floats:
+    """Means over `EASED` meters to each side, less near the ends: no bend begins at once."""
+    count = min(round(EASED / SPACING), (len(values) - 1) // 2)
+    if count < 1:
+        return values
+    wide = np.pad(values, count, mode="reflect", reflect_type="odd")
+    box = np.full(2 * count + 1, 1.0 / (2 * count + 1))
+    return np.asarray(np.convolve(wide, box, mode="valid"))
 
 
 def _evenly(length: float) -> Floats:

@@ -16,6 +16,8 @@ BESIDE = 8.0
 BENT, PIECE = 0.1, 1.0
 """Radians by which a line turns beside an object, from which on the object is cut into pieces of so
 many meters."""
+LATE = 2.5
+"""m/s^2: who would have to brake harder before an object sees that it is off its line."""
 MARGIN = 0.1
 """Meters to each side between an agent and an object that it passes."""
 
@@ -72,10 +74,19 @@ class Obstacles:
             aside = np.abs(self.left - world.line_offset[agent])
             room = self.half + half_width[agent] + MARGIN
             if not world.sweeps.is_empty:
-                room = room + self._swept(world)
+                room = room + np.maximum(self._swept(world), self._drift(world, gap))
             meets = (gap > -MARGIN) & (aside < room)
             np.minimum.at(out, agent[meets], gap[meets])
         return out
+
+    def _drift(self, world: World, gap: Floats) -> Floats:
+        """(P,) meters by which the front of a long agent is off its line toward an object before
+        which it can hardly stop any more; of others, 0."""
+        agent, speed = self.agent, world.motion.speed[self.agent]
+        front = world.cross_track_error + 0.5 * world.bodies.length * world.motion.sine
+        left = np.where(self.left > world.line_offset[agent], front[agent], -front[agent])
+        late = (world.sweeps.table[agent] > 0) & (gap * 2.0 * LATE < speed * speed)
+        return np.where(late, np.maximum(left, 0.0), 0.0)
 
     def _swept(self, world: World) -> Floats:
         """(P,) meters beyond its width that the agent covers on the side of the object."""
@@ -86,42 +97,57 @@ class Obstacles:
 
 
 def _beside(world: World, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
-    """Begin, middle and half of the width of the objects near one line. Where it bends beside them,
-    those of their pieces."""
-    whole, turned = _on_line(world, row, objects)
-    bent = turned > BENT
-    if not bent.any():
-        return whole
-    pieces, _ = _on_line(world, row, objects.take(np.flatnonzero(bent)).pieces(PIECE))
-    straight, _ = _on_line(world, row, objects.take(np.flatnonzero(~bent)))
-    begin, left, half = (np.concatenate(pair) for pair in zip(straight, pieces, strict=True))
+    """Begin, middle and half of the width of the objects near one line, each time that it passes
+    them. Where it bends there, those of their pieces."""
+    number, cell = _passes(world, row, objects)
+    places, turned = _at(world, row, objects.take(number), cell)
+    bent = np.unique(number[turned > BENT])
+    if not len(bent):
+        return places
+    pieces = objects.take(bent).pieces(PIECE)
+    which, there = _passes(world, row, pieces)
+    parts, _ = _at(world, row, pieces.take(which), there)
+    whole = ~np.isin(number, bent)
+    begin, left, half = (
+        np.concatenate([one[whole], two]) for one, two in zip(places, parts, strict=True)
+    )
     return begin, left, half
 
 
-def _on_line(
-    world: World, row: int, objects: Outlines
-) -> tuple[tuple[Floats, Floats, Floats], Floats]:
-    """Begin, middle and half of the width of those near one line, and of all objects (K,) by how
-    much the line turns beside each, in radians."""
+def _passes(world: World, row: int, objects: Outlines) -> tuple[Integers, Integers]:
+    """Numbers of the objects near one line, and the cells where it is nearest to them: one for each
+    time that it comes by."""
     lines = world.track.lines
     first, last = row * lines.cells, int(lines.last[row])
     cells = slice(first, first + last + 1)
     off_x = objects.x[:, None] - lines.x[cells]
     off_y = objects.y[:, None] - lines.y[cells]
-    cell = (off_x * off_x + off_y * off_y).argmin(axis=1)
+    square = off_x * off_x + off_y * off_y
+    beside = BESIDE + objects.half_length + objects.half_width
+    nearer = np.diff(square, axis=1, prepend=math.inf) < 0.0
+    farther = np.diff(square, axis=1, append=math.inf) >= 0.0
+    number, cell = np.nonzero(nearer & farther & (square < (beside * beside)[:, None]))
+    return number, cell
+
+
+def _at(
+    world: World, row: int, objects: Outlines, cell: Integers
+) -> tuple[tuple[Floats, Floats, Floats], Floats]:
+    """Begin, middle and half of the width of objects (P,), seen from cells of one line, and by how
+    much that turns beside each, in radians."""
+    lines = world.track.lines
+    first, last = row * lines.cells, int(lines.last[row])
+    off_x, off_y = objects.x - lines.x[first + cell], objects.y - lines.y[first + cell]
     heading = lines.heading[first + cell]
     cosine, sine = np.cos(heading), np.sin(heading)
-    each = np.arange(len(cell))
-    ahead = cosine * off_x[each, cell] + sine * off_y[each, cell]
-    left = cosine * off_y[each, cell] - sine * off_x[each, cell]
+    ahead, left = cosine * off_x + sine * off_y, cosine * off_y - sine * off_x
     along = np.abs(objects.cosine * cosine + objects.sine * sine)
     across = np.abs(objects.sine * cosine - objects.cosine * sine)
     half = objects.half_length * across + objects.half_width * along
     deep = objects.half_length * along + objects.half_width * across
     spacing = lines.spacing[row]
     begin = lines.origin[row] + cell * spacing + ahead - deep
-    near = np.abs(left) < BESIDE + half
     around = np.ceil(deep / spacing).astype(np.int64)
     ends = (np.clip(cell + side * around, 0, last) for side in (-1, 1))
     low, high = (lines.heading[first + end] for end in ends)
-    return (begin[near], left[near], half[near]), np.where(near, np.abs(high - low), 0.0)
+    return (begin, left, half), np.abs(high - low)

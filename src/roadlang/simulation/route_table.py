@@ -139,6 +139,22 @@ class RouteTable:
             self._station(line, leg, along), self.turn[line, leg], self.direction[line, leg],
         )  # fmt: skip
 
+    def coming_place(self, rows: Any, along: Floats) -> RoadPosition:
+        """The same, but on a connection that on the lane it leads to: as far before its beginning
+        as is left to go."""
+        line, leg = self.line[rows], self.leg(rows, along)
+        after = np.minimum(leg + 1, self.begin.shape[1] - 1)
+        leads = (self.turn[line, leg] >= 0) & (self.turn[line, after] < 0)
+        leads &= np.isfinite(self.begin[line, after])
+        chosen = np.where(leads, after, leg)
+        left = np.where(leads, self.begin[line, after], along) - along
+        direction = self.direction[line, chosen]
+        station = self._station(line, chosen, along) - direction * left
+        return RoadPosition(
+            chosen, self.step[line, chosen], self.road[line, chosen], self.lane[line, chosen],
+            station, self.turn[line, chosen], direction,
+        )  # fmt: skip
+
     def station(self, rows: Any, along: Floats) -> Floats:
         """(N,) arc lengths along the roads, within the ends of the lines."""
         return self._station(self.line[rows], self.leg(rows, along), along)
@@ -163,15 +179,16 @@ class RouteTable:
         return np.asarray(np.sqrt(np.where(ahead, square, math.inf).min(axis=1)))
 
     def lane_changes(
-        self, rows: Any, first: Floats, last: Floats
+        self, rows: Any, along: Floats, first: Floats, last: Floats
     ) -> tuple[Booleans, Integers, Integers]:
         """(N,) whether lines change lanes between arc lengths `first` and `last`, and of the lanes
-        that they change to, up to the next connection, the least and the greatest id."""
+        that they change to, up to the next connection from `along` on, the least and the greatest
+        id."""
         line = self.line[rows]
         begin, changed = self.begin[line], self.changed[line]
         meets = (changed > 0.0) & (begin - changed < last[:, None])
         meets &= begin + changed > first[:, None]
-        turns = (self.turn[line] >= 0) & (begin > first[:, None])
+        turns = (self.turn[line] >= 0) & (begin > along[:, None])
         meets &= np.cumsum(turns, axis=1) == 0
         lane = self.lane[line]
         least = np.where(meets, lane, _NO_LANE).min(axis=1)

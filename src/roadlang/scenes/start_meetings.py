@@ -1,0 +1,76 @@
+"""Agents that come toward each other in bends too narrow for both begin so slowly that one can wait
+for the other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+
+from ..ir.scene import SceneRoad
+from ..ir.scene_actor import SceneActor
+from .start_gaps import BRAKING, FARTHEST, STANDING_GAP
+
+STRAIGHT = 0.004
+"""1/m: bends with less curvature do not matter."""
+LONG = 7.0
+"""Meters: where all are shorter, they have room enough in their lanes."""
+COVERED = 0.16
+"""Share of the square of its length, times the curvature, that a vehicle covers to each side beyond
+its width, in a bend: its front on the outside, its middle on the inside."""
+BETWEEN = 0.3
+"""Meters between two that pass each other."""
+
+
+def slowed_before_meetings(
+    agents: Sequence[SceneActor], free: Sequence[bool], roads: Sequence[SceneRoad]
+) -> tuple[SceneActor, ...]:
+    """The agents of a scene. Those that are `free` begin no faster than from where they can brake,
+    with `BRAKING`, before the middle between them and one that comes toward them, if there is no
+    room for both in the bends of the road between."""
+    if not any(free) or max(agent.length for agent in agents) <= LONG:
+        return tuple(agents)
+    known = {road.name: road for road in roads}
+    groups: dict[str, list[int]] = {}
+    for number, agent in enumerate(agents):
+        if agent.road in known and agent.start is not None:
+            groups.setdefault(agent.road, []).append(number)
+    speeds = [agent.start_speed or 0.0 for agent in agents]
+    for name, numbers in groups.items():
+        road = known[name]
+        for pair in combinations(numbers, 2):
+            most = _most(agents[pair[0]], agents[pair[1]], road)
+            for number in pair:
+                if free[number] and speeds[number] > most:
+                    speeds[number] = most
+    return tuple(
+        agent if speed == (agent.start_speed or 0.0) else replace(agent, start_speed=speed)
+        for agent, speed in zip(agents, speeds, strict=True)
+    )
+
+
+def _most(one: SceneActor, other: SceneActor, road: SceneRoad) -> float:
+    """m/s at which two on a road may begin, infinite where they do not meet in a narrow bend."""
+    aside = abs((one.offset or 0.0) - (other.offset or 0.0))
+    spare = aside - 0.5 * (one.width + other.width)
+    first, last = sorted((one, other), key=_start)
+    gap = _start(last) - _start(first) - 0.5 * (first.length + last.length)
+    is_meeting = first.facing != "back" and last.facing == "back"
+    is_long = max(one.length, other.length) > LONG
+    if not (is_meeting and is_long) or spare < 0.0 or gap > FARTHEST:
+        return math.inf
+    stations = np.asarray(road.stations)
+    begin, end = _start(first) - first.length, _start(last) + last.length
+    bends = np.abs(np.asarray(road.curvature)[(stations >= begin) & (stations <= end)])
+    bend = float(bends.max(initial=0.0))
+    covered = COVERED * bend * (one.length**2 + other.length**2)
+    if bend < STRAIGHT or spare > covered + BETWEEN:
+        return math.inf
+    return math.sqrt(2.0 * BRAKING * max(0.0, 0.5 * gap - STANDING_GAP))
+
+
+def _start(agent: SceneActor) -> float:
+    return agent.start or 0.0
