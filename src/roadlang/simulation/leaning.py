@@ -71,16 +71,20 @@ def _even(source: LineSource, least: float) -> tuple[Floats, Floats, Floats, Flo
     gone = _chords(line[1], line[2])
     even = _evenly(float(gone[-1]))
     s, *rest = (np.interp(even, gone, column) for column in line)
-    x, y, heading = (_eased(column) for column in rest)
+    x, y, heading = (_eased(column, source.closed) for column in rest)
     return s, even, x, y, heading
 
 
-def _eased(values: Floats) -> Floats:
-    """Means over `EASED` meters to each side, less near the ends: no bend begins at once."""
+def _eased(values: Floats, closed: bool) -> Floats:
+    """Means over `EASED` meters to each side: no bend begins at once. Open lines go on straight."""
     count = min(round(EASED / SPACING), (len(values) - 1) // 2)
     if count < 1:
         return values
     wide = np.pad(values, count, mode="reflect", reflect_type="odd")
+    if closed:
+        lap = values[-1] - values[0]
+        wide[:count] = values[-count - 1 : -1] - lap
+        wide[-count:] = values[1 : count + 1] + lap
     box = np.full(2 * count + 1, 1.0 / (2 * count + 1))
     return np.asarray(np.convolve(wide, box, mode="valid"))
 
