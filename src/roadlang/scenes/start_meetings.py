@@ -12,7 +12,8 @@ import numpy as np
 
 from ..ir.scene import SceneRoad
 from ..ir.scene_actor import SceneActor
-from .start_gaps import BRAKING, FARTHEST, STANDING_GAP
+from ..plugins.kinds import STANDING_GAP
+from .start_gaps import BRAKING, FARTHEST
 
 STRAIGHT = 0.004
 """1/m: bends with less curvature do not matter."""
