@@ -30,10 +30,8 @@ def zipper(world: World) -> tuple[Floats, Floats, Floats]:
     if not world.table.has_changes:
         return gap, speed, stop
     along, half = world.motion.along, 0.5 * world.bodies.length
-    before = np.maximum(LEAST_DISTANCE, PREPARED * world.motion.speed) + half
-    changes_lane, least, most = world.table.lane_changes(
-        slice(None), along, along - half, along + before
-    )
+    last = along + np.maximum(LEAST_DISTANCE, PREPARED * world.motion.speed) + half
+    changes_lane, least, most = world.table.lane_changes(slice(None), along, along - half, last)
     shape = len(world.scenes), world.slots
     changing = (changes_lane & world.has_route & world.present & ~world.halted).reshape(shape)
     scenes = np.flatnonzero(changing.any(axis=1))
