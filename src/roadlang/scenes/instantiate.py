@@ -146,7 +146,6 @@ def _driven(
     roads = scene_roads(rows)
     free = [keep_distance(source.agents, placed, rows.scenario) for placed in agents]
     agents = [*map(slowed_before_meetings, agents, free, roads)]
-    slowed = [*map(slowed_behind, agents, objects, free, networks)]
     simulate = source.simulate
     return {
         "index": numbers,
@@ -154,7 +153,7 @@ def _driven(
         "values": _maps(values, rows),
         "networks": networks,
         "roads": roads,
-        "agents": slowed,
+        "agents": [*map(slowed_behind, agents, objects, free, networks)],
         "objects": objects,
         "world": _maps(world, rows),
         "simulate": rows.same(None) if simulate is None else _calls(simulate, rows),
