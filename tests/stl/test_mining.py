@@ -119,3 +119,10 @@ def test_the_front_trades_one_parameter_for_the_other() -> None:
     assert len(front) >= 8
     for tau, limit in zip(taus, limits, strict=True):
         assert limit == pytest.approx(8 * np.exp(-(tau // 0.5 * 0.5) / 10), rel=1e-4)
+
+
+def test_a_threshold_at_the_end_of_its_bounds_is_monotone() -> None:
+    """All values above 0 hold, 0 does not: what is found is next to it."""
+    found = mine("always (x < p)", [Parameter("p", 0, 9)], [([0.0, 1.0], {"x": [0.0, 0.0]})])
+    assert found.not_monotone == ()
+    assert 0 < found.values["p"] < 1e-9

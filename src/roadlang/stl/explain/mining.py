@@ -118,11 +118,11 @@ def _tightened(
         name, loose = parameter.name, values[parameter.name]
         tight = parameter.low + parameter.high - corner[name]
         if search.holds({**values, name: tight}):
-            values[name] = tight
+            values[name] = failing = tight
             at_bound.append(name)
         else:
-            values[name] = search.boundary(values, name, tight, digits)
-        if not search.is_monotone(values, name, loose, tight):
+            values[name], failing = search.boundary(values, name, tight, digits)
+        if not search.is_monotone(values, name, loose, failing, tight):
             not_monotone.append(name)
     formula, rho = search.formula(values), search.rho(values)
     return Mined(values, formula, rho, tuple(at_bound), tuple(not_monotone))
@@ -194,19 +194,21 @@ class _ParameterSearch:
         return max(holding, key=self.rho)
 
     def is_monotone(
-        self, values: Mapping[str, float], name: str, loose: float, tight: float
+        self, values: Mapping[str, float], name: str, loose: float, failing: float, tight: float
     ) -> bool:
-        """Whether all values of a few between `loose` and the one found hold, and none beyond."""
+        """Whether all values of a few between `loose` and the one found hold, and none beyond the
+        `failing` one next to it."""
         found = values[name]
         between = np.linspace(loose, found, _PROBES + 2)[1:-1].tolist()
-        beyond = np.linspace(found, tight, _PROBES + 2)[1:-1].tolist() if found != tight else []
+        beyond = np.linspace(failing, tight, _PROBES + 2)[:-1].tolist() if found != tight else []
         return all(self.holds({**values, name: value}) for value in between) and not any(
             self.holds({**values, name: value}) for value in beyond
         )
 
     def boundary(
         self, values: Mapping[str, float], name: str, failing: float, digits: int
-    ) -> float:
+    ) -> tuple[float, float]:
+        """The last value that holds, and the one next to it that does not."""
         holding = values[name]
         for _ in range(_STEPS):
             middle = _rounded((holding + failing) / 2, abs(holding - failing), digits)
@@ -216,7 +218,7 @@ class _ParameterSearch:
                 holding = middle
             else:
                 failing = middle
-        return holding
+        return holding, failing
 
 
 def _rounded(value: float, width: float, digits: int) -> float:
