@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -48,13 +48,23 @@ def _constants(module: Any) -> Iterator[str]:
     """What is assigned in the module itself, but for state that begins empty."""
     tree = ast.parse(Path(module.__file__).read_text(encoding="utf-8"))
     for statement in tree.body:
-        targets = statement.targets if isinstance(statement, ast.Assign) else []
-        if isinstance(statement, ast.AnnAssign) and statement.value is not None:
-            targets = [statement.target]
+        if not isinstance(statement, ast.Assign | ast.AnnAssign) or _is_empty(statement.value):
+            continue
+        targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
         for target in targets:
             for one in target.elts if isinstance(target, ast.Tuple) else [target]:
                 if isinstance(one, ast.Name) and one.id.strip("_").isupper():
                     yield from _described(f"  {one.id}", getattr(module, one.id))
+
+
+def _is_empty(value: ast.expr | None) -> bool:
+    """State that code fills: an empty container, what a call makes without arguments, nothing."""
+    if value is None:
+        return True
+    if isinstance(value, ast.Call):
+        return not value.args and not value.keywords
+    elements = getattr(value, "elts", getattr(value, "keys", None))
+    return elements == []
 
 
 def _described(name: str, value: Any, depth: int = 0) -> Iterator[str]:
@@ -92,7 +102,7 @@ def _shown(value: Any, depth: int = 0) -> str:
             f"{one.name}={_shown(getattr(value, one.name), depth + 1)}" for one in fields(value)
         )
         return f"{type(value).__name__}({', '.join(parts)})"
-    return getattr(value, "__name__", "")
+    return "" if isinstance(value, TypeVar) else getattr(value, "__name__", "")
 
 
 def _defaults(module: Any) -> Iterator[str]:

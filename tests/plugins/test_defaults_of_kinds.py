@@ -184,3 +184,20 @@ def test_bounds_that_are_not_stated_leave_everything_open() -> None:
     assert Pick().cells() is None
     assert Pick().simplest() == 0.5
     assert list(Pick().levels(4)) == [0.125, 0.375, 0.625, 0.875]
+
+
+@pytest.mark.parametrize(
+    ("base", "old", "new", "value"),
+    [
+        (Distribution, "is_whole", "is_integer", True),
+        (LaneKind, "usual_width", "default_width", 2.25),
+        (LaneKind, "usual_marking", "default_marking", "solid"),
+    ],
+)
+def test_the_old_name_of_a_class_attribute_works_with_a_warning(
+    base: type, old: str, new: str, value: object
+) -> None:
+    with pytest.warns(DeprecationWarning, match=f"`{old}` is now `{new}`") as found:
+        kind = type("Old", (base,), {"__doc__": "Of last year.", old: value})
+    assert getattr(kind, new) == value
+    assert found[0].filename == __file__
