@@ -44,26 +44,22 @@ class Compilation:
     def _compile(
         self, count: int | None, seed: int, workers: Workers, print_after: str | None
     ) -> None:
+        from ..search.worker_pool import Workers
+        from ..session.emitting import compiled
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 
         printer = None if print_after is None else self._printer(print_after)
         try:
             with ProgressBar("scenes") as progress:
-                self.scenes = self.loaded.sample(
-                    count,
-                    seed=seed,
-                    jobs=workers.jobs,
-                    executor=workers.executor,
-                    progress=progress,
-                    after_pass=printer,
+                who = Workers(workers.jobs, workers.executor, progress)
+                self.scenes, self.manifest = compiled(
+                    self.loaded, self.folder, count, seed, who, printer
                 )
         except NoSceneError as error:
             self.scenes = error.result
             raise
         self.found += self.scenes.diagnostics
-        with ProgressBar("files") as progress:
-            self.manifest = self.scenes.emit(self.folder, progress=progress)
 
     def _printer(self, name: str) -> PassPrinter:
         from .pass_output import PassPrinter

@@ -28,3 +28,31 @@ def folder_lock(folder: Path) -> Iterator[None]:
         yield
     finally:
         os.close(handle)
+
+
+def held_lock(folder: Path) -> contextlib.ExitStack:
+    """Take the lock of a folder that nobody else knows yet, until the result is closed."""
+    held = contextlib.ExitStack()
+    held.enter_context(folder_lock(folder))
+    return held
+
+
+def is_held(folder: Path) -> bool:
+    """Whether a process that is alive holds a lock on a folder."""
+    if sys.platform == "win32":
+        return False
+    import fcntl
+
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+    except OSError:
+        return False
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    except OSError:
+        return False
+    finally:
+        os.close(handle)
+    return False

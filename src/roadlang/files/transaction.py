@@ -19,6 +19,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from .locking import is_held
+
 PREFIX = ".roadlang-"
 _JOURNAL, _UNDO = "journal.json", "undo.json"
 _MANY = 32
@@ -36,9 +38,9 @@ class _FileStep:
 
 
 def replace_files(
-    folder: Path, contents: Mapping[str, bytes], removed: Iterable[str], marker: str | None
+    folder: Path, contents: Mapping[str, bytes | Path], removed: Iterable[str], marker: str | None
 ) -> None:
-    """Write `contents` by name and remove `removed`, all or nothing.
+    """Write `contents` by name and remove `removed`, all or nothing. Of a path the file is moved.
 
     While it happens `marker` is not there: where it is, all files are those that belong to it.
     Raises `OSError` with the folder as it was before. The caller holds the lock of the folder.
@@ -47,8 +49,8 @@ def replace_files(
     room = Path(tempfile.mkdtemp(prefix=PREFIX, dir=folder))
     try:
         steps = _gathered(folder, room, contents, removed, marker)
-        _write(room / "journal.new", _as_json(steps, marker))
-        _sync_folder(room)
+        write(room / "journal.new", _as_json(steps, marker))
+        sync_folder(room)
         os.replace(room / "journal.new", room / _JOURNAL)
     except BaseException:
         _dissolve(room)
@@ -69,6 +71,8 @@ def recover(folder: Path) -> None:
     The caller holds the lock of the folder. Raises `OSError`.
     """
     for room in sorted(folder.glob(f"{PREFIX}*")):
+        if is_held(room):
+            continue  # somebody gathers files there
         if not _is_folder(room):
             with contextlib.suppress(OSError):
                 room.unlink()
@@ -109,7 +113,7 @@ def _refuse_non_files(folder: Path, names: Iterable[str]) -> None:
 def _gathered(
     folder: Path,
     room: Path,
-    contents: Mapping[str, bytes],
+    contents: Mapping[str, bytes | Path],
     removed: Iterable[str],
     marker: str | None,
 ) -> list[_FileStep]:
@@ -124,9 +128,9 @@ def _gathered(
     for number, name in enumerate([*deleted, *names]):
         new = f"new-{number}" if name in contents else None
         if new is not None:
-            _write(room / new, contents[name])
+            _place(room / new, contents[name])
         steps.append(_FileStep(name, new, _backup(folder / name, room, number)))
-    _sync_all([room / step.new for step in steps if step.new is not None])
+    sync_of_many([room / step.new for step in steps if step.new is not None])
     return steps
 
 
@@ -149,15 +153,15 @@ def _put_in_place(folder: Path, room: Path, steps: list[_FileStep], marker: str 
     last = steps[-1] if steps else None
     if last is not None and last.name == marker and last.new and (room / last.new).exists():
         _remove(folder / marker)
-        _sync_folder(folder)
+        sync_folder(folder)
     for step in steps:
         if step is last:
-            _sync_folder(folder)
+            sync_folder(folder)
         if step.new is None:
             _remove(folder / step.name)
         elif (room / step.new).exists():
             os.replace(room / step.new, folder / step.name)
-    _sync_folder(folder)
+    sync_folder(folder)
 
 
 def _undo(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) -> None:
@@ -168,7 +172,7 @@ def _undo(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) 
             os.replace(room / step.old, folder / step.name)
         elif step.old is None and step.new is not None and not (room / step.new).exists():
             _remove(folder / step.name)
-    _sync_folder(folder)
+    sync_folder(folder)
 
 
 def _remove(path: Path) -> None:
@@ -176,13 +180,21 @@ def _remove(path: Path) -> None:
         path.unlink()
 
 
-def _write(path: Path, content: bytes) -> None:
+def _place(path: Path, content: bytes | Path) -> None:
+    if isinstance(content, Path):
+        shutil.move(content, path)
+    else:
+        write(path, content)
+
+
+def write(path: Path, content: bytes) -> None:
+    """A file that is not there yet."""
     handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
     with os.fdopen(handle, "wb") as file:
         file.write(content)
 
 
-def _sync_all(paths: Sequence[Path]) -> None:
+def sync_of_many(paths: Sequence[Path]) -> None:
     """Make contents outlast a loss of power. Of many files each alone takes a commit of the file
     system, milliseconds; Linux writes everything at once, and waits for it."""
     if sys.platform == "linux" and len(paths) > _MANY:
@@ -200,7 +212,7 @@ def _sync(path: Path) -> None:
         os.close(handle)
 
 
-def _sync_folder(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
     """Make renames in a folder outlast a loss of power, where the system can do that."""
     with contextlib.suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)

@@ -49,7 +49,7 @@ def write_set(
         name: content.encode() if isinstance(content, str) else content
         for name, content in contents.items()
     }
-    with _reported(folder), _created(folder), folder_lock(folder):
+    with reported(folder), created(folder), folder_lock(folder):
         recover(folder)
         earlier = folder / marker if marker is not None else None
         removed: Iterable[str] = ()
@@ -64,7 +64,7 @@ def remove_set(folder: Path, marker: str, belonging: Callable[[Path], Iterable[s
 
     Nothing happens where there is no marker. Raises `DiagnosticError` RL460.
     """
-    with _reported(folder):
+    with reported(folder):
         with folder_lock(folder):
             recover(folder)
             if not os.path.lexists(folder / marker):
@@ -103,7 +103,7 @@ def replace_file(path: Path, text: str) -> None:
 
 
 @contextlib.contextmanager
-def _created(folder: Path) -> Iterator[None]:
+def created(folder: Path) -> Iterator[None]:
     """Make a folder with its parents; where the writing fails, those that were made go again."""
     missing = [path for path in (folder, *folder.parents) if not os.path.lexists(path)]
     folder.mkdir(parents=True, exist_ok=True)
@@ -117,7 +117,8 @@ def _created(folder: Path) -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _reported(folder: Path) -> Iterator[None]:
+def reported(folder: Path) -> Iterator[None]:
+    """Turn an `OSError` inside into `DiagnosticError` RL460 of the folder."""
     try:
         yield
     except OSError as error:

@@ -128,10 +128,11 @@ def plain(value: Any) -> Any:
     """Maps, lists, words and numbers. Raises `TypeError` for what JSON cannot hold."""
     import msgspec
 
-    return msgspec.to_builtins(value, enc_hook=_plain_number, order="deterministic")
+    return msgspec.to_builtins(value, enc_hook=plain_number, order="deterministic")
 
 
-def _plain_number(value: Any) -> Any:
+def plain_number(value: Any) -> Any:
+    """A number or array of numpy as Python has it. Raises `TypeError` for anything else."""
     if hasattr(value, "tolist"):
         return value.tolist()
     raise TypeError(f"{type(value).__name__} cannot be written as JSON")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -63,29 +63,53 @@ def fixed_picture(name: str, scenario: IndexedScenario) -> Picture:
     return load_picture(name, fixed_candidate(scenario)).picture
 
 
-def outputs_of(
-    backends: Sequence[KindInstance],
-    scenes: Sequence[Scene],
-    progress: Callable[[int, int], None] | None = None,
-) -> list[Output]:
-    """All files of all backends. Raises `DiagnosticError` RL931 where two have one name."""
-    found: dict[str, Output] = {}
-    for number, backend in enumerate(backends):
-        for output in _outputs_of(backend, scenes):
-            if progress is not None and output.scene is not None:
-                progress(number * len(scenes) + output.scene, len(backends) * len(scenes))
-            other = found.setdefault(output.path, output)
-            if other is not output:
-                raise DiagnosticError(
-                    diagnose(
-                        Code.DUPLICATE_OUTPUT,
-                        backend.call.span,
-                        first=other.backend,
-                        second=output.backend,
-                        path=output.path,
-                    )
+def outputs_of_scene(backends: Sequence[KindInstance], scene: Scene) -> list[Output]:
+    """The files of a scene, of all backends."""
+    return [
+        Output(f"scene-{scene.index:04d}.{ending}", content, backend.entry.recorded, scene.index)
+        for backend in backends
+        for ending, content in _files_of_scene(backend, scene).items()
+    ]
+
+
+def outputs_of_all(backends: Sequence[KindInstance], scenes: Sequence[Scene]) -> Iterator[Output]:
+    """What backends write once for all scenes."""
+    for backend in backends:
+        with backend.guarded:
+            files = backend.kind.collection(scenes)
+        for path, content in _checked(files, backend).items():
+            if path.casefold() == MANIFEST_FILE:
+                fault = f"gave a file the name {path!r}, which is that of the manifest"
+                raise wrong_result(backend.entry, backend.call.span, fault)
+            yield Output(path, content, backend.entry.recorded, None)
+
+
+def wants_all(backends: Iterable[KindInstance]) -> bool:
+    """Whether a backend writes something for all scenes, or sends them to an engine."""
+    kinds = [type(backend.kind) for backend in backends]
+    return any(implements(kind, "collection") or implements(kind, "send") for kind in kinds)
+
+
+class OutputNames:
+    """The names of the files so far, and who wrote them."""
+
+    def __init__(self, backends: Sequence[KindInstance]) -> None:
+        self._calls = {backend.entry.recorded: backend.call for backend in backends}
+        self._names: dict[str, str] = {}
+
+    def add(self, output: Output) -> None:
+        """Raises `DiagnosticError` RL931 where two have one name."""
+        if output.path in self._names:
+            raise DiagnosticError(
+                diagnose(
+                    Code.DUPLICATE_OUTPUT,
+                    self._calls[output.backend].span,
+                    first=self._names[output.path],
+                    second=output.backend,
+                    path=output.path,
                 )
-    return list(found.values())
+            )
+        self._names[output.path] = output.backend
 
 
 def send(backends: Iterable[KindInstance], scenes: Iterable[Scene]) -> None:
@@ -97,20 +121,10 @@ def send(backends: Iterable[KindInstance], scenes: Iterable[Scene]) -> None:
                 backend.kind.send(scene)
 
 
-def _outputs_of(backend: KindInstance, scenes: Sequence[Scene]) -> Iterator[Output]:
-    name = backend.entry.recorded
-    for scene in scenes:
-        with backend.guarded:
-            files = backend.kind.files(scene)
-        for ending, content in _checked(files, backend).items():
-            yield Output(f"scene-{scene.index:04d}.{ending}", content, name, scene.index)
+def _files_of_scene(backend: KindInstance, scene: Scene) -> Mapping[str, bytes]:
     with backend.guarded:
-        files = backend.kind.collection(tuple(scenes))
-    for path, content in _checked(files, backend).items():
-        if path.casefold() == MANIFEST_FILE:
-            fault = f"gave a file the name {path!r}, which is that of the manifest"
-            raise wrong_result(backend.entry, backend.call.span, fault)
-        yield Output(path, content, name, None)
+        files = backend.kind.files(scene)
+    return _checked(files, backend)
 
 
 def _checked(files: Any, backend: KindInstance) -> Mapping[str, bytes]:

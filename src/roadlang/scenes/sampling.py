@@ -23,6 +23,7 @@ from ..search.scene_search import SceneSearch
 from ..search.searching import search
 from ..search.worker_pool import ALONE, Workers
 from ..world.index import index_scenario
+from .emitted import Emission, emitted
 from .instantiate import ConcreteScene, concrete_scenes, fixed_remarks
 
 SceneObserver = Callable[[int, PassCall, Any], None]
@@ -69,8 +70,12 @@ def sample_scenes(
     overrides: dict[str, str] | None = None,
     observer: SceneObserver | None = None,
     workers: Workers = ALONE,
+    emission: Emission | None = None,
 ) -> SamplingResult:
     """The first `n` scenes (all of a grid, one of anything else, where `n` is None).
+
+    With an `emission` their files are made and taken one after the other, and no more is kept of
+    them than outlines.
 
     Neither `n` nor the workers change a scene. `observer` sees what each pass makes of each scene,
     and keeps the search in this process. Raises DiagnosticError for what is wrong with the inputs
@@ -81,11 +86,14 @@ def sample_scenes(
     if observer is not None:
         concretize = partial(_observed, concretize, observer)
         workers = Workers(progress=workers.progress)
-    task = SceneSearch(scenario, seed, concretize)
+    make: Concretize[Any] = concretize
+    if emission is not None:
+        make = partial(emitted, concretize, emission.backends)
+    task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
     impossible = _impossible(task.acceptance, seed)
     if impossible:
         return _nothing(task.acceptance, impossible, n or 1)
-    found = search(task, n, workers)
+    found = search(task, n, workers, None if emission is None else emission.taken)
     concrete = [sample.result for sample in found.samples]
     _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
     remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))

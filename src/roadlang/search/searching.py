@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TypeVar
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
-from .accepted import AcceptedSamples
+from .accepted import AcceptedSamples, Sample
 from .rejection_report import RejectionStats
 from .samplers import Progress
 from .scene_search import SceneSearch
@@ -25,19 +25,29 @@ T = TypeVar("T")
 J = TypeVar("J")
 
 
-def search(task: SceneSearch[T], n: int | None, workers: Workers = ALONE) -> AcceptedSamples[T]:
-    """The first `n` scenes by the scenario's sampler."""
+def search(
+    task: SceneSearch[T],
+    n: int | None,
+    workers: Workers = ALONE,
+    keep: Callable[[Sample[T]], Sample[Any]] | None = None,
+) -> AcceptedSamples[Any]:
+    """The first `n` scenes by the scenario's sampler. `keep` says what is kept of each; it is
+    called with one after the other, in their order, as soon as they are there."""
     with WorkerPool(task, workers) as pool:
         if task.sampler.kind.sequential:
-            return _search_stream(task, n, pool, workers.progress)
-        return _search_scenes(task, n or 1, pool, workers.progress)
+            return _search_stream(task, n, pool, workers.progress, keep)
+        return _search_scenes(task, n or 1, pool, workers.progress, keep)
 
 
 def _search_scenes(
-    task: SceneSearch[T], n: int, pool: WorkerPool[SceneSearch[T]], progress: Progress | None
-) -> AcceptedSamples[T]:
+    task: SceneSearch[T],
+    n: int,
+    pool: WorkerPool[SceneSearch[T]],
+    progress: Progress | None,
+    keep: Callable[[Sample[T]], Sample[Any]] | None,
+) -> AcceptedSamples[Any]:
     """Scene 0 first and alone: if it is given up, so is everything."""
-    found = AcceptedSamples[T](n, RejectionStats.empty(len(task.acceptance.requirements)))
+    found = AcceptedSamples[Any](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
     size = next((size for most, size in BLOCKS if n <= most), LARGEST_BLOCK)
     blocks += [range(start, min(start + size, n)) for start in range(1, n, size)]
@@ -45,7 +55,7 @@ def _search_scenes(
         shares = _shares(part, pool.workers, _MOST_BLOCKS)
         for searched in pool.map(SceneSearch.search_blocks, shares):
             for block in searched:
-                found.samples.extend(block.samples)
+                found.samples.extend(block.samples if keep is None else map(keep, block.samples))
                 found.missing.extend(block.missing)
                 found.stats.add(block.stats)
             if progress is not None:
@@ -61,13 +71,14 @@ def _search_stream(
     n: int | None,
     pool: WorkerPool[SceneSearch[T]],
     progress: Progress | None,
-) -> AcceptedSamples[T]:
+    keep: Callable[[Sample[T]], Sample[Any]] | None,
+) -> AcceptedSamples[Any]:
     stream = accepted_of_stream(task.acceptance, task.sampler, task.seed, n)
-    found = AcceptedSamples[T](stream.wanted, stream.stats, missing=list(stream.missing))
+    found = AcceptedSamples[Any](stream.wanted, stream.stats, missing=list(stream.missing))
     workers = pool.workers if len(stream.accepted) >= _FEWEST_FOR_PROCESSES else 1
     shares = _shares(stream.accepted, workers, _MOST_SAMPLES, alone=_MOST_SAMPLES)
     for samples in pool.map(SceneSearch.samples, shares):
-        found.samples.extend(samples)
+        found.samples.extend(samples if keep is None else map(keep, samples))
         if progress is not None:
             progress(len(found.samples), len(stream.accepted))
     return found

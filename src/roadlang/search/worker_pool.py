@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import multiprocessing
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
 State = TypeVar("State")
 Job = TypeVar("Job")
 Result = TypeVar("Result")
+_AHEAD = 3
+"""Jobs for each worker that are submitted, while the results of others are waited for."""
 _RESTARTS = 3
 """How often processes that died are replaced before the work is given up."""
 
@@ -82,8 +85,8 @@ class WorkerPool(Generic[State]):
         """
         if self._cluster is not None:
             shared = _Shared(self._state)
-            sent = [self._cluster.submit(_run_shared, shared, work, job) for job in jobs]
-            yield from (future.result() for future in sent)
+            submit = partial(self._cluster.submit, _run_shared, shared, work)
+            yield from _results(submit, jobs, self._processes)
         elif self._processes == 1 or len(jobs) < fewest:
             yield from (work(self._state, job) for job in jobs)
         else:
@@ -95,9 +98,8 @@ class WorkerPool(Generic[State]):
         done, deaths = 0, 0
         while done < len(jobs):
             try:
-                executor = self._started()
-                for future in [executor.submit(_run, work, job) for job in jobs[done:]]:
-                    result = future.result()
+                submit = self._started().submit
+                for result in _results(partial(submit, _run, work), jobs[done:], self._processes):
                     done += 1
                     deaths = 0
                     yield result
@@ -126,6 +128,18 @@ class WorkerPool(Generic[State]):
                 process.terminate()
         self._executor.shutdown(wait=True, cancel_futures=True)
         self._executor = None
+
+
+def _results(submit: Callable[[Any], Future], jobs: Sequence[Any], workers: int) -> Iterator[Any]:
+    """Results in order. Not all jobs are submitted at once: results that nobody has taken yet
+    would fill the memory."""
+    ahead: deque[Future] = deque()
+    for job in jobs:
+        ahead.append(submit(job))
+        if len(ahead) > _AHEAD * workers:
+            yield ahead.popleft().result()
+    while ahead:
+        yield ahead.popleft().result()
 
 
 _process_state: list[Any] = []

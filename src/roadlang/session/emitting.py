@@ -1,24 +1,36 @@
 """A set of scenes to files in a folder, with their manifest.
 
-A facade: a set of scenes writes itself, and what writes it takes the set.
+A facade: a set of scenes writes itself, and what writes it takes or makes the set.
 """
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from ..files.writing import write_set
-from ..ir.manifest import MANIFEST_FILE
+from ..files.staging import staged_set
+from ..ir.manifest import MANIFEST_FILE, OutputFile
 from ..ir.values import NO_OPTIONS, PassCall
 from ..plugins.finding import entry_of
-from ..scenes.emitting import backends_of, outputs_of, send
-from .manifest import files_named_in, manifest_of
+from ..scenes.emitting import (
+    Output,
+    OutputNames,
+    backends_of,
+    outputs_of_all,
+    outputs_of_scene,
+    send,
+)
+from .manifest import file_of, files_named_in, manifest_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
+    from ..ir.scene import Scene
     from ..plugins.registry import Registry
+    from ..scenes.sampling import SamplingResult, SceneObserver
+    from ..search.worker_pool import Workers
+    from .loading import LoadedScenario
     from .scene_set import SceneSet
 
 
@@ -40,17 +52,81 @@ def emit(
     progress: Callable[[int, int], None] | None,
 ) -> Manifest:
     """Write everything, then deliver to the backends that speak to an engine."""
-    from ..ir.encoding import to_json
-
     folder = folder.absolute()  # before a plugin can change the current folder
     loaded = scenes.loaded if outputs is None else scenes.loaded.with_outputs(outputs)
-    scenario, registry = loaded.scenario, loaded.registry
-    backends = backends_of(scenario, registry, scenario.emits or _default_emits(registry))
     records = [scene.record for scene in scenes]
-    written = outputs_of(backends, records, progress)
-    manifest = manifest_of(loaded, scenes.result, scenes.seed, written, backends)
-    contents = {output.path: output.content for output in written}
-    contents[MANIFEST_FILE] = to_json(manifest).encode()
-    write_set(folder, contents, MANIFEST_FILE, files_named_in)
-    send(backends, records)
+    with _Writing(loaded, folder) as writing:
+        for number, record in enumerate(records):
+            for output in outputs_of_scene(writing.backends, record):
+                writing.add(output)
+            if progress is not None:
+                progress(number, len(records))
+        manifest = writing.finish(scenes.result, scenes.seed, records)
+    send(writing.backends, records)
     return manifest
+
+
+def compiled(
+    loaded: LoadedScenario,
+    folder: Path,
+    n: int | None,
+    seed: int,
+    workers: Workers,
+    after_pass: SceneObserver | None = None,
+) -> tuple[SceneSet, Manifest]:
+    """As `sample` and `emit`, but that scenes are written as they are found, so that memory does
+    not grow with their number: those of the set are outlines, without roads and things."""
+    from ..scenes.emitted import Emission, EmittedScene
+    from ..scenes.spool import SceneSpool
+    from .scene_set import sampled
+
+    folder = folder.absolute()
+    with contextlib.closing(SceneSpool()) as spool:
+        with _Writing(loaded, folder) as writing:
+
+            def take(scene: EmittedScene) -> None:
+                for output in scene.outputs:
+                    writing.add(output)
+                if scene.whole is not None:
+                    spool.add(scene.whole)
+
+            emission = Emission(writing.backends, take)
+            scenes = sampled(loaded, n, seed, workers, after_pass, emission)
+            manifest = writing.finish(scenes.result, seed, spool)
+        send(writing.backends, spool)
+    return scenes, manifest
+
+
+class _Writing:
+    """The files of a scenario, written one after the other; they are in the folder at the end."""
+
+    def __init__(self, loaded: LoadedScenario, folder: Path) -> None:
+        scenario, registry = loaded.scenario, loaded.registry
+        calls = scenario.emits or _default_emits(registry)
+        self.backends = backends_of(scenario, registry, calls)
+        self._loaded = loaded
+        self._staging = staged_set(folder, MANIFEST_FILE, files_named_in)
+        self._names = OutputNames(self.backends)
+        self._written: list[OutputFile] = []
+
+    def __enter__(self) -> _Writing:
+        self._files = self._staging.__enter__()
+        return self
+
+    def __exit__(self, *error: Any) -> bool | None:
+        return self._staging.__exit__(*error)
+
+    def add(self, output: Output) -> None:
+        self._names.add(output)
+        self._files.add(output.path, output.content)
+        self._written.append(file_of(output))
+
+    def finish(self, result: SamplingResult, seed: int, scenes: Sequence[Scene]) -> Manifest:
+        """Add what is written once for all scenes."""
+        from ..ir.encoding import to_json
+
+        for output in outputs_of_all(self.backends, scenes):
+            self.add(output)
+        manifest = manifest_of(self._loaded, result, seed, self._written, self.backends)
+        self._files.add(MANIFEST_FILE, to_json(manifest).encode())
+        return manifest

@@ -26,7 +26,7 @@ def manifest_of(
     loaded: LoadedScenario,
     result: SamplingResult,
     seed: int,
-    written: Sequence[Output],
+    written: Sequence[OutputFile],
     backends: Sequence[KindInstance],
 ) -> Manifest:
     """What was written, from what, and how the requirements fared."""
@@ -52,17 +52,14 @@ def manifest_of(
             RequirementRecord(row.name, row.text, row.tried, row.rejected, row.best)
             for row in sorted(result.table, key=lambda row: (row.line or 0, row.name))
         ),
-        files=tuple(
-            OutputFile(
-                output.path,
-                hashlib.sha256(output.content).hexdigest(),
-                len(output.content),
-                output.backend,
-                output.scene,
-            )
-            for output in sorted(written, key=lambda output: output.path)
-        ),
+        files=tuple(sorted(written, key=lambda file: file.path)),
     )
+
+
+def file_of(output: Output) -> OutputFile:
+    """What the manifest says of a file."""
+    digest = hashlib.sha256(output.content).hexdigest()
+    return OutputFile(output.path, digest, len(output.content), output.backend, output.scene)
 
 
 def _rounded(value: float | None) -> float | None:

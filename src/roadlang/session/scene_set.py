@@ -14,6 +14,7 @@ from .tables import columns_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
+    from ..scenes.emitted import Emission
     from ..search.rejection_report import RejectionRow
     from ..search.worker_pool import Workers
     from .drives import DriveSet
@@ -39,10 +40,11 @@ def sampled(
     seed: int,
     workers: Workers,
     after_pass: SceneObserver | None = None,
+    emission: Emission | None = None,
 ) -> SceneSet:
     """The scenes of a scenario; `LoadedScenario.sample` tells what is raised."""
     source, registry, params = loaded.scenario, loaded.registry, loaded.params
-    result = sample_scenes(source, registry, n, seed, params, after_pass, workers)
+    result = sample_scenes(source, registry, n, seed, params, after_pass, workers, emission)
     scenes = SceneSet(loaded, seed, result)
     if not scenes:
         raise NoSceneError(scenes)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -30,7 +30,7 @@ def contact_sheet(scenes: Iterable[Scene], size: float) -> str | None:
     """The first `MOST_SCENES` scenes in a grid; None where there are fewer than two."""
     stream = iter(scenes)
     shown = list(islice(stream, MOST_SCENES))
-    rest = sum(1 for _ in stream)
+    rest = len(scenes) - len(shown) if isinstance(scenes, Sized) else sum(1 for _ in stream)
     if len(shown) < 2:
         return None
     box = _around(shown)

@@ -1,0 +1,94 @@
+"""Sets of files that are written one by one, as they are found, and appear all at once.
+
+They are gathered in a folder of their own: beside the one that they are for, which it becomes by
+one renaming; where that folder is there already, inside it. Whoever gathers holds a lock on that
+folder: one that nobody holds was left by a process that died, and is removed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import shutil
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+from .locking import folder_lock, held_lock, is_held
+from .transaction import PREFIX, is_plain, recover, replace_files, sync_folder, sync_of_many
+from .transaction import write as write_new
+from .writing import created, reported
+
+STAGED = f"{PREFIX}new-"
+Belonging = Callable[[Path], Iterable[str]]
+
+
+class StagedFiles:
+    """The files that were added so far, of what is to be `folder`."""
+
+    def __init__(self, folder: Path, room: Path) -> None:
+        self._folder = folder
+        self._room = room
+        self._names: list[str] = []
+
+    def add(self, name: str, content: bytes) -> None:
+        """Write a file of another name than those before. Raises `DiagnosticError` RL460."""
+        if not is_plain(name):
+            raise ValueError(f"`{name}` is not the name of a file in a folder")
+        with reported(self._folder):
+            write_new(self._room / name, content)
+        self._names.append(name)
+
+    def paths(self) -> dict[str, Path]:
+        """Where they are, by name."""
+        return {name: self._room / name for name in self._names}
+
+
+@contextlib.contextmanager
+def staged_set(folder: Path, marker: str, belonging: Belonging) -> Iterator[StagedFiles]:
+    """What is added inside is in `folder` afterwards; nothing of it is where an error leaves it.
+
+    `marker` and `belonging` are those of `write_set`. Raises `DiagnosticError` RL460.
+    """
+    base = folder if os.path.lexists(folder) else folder.parent
+    with contextlib.ExitStack() as stack:
+        with reported(folder):
+            stack.enter_context(created(base))
+            with folder_lock(base):
+                _remove_left(base)
+                room = base / f"{STAGED}{secrets.token_hex(8)}"
+                room.mkdir()
+                stack.callback(shutil.rmtree, room, ignore_errors=True)
+                stack.enter_context(held_lock(room))
+        files = StagedFiles(folder, room)
+        yield files
+        with reported(folder):
+            if base is folder or not _became(folder, room, files):
+                _move(folder, files, marker, belonging)
+
+
+def _became(folder: Path, room: Path, files: StagedFiles) -> bool:
+    """Whether the room is the folder now; not where there is such a folder since."""
+    sync_of_many(list(files.paths().values()))
+    sync_folder(room)
+    with folder_lock(folder.parent):
+        if os.path.lexists(folder):
+            return False
+        os.rename(room, folder)
+        sync_folder(folder.parent)
+    return True
+
+
+def _move(folder: Path, files: StagedFiles, marker: str, belonging: Belonging) -> None:
+    with folder_lock(folder):
+        recover(folder)
+        earlier = folder / marker
+        removed = belonging(earlier) if os.path.lexists(earlier) else ()
+        replace_files(folder, files.paths(), removed, marker)
+
+
+def _remove_left(base: Path) -> None:
+    """What processes left that were killed. The caller holds the lock of the folder."""
+    for room in base.glob(f"{STAGED}*"):
+        if room.is_dir() and not room.is_symlink() and not is_held(room):
+            shutil.rmtree(room, ignore_errors=True)

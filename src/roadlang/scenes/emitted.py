@@ -1,0 +1,71 @@
+"""Scenes that become files as soon as they are made: what a worker hands back of each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.kind_instance import KindInstance
+from ..ir.scene import Scene, Verdict
+from ..search.accepted import Concretize, Sample
+from .emitting import Output, outputs_of_scene, wants_all
+from .instantiate import ConcreteScene
+from .spool import packed
+
+
+@dataclass(frozen=True)
+class EmittedScene:
+    """`made` has an outline of the scene, `whole` all of it where somebody wants all scenes."""
+
+    made: ConcreteScene
+    outputs: tuple[Output, ...]
+    whole: bytes | None
+
+
+@dataclass(frozen=True)
+class Emission:
+    """The backends that scenes are written by, and who takes what they write."""
+
+    backends: Sequence[KindInstance]
+    take: Callable[[EmittedScene], None]
+
+    def taken(self, sample: Sample[EmittedScene]) -> Sample[ConcreteScene]:
+        """What is kept of a scene after its files were taken."""
+        self.take(sample.result)
+        return Sample(sample.result.made, sample.coordinates)
+
+
+def emitted(
+    concretize: Concretize[ConcreteScene],
+    backends: Sequence[KindInstance],
+    candidates: CandidateBatch,
+    numbers: Sequence[int],
+) -> list[EmittedScene]:
+    """Scenes with their files."""
+    keeps = wants_all(backends)
+    return [
+        EmittedScene(
+            replace(made, scene=outline_of(made.scene)),
+            tuple(outputs_of_scene(backends, made.scene)),
+            packed(made.scene) if keeps else None,
+        )
+        for made in concretize(candidates, numbers)
+    ]
+
+
+def outline_of(scene: Scene) -> Scene:
+    """A scene with its verdicts alone, and of these no more than how they came out."""
+    return Scene(
+        scene.name,
+        scene.title,
+        scene.index,
+        scene.provenance,
+        requirements=tuple(map(_outcome, scene.requirements)),
+        expectations=tuple(map(_outcome, scene.expectations)),
+    )
+
+
+def _outcome(verdict: Verdict) -> Verdict:
+    name, text, domain = verdict.name, verdict.text, verdict.domain
+    return Verdict(name, text, domain, verdict.robustness, verdict.satisfied)

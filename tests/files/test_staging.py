@@ -1,0 +1,135 @@
+"""Files that are written one by one appear in their folder all at once, or not at all."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+
+from roadlang.diagnostics import DiagnosticError
+from roadlang.files.staging import STAGED, staged_set
+
+MARKER = "manifest.json"
+
+
+def everything(marker: Path) -> Iterable[str]:
+    """All files of a folder belong to its set."""
+    return [path.name for path in marker.parent.iterdir() if not path.name.startswith(".")]
+
+
+def fill(folder: Path, *names: str) -> None:
+    with staged_set(folder, MARKER, everything) as files:
+        for name in (*names, MARKER):
+            files.add(name, name.encode())
+
+
+def fail_inside(folder: Path) -> None:
+    with staged_set(folder, MARKER, everything) as files:
+        files.add("a", b"other")
+        raise OSError("of the caller")
+
+
+def names_in(folder: Path) -> set[str]:
+    return {path.name for path in folder.iterdir()}
+
+
+def test_a_new_folder_appears_with_all_its_files(tmp_path: Path) -> None:
+    folder = tmp_path / "deep" / "out"
+    with staged_set(folder, MARKER, everything) as files:
+        files.add("a", b"1")
+        files.add(MARKER, b"{}")
+        assert not folder.exists()
+    assert names_in(folder) == {"a", MARKER}
+    assert names_in(folder.parent) == {"out"}
+    assert (folder / "a").read_bytes() == b"1"
+
+
+def test_the_files_of_an_earlier_set_are_replaced(tmp_path: Path) -> None:
+    fill(tmp_path, "a", "b")
+    with staged_set(tmp_path, MARKER, everything) as files:
+        files.add("b", b"new")
+        files.add(MARKER, b"{}")
+        assert (tmp_path / "a").read_bytes() == b"a"
+        assert (tmp_path / "b").read_bytes() == b"b"
+    assert names_in(tmp_path) == {"b", MARKER}
+    assert (tmp_path / "b").read_bytes() == b"new"
+
+
+@pytest.mark.parametrize("existing", [False, True], ids=["new folder", "folder with files"])
+def test_an_error_leaves_everything_as_it_was(tmp_path: Path, existing: bool) -> None:
+    folder = tmp_path / "deep" / "out"
+    if existing:
+        fill(folder, "a")
+    with pytest.raises(OSError, match="of the caller"):
+        fail_inside(folder)
+    assert (folder / "a").read_bytes() == b"a" if existing else not folder.parent.exists()
+    if existing:
+        assert names_in(folder) == {"a", MARKER}
+
+
+def test_a_folder_that_appears_meanwhile_is_filled(tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    with staged_set(folder, MARKER, everything) as files:
+        files.add("a", b"late")
+        files.add(MARKER, b"{}")
+        fill(folder, "a", "b")
+    assert names_in(folder) == {"a", MARKER}
+    assert (folder / "a").read_bytes() == b"late"
+    assert names_in(tmp_path) == {"out"}
+
+
+def test_two_at_a_time_do_not_disturb_each_other(tmp_path: Path) -> None:
+    fill(tmp_path, "a")
+    with staged_set(tmp_path, MARKER, everything) as first:
+        first.add("b", b"first")
+        with staged_set(tmp_path, MARKER, everything) as second:
+            second.add("c", b"second")
+            second.add(MARKER, b"2")
+        assert names_in(tmp_path) - {path.name for path in tmp_path.glob(".*")} == {"c", MARKER}
+        first.add(MARKER, b"1")
+    assert (tmp_path / "b").read_bytes() == b"first"
+    assert (tmp_path / MARKER).read_bytes() == b"1"
+
+
+def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
+    (tmp_path / "out").write_text("mine")
+    with pytest.raises(DiagnosticError) as refused:
+        fill(tmp_path / "out", "a")
+    assert refused.value.diagnostics[0].code == "RL460"
+    assert (tmp_path / "out").read_text() == "mine"
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from roadlang.files.staging import staged_set
+with staged_set(Path(sys.argv[1]), "manifest.json", lambda marker: ()) as files:
+    files.add("a", b"half")
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
+@pytest.mark.parametrize("existing", [False, True], ids=["new folder", "folder with files"])
+def test_what_a_killed_process_gathered_is_nowhere_and_is_removed(
+    tmp_path: Path, existing: bool
+) -> None:
+    folder = tmp_path / "out"
+    if existing:
+        fill(folder, "a")
+    done = subprocess.run([sys.executable, "-c", KILLED, str(folder)], check=False)
+    assert done.returncode < 0
+    if existing:
+        assert (folder / "a").read_bytes() == b"a"
+        assert (folder / MARKER).exists()
+    else:
+        assert not folder.exists()
+    base = folder if existing else tmp_path
+    assert len(list(base.glob(f"{STAGED}*"))) == 1
+    fill(folder, "c")
+    assert not list(base.glob(f"{STAGED}*"))
+    assert {"c", MARKER} <= names_in(folder)
