@@ -65,7 +65,7 @@ def test_a_folder_is_as_before_when_new_files_cannot_be_written(
     def failing(path: Path, content: bytes) -> None:
         raise OSError(errno.ENOSPC, "no space left")
 
-    monkeypatch.setattr(transaction, "_write", failing)
+    monkeypatch.setattr(transaction, "write", failing)
     with pytest.raises(OSError, match="no space left"):
         write(tmp_path)
     assert contents(tmp_path) == BEFORE

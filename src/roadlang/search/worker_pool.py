@@ -98,7 +98,7 @@ class WorkerPool(Generic[State]):
         done, deaths = 0, 0
         while done < len(jobs):
             try:
-                submit = self._started().submit
+                submit: Callable[..., Any] = self._started().submit
                 for result in _results(partial(submit, _run, work), jobs[done:], self._processes):
                     done += 1
                     deaths = 0
