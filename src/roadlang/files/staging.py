@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import secrets
 import shutil
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -56,8 +55,7 @@ def staged_set(folder: Path, marker: str, belonging: Belonging) -> Iterator[Stag
             stack.enter_context(created(base))
             with folder_lock(base):
                 _remove_left(base)
-                room = base / f"{STAGED}{secrets.token_hex(8)}"
-                room.mkdir()
+                room = _new_room(base)
                 stack.callback(shutil.rmtree, room, ignore_errors=True)
                 stack.enter_context(held_lock(room))
         files = StagedFiles(folder, room)
@@ -65,6 +63,19 @@ def staged_set(folder: Path, marker: str, belonging: Belonging) -> Iterator[Stag
         with reported(folder):
             if base is folder or not _became(folder, room, files):
                 _move(folder, files, marker, belonging)
+
+
+def _new_room(base: Path) -> Path:
+    """Not by `tempfile`, whose folders nobody else may read."""
+    number = 0
+    while True:
+        room = base / f"{STAGED}{os.getpid()}-{number}"
+        try:
+            room.mkdir()
+        except FileExistsError:
+            number += 1
+        else:
+            return room
 
 
 def _became(folder: Path, room: Path, files: StagedFiles) -> bool:
