@@ -74,9 +74,7 @@ def sample_scenes(
 ) -> SamplingResult:
     """The first `n` scenes (all of a grid, one of anything else, where `n` is None).
 
-    With an `emission` their files are made and taken one after the other, and no more is kept of
-    them than outlines.
-
+    With an `emission` their files are taken one after the other, and outlines of them are kept.
     Neither `n` nor the workers change a scene. `observer` sees what each pass makes of each scene,
     and keeps the search in this process. Raises DiagnosticError for what is wrong with the inputs
     or a plugin; that nothing was accepted is no error: the result shows it.
