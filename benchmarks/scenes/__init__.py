@@ -1,0 +1,1 @@
+"""How fast accepted candidates become scenes and files."""
