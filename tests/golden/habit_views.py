@@ -135,23 +135,21 @@ _MORE = (
 
 def habit_lines(edits: int) -> Iterator[str]:
     """Each text as it is, and with `edits` changes of one token each."""
-    rng = random.Random(edits)
     for symbol in SYMBOLS:
         yield from _parsed(f"require r: p {symbol} q {symbol}{symbol} s")
     for command in _COMMANDS:
         yield from _parsed(rf"require r: p \{command} q \{command}{{x}}_{{[1, 2]}}")
     for text in [*dict.fromkeys(written for written, *_ in HABITS), *_MORE]:
         yield from _parsed(text)
-        for changed in edited(text, rng, edits):
+        for changed in edited(text, edits):
             yield from _parsed(changed)
 
 
 def checked_habit_lines(edits: int) -> Iterator[str]:
     """The same, checked with a road and an agent before it."""
-    rng = random.Random(edits)
     registry = registry_of({})
     for text in [*dict.fromkeys(written for written, *_ in HABITS), *_MORE]:
-        for changed in (text, *edited(text, rng, edits)):
+        for changed in (text, *edited(text, edits)):
             before = ROAD if "agent ego" in text else ROAD + EGO
             _, diagnostics = check_text(before + changed, SCENES / "a.rl", {}, registry)
             yield f"> {changed!r}"
@@ -161,20 +159,19 @@ def checked_habit_lines(edits: int) -> Iterator[str]:
 
 def fault_of_sample_lines(edits: int) -> Iterator[str]:
     """The faults of the samples, and samples with another change of a token nearby."""
-    rng = random.Random(edits)
     for sample, written, instead, *_ in FAULTS:
         text = (SAMPLES / f"{sample}.rl").read_text(encoding="utf-8")
         start = text.index(written)
         begin, end = text.rfind("\n", 0, start) + 1, text.find("\n", start + len(written))
         part = text[begin:end].replace(written, instead, 1)
         yield from _parsed(part)
-        for changed in edited(part, rng, edits):
+        for changed in edited(part, edits):
             yield from _parsed(changed)
 
 
-def edited(text: str, rng: random.Random, edits: int) -> Iterator[str]:
+def edited(text: str, edits: int) -> Iterator[str]:
     """The text with a token less, doubled, cut short, turned around or replaced."""
-    tokens = list(_TOKEN.finditer(text))
+    tokens, rng = list(_TOKEN.finditer(text)), random.Random(text)
     for token in rng.sample(tokens, min(edits, len(tokens))):
         old = token.group()
         new = rng.choice(("", f"{old} {old}", rng.choice(_OTHERS), old[:-1], old[::-1]))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator
 
 from roadlang.plugins.discovery import registry_of
@@ -39,9 +38,8 @@ def edited_mistake_lines(edits: int) -> Iterator[str]:
     """Each part of `mistakes.txt` with `edits` changes of one token each."""
     registry = registry_of({})
     text = (_FOLDER / "mistakes.txt").read_text(encoding="utf-8")
-    rng = random.Random(edits)
     for part in text.strip().split("\n\n"):
-        for changed in edited(part, rng, edits):
+        for changed in edited(part, edits):
             yield f"> {changed!r}"
             try:
                 full = f"{_BEFORE}{changed}\n"
