@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import subprocess
 import sys
@@ -11,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.files.staging import STAGED, staged_set
+from roadlang.files.staging import staged_set
+from roadlang.files.transaction import STAGED
 
 MARKER = "manifest.json"
 
@@ -93,6 +95,27 @@ def test_two_at_a_time_do_not_disturb_each_other(tmp_path: Path) -> None:
         first.add(MARKER, b"1")
     assert (tmp_path / "b").read_bytes() == b"first"
     assert (tmp_path / MARKER).read_bytes() == b"1"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="folders cannot be locked there anyway")
+@pytest.mark.parametrize("existing", [False, True], ids=["new folder", "folder with files"])
+def test_without_locks_two_at_a_time_do_not_disturb_each_other(
+    tmp_path: Path, existing: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(handle: int, operation: int) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr("fcntl.flock", refuse)
+    folder = tmp_path / "first"
+    other = folder if existing else tmp_path / "second"
+    if existing:
+        fill(folder, "before")
+    with staged_set(folder, MARKER, everything) as files:
+        files.add("a", b"a")
+        fill(other, "b")
+        files.add(MARKER, b"{}")
+    assert names_in(folder) == {"a", MARKER}
+    assert existing or names_in(other) == {"b", MARKER}
 
 
 def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:

@@ -37,22 +37,21 @@ def held_lock(folder: Path) -> contextlib.ExitStack:
     return held
 
 
-def is_held(folder: Path) -> bool:
-    """Whether a process that is alive holds a lock on a folder."""
+def may_be_held(folder: Path) -> bool:
+    """Whether a process that is alive may hold a lock on a folder: where folders cannot be locked,
+    nobody knows."""
     if sys.platform == "win32":
-        return False
+        return True
     import fcntl
 
     try:
         handle = os.open(folder, os.O_RDONLY)
     except OSError:
-        return False
+        return True
     try:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return True
     except OSError:
-        return False
+        return True
     finally:
         os.close(handle)
     return False

@@ -2,7 +2,8 @@
 
 They are gathered in a folder of their own: beside the one that they are for, which it becomes by
 one renaming; where that folder is there already, inside it. Whoever gathers holds a lock on that
-folder: one that nobody holds was left by a process that died, and is removed.
+folder: one that nobody holds was left by a process that died, and is removed. Where folders cannot
+be locked, what such a process left stays.
 """
 
 from __future__ import annotations
@@ -13,12 +14,11 @@ import shutil
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from .locking import folder_lock, held_lock, is_held
-from .transaction import PREFIX, is_plain, recover, replace_files, sync_folder, sync_of_many
+from .locking import folder_lock, held_lock, may_be_held
+from .transaction import STAGED, is_plain, recover, replace_files, sync_folder, sync_of_many
 from .transaction import write as write_new
 from .writing import created, reported
 
-STAGED = f"{PREFIX}new-"
 Belonging = Callable[[Path], Iterable[str]]
 
 
@@ -101,5 +101,5 @@ def _move(folder: Path, files: StagedFiles, marker: str, belonging: Belonging) -
 def _remove_left(base: Path) -> None:
     """What processes left that were killed. The caller holds the lock of the folder."""
     for room in base.glob(f"{STAGED}*"):
-        if room.is_dir() and not room.is_symlink() and not is_held(room):
+        if room.is_dir() and not room.is_symlink() and not may_be_held(room):
             shutil.rmtree(room, ignore_errors=True)

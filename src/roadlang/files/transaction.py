@@ -19,9 +19,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from .locking import is_held
+from .locking import may_be_held
 
 PREFIX = ".roadlang-"
+STAGED = f"{PREFIX}new-"
+"""Begins the names of folders in which files are gathered under a lock; the names of those of
+transactions have no second hyphen."""
 _JOURNAL, _UNDO = "journal.json", "undo.json"
 _MANY = 32
 
@@ -71,7 +74,7 @@ def recover(folder: Path) -> None:
     The caller holds the lock of the folder. Raises `OSError`.
     """
     for room in sorted(folder.glob(f"{PREFIX}*")):
-        if is_held(room):
+        if room.name.startswith(STAGED) and may_be_held(room):
             continue  # somebody gathers files there
         if not _is_folder(room):
             with contextlib.suppress(OSError):
