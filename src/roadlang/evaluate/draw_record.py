@@ -41,7 +41,9 @@ class DrawRecord:
             }
             for found in (self.coordinates, self.values)
         )
-        partly = {name: absent[name] for name in absent.keys() - missing if absent[name].any()}
+        partly = {
+            name: value for name, value in absent.items() if name not in missing and value.any()
+        }
         return DrawRecord(coordinates, values, partly)
 
     def add_alone(self, records: Mapping[int, DrawRecord], count: int) -> None:
@@ -51,7 +53,7 @@ class DrawRecord:
             (self.values, {row: record.values for row, record in records.items()}),
         ):
             names = dict.fromkeys(name for drawn in columns.values() for name in drawn)
-            for name in names.keys() - into.keys():
+            for name in [name for name in names if name not in into]:
                 found = {row: drawn[name] for row, drawn in columns.items() if name in drawn}
                 into[name] = _column(found, count)
                 if len(found) < count:

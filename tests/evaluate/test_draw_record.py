@@ -1,0 +1,24 @@
+"""What candidates have drawn keeps the order in which it was drawn."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from roadlang.evaluate.draw_record import DrawRecord
+
+NAMES = [f"road{number}/perturb 1/amplitude" for number in range(20)]
+"""More than a set would have in order by chance"""
+
+
+def test_what_single_candidates_drew_is_added_in_its_order() -> None:
+    alone = DrawRecord({name: np.array([0.5]) for name in NAMES})
+    record = DrawRecord()
+    record.add_alone({1: alone}, 3)
+    assert list(record.coordinates) == NAMES
+    assert list(record.absent) == NAMES
+
+
+def test_what_some_candidates_lack_is_taken_in_its_order() -> None:
+    lacking = {name: np.array([True, False, False]) for name in NAMES}
+    record = DrawRecord({name: np.zeros(3) for name in NAMES}, absent=lacking)
+    assert list(record.take(np.array([0, 1]), 3).absent) == NAMES
