@@ -36,8 +36,6 @@ from .selection import selected
 from .stations import station_spacing
 from .verified import verified
 
-"""Meters."""
-
 
 def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
     """A road in all candidates, after all its passes."""

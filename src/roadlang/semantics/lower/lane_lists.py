@@ -18,8 +18,6 @@ from ..types.expression_types import TypedExpression
 from .randomness import is_random
 from .references import resolved
 
-"""Meters."""
-
 Stated = Mapping[str, TypedExpression]
 
 
