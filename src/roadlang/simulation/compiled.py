@@ -99,12 +99,33 @@ _OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
 
 
 def _compiled(loop: Callable[..., None]) -> Any:
-    """Takes half a second the first time, and more where it has to compile: anew when `kernels.py`
-    changes, but not when `vehicle.py` does. Then delete `__pycache__/kernels.*.nbi`."""
+    """Takes half a second the first time, and more where it has to compile: once, and anew when
+    the formulas change."""
     import numba
 
     _register_formulas()
-    return numba.njit(cache=True, nogil=True, **_OPTIONS)(loop)
+    return numba.njit(cache=True, nogil=True, **_OPTIONS)(_keyed(loop, _digest()))
+
+
+def _keyed(loop: Callable[..., None], digest: str) -> Callable[..., None]:
+    """The loop as a function that holds a digest: numba's cache looks at the file of a function
+    and at what the function holds, but not at the files of those that it calls."""
+
+    def keyed(*arguments: Any) -> None:
+        if digest:
+            loop(*arguments)
+
+    keyed.__name__ = keyed.__qualname__ = loop.__name__
+    return keyed
+
+
+def _digest() -> str:
+    """Of the text of everything that is compiled."""
+    import hashlib
+    import inspect
+
+    text = "".join(inspect.getsource(module) for module in (kernels, vehicle, lines))
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 @cache
@@ -118,6 +139,8 @@ def _register_formulas() -> None:
         vehicle.moved, lines.on_arc,
     ):  # fmt: skip
         register_jitable(**_OPTIONS)(formula)
+    for loop in (kernels.advanced, kernels.framed, kernels.looked_up):
+        register_jitable(**_OPTIONS)(loop)
     for part in (kernels.fill, kernels.place_on_line, kernels.drive):
         # Into the loop itself: only there is it seen that agents do not depend on each other.
         register_jitable(inline="always", **_OPTIONS)(part)
