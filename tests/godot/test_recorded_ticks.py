@@ -15,6 +15,8 @@ from roadlang_godot.telemetry import CONTACT, RECORD, Records
 class Seen:
     """What is looked at: the tick, the agents, and the ticks of the contacts that came with it."""
 
+    finished = False
+
     def __init__(self) -> None:
         self.ticks: list[tuple[int, list[int], list[int]]] = []
 

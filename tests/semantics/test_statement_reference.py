@@ -72,6 +72,10 @@ def test_the_example_of_an_option_is_valid(word: Any, option: Any, tmp_path: Pat
     statement = PLACES[word].replace("IT", "it").format(f"{option.name}: {example}")
     if option.name == "spacing":
         statement = statement.replace("spacing:", "count: 2, spacing:")
+    if option.name == "moved_at":
+        statement = statement.replace(example, f"{example}, moved_by: [(1m, 1m)]")
+    if option.name == "moved_by":
+        statement = statement.replace(option.name, "moved_at: [(40m, 32m)], moved_by")
     if option.name == "then":
         statement = (
             f"road avenue from town\nroad school from town\nroad it from main {{ then: {example} }}"
