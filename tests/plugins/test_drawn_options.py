@@ -3,12 +3,17 @@ them is drawn and only a scene shows it."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
+import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.api import BatchRandom, Length, OptionError, Perturber, RoadBatch, option
 from roadlang.diagnostics import DiagnosticError
+from roadlang.geometry.arrays import Floats
 from tests.straight_road import STRAIGHT
 
 TOWN = 'image plan from """\n####\n.#..\n.#..\n""" { scale: 16m/px, legend: { "#": road } }\n'
@@ -52,3 +57,38 @@ def test_options_that_do_not_go_together_are_said_at_one_of_them(
     assert f"`{option}`" in found.message
     assert found.span is not None
     assert found.span.start == text.rindex(place.replace("X", length))
+
+
+@dataclass(frozen=True)
+class Between(Perturber):
+    """Moves nothing; `low` is below `high`, and neither is an end of 0 m to 10 m."""
+
+    name: ClassVar[str] = "between"
+    low: Length = option(help="the lower place")
+    high: Length = option(10.0 - 1e-9, help="the higher place")
+
+    def __post_init__(self) -> None:
+        inside = np.all(self.low > 0) and np.all(self.low < self.high) and np.all(self.high < 10)
+        if not inside:
+            raise OptionError("low", "is not between 0 m and `high`, or `high` is not below 10 m")
+
+    def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
+        return np.zeros((1, len(roads.stations), 2))
+
+
+@pytest.mark.parametrize(
+    ("options", "codes"),
+    [
+        ("low: 0m..10m", []),
+        ("low: 0m..10m, high: 0m..10m", []),
+        ("low: -3m..0m", ["RL480"]),
+        ("low: 0m", ["RL480"]),
+        ("low: 1m, high: 10m..12m", ["RL480"]),
+    ],
+)
+def test_options_are_refused_before_sampling_only_if_nothing_drawn_can_fit(
+    options: str, codes: list[str]
+) -> None:
+    """A kind may refuse the ends of a range and take what is between them."""
+    text = f"{STRAIGHT}road bent from main {{ perturb with between {{ {options} }} }}\n"
+    assert [found.code for found in testing.check(text, kinds=[Between])] == codes

@@ -7,8 +7,8 @@ of the ranges holds for everything between them.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from itertools import product
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import count, product
 from typing import Any, NamedTuple
 
 from ..diagnostics import DiagnosticError, Span
@@ -19,6 +19,9 @@ from .options import schema_of
 from .registry import KindEntry
 
 _MOST_CORNERS = 64
+_INNER_POINTS = 16
+_GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+"""Multiples of it modulo 1 are spread evenly over 0 to 1."""
 
 
 class OptionRange(NamedTuple):
@@ -67,11 +70,35 @@ def corners(kind: type[Kind], options: Mapping[str, Any]) -> list[dict[str, Any]
     None where an end is not known, or where there are too many.
     """
     combinations = _ends(tuple(options.values()))
-    if combinations is None:
-        return None
+    return None if combinations is None else _rows(kind, options, combinations)
+
+
+def inner_points(kind: type[Kind], options: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """The middle of all options that are an `OptionRange`, whose ends are finite, and other points
+    between the ends, each at another share of every range."""
+    inside = [
+        _inside(tuple(options.values()), ((0.5 + point * i * _GOLDEN) % 1.0 for i in count(1)))
+        for point in range(_INNER_POINTS)
+    ]
+    return _rows(kind, options, inside)
+
+
+def _rows(
+    kind: type[Kind], options: Mapping[str, Any], combinations: Iterable[Iterable[Any]]
+) -> list[dict[str, Any]]:
+    """Options by name, for each combination of their values; integers as such."""
     integers = {option.name for option in schema_of(kind) if _is_integer(option.type)}
     rows = (dict(zip(options, combination, strict=True)) for combination in combinations)
     return [{key: round(v) if key in integers else v for key, v in row.items()} for row in rows]
+
+
+def _inside(value: Any, shares: Iterator[float]) -> Any:
+    """The value of an option between its ends, each range at the next of `shares` of it."""
+    if isinstance(value, OptionRange):
+        return value.low + next(shares) * (value.high - value.low)
+    if isinstance(value, tuple):
+        return tuple(_inside(item, shares) for item in value)
+    return value
 
 
 def _ends(value: Any) -> list[Any] | None:

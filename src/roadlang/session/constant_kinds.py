@@ -9,7 +9,7 @@ from ..diagnostics import DiagnosticError
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
-from ..plugins.stated_bounds import OptionRange, corners
+from ..plugins.stated_bounds import OptionRange, corners, inner_points
 
 
 def constant_kind(call: PassCall, scenario: IndexedScenario) -> Any:
@@ -25,13 +25,22 @@ def constant_kind(call: PassCall, scenario: IndexedScenario) -> Any:
 
 def option_corners(call: PassCall, scenario: IndexedScenario) -> list[dict[str, Any]] | None:
     """Every combination of the ends that options have; None where one is not known."""
+    return corners(scenario.kind(call)[1], _ranges(call, scenario))
+
+
+def inner_options(call: PassCall, scenario: IndexedScenario) -> list[dict[str, Any]]:
+    """Options between their ends, where `option_corners` knows these."""
+    return inner_points(scenario.kind(call)[1], _ranges(call, scenario))
+
+
+def _ranges(call: PassCall, scenario: IndexedScenario) -> dict[str, Any]:
+    """Each option as a range, or as it is where it is constant."""
     bounds = scenario.value_bounds
     calls = {name: _constant_calls(value, scenario) for name, value in call.options.items()}
-    options = {
+    return {
         name: calls[name] if calls[name] is not None else bounds.option(value)
         for name, value in call.options.items()
     }
-    return corners(scenario.kind(call)[1], options)
 
 
 def kind_at(options: Mapping[str, Any], call: PassCall, scenario: IndexedScenario) -> Any:

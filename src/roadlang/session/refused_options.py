@@ -8,7 +8,7 @@ from typing import Any
 from ..diagnostics import Diagnostic, DiagnosticError
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.values import PassCall
-from .constant_kinds import kind_at, option_corners
+from .constant_kinds import inner_options, kind_at, option_corners
 
 
 def refused_options(scenario: IndexedScenario) -> Iterator[Diagnostic]:
@@ -20,9 +20,12 @@ def refused_options(scenario: IndexedScenario) -> Iterator[Diagnostic]:
 
 
 def _refusal(call: PassCall, scenario: IndexedScenario) -> tuple[Diagnostic, ...]:
-    """What a kind raises at every corner of the ranges that its options have; else nothing."""
+    """What a kind raises at every corner of the ranges that its options have, and at points between
+    them, as it may refuse the ends alone; else nothing."""
     refusal: tuple[Diagnostic, ...] = ()
-    for options in option_corners(call, scenario) or ():
+    corners = option_corners(call, scenario) or []
+    inside = inner_options(call, scenario) if len(corners) > 1 else []
+    for options in (*corners, *inside):
         try:
             kind_at(options, call, scenario)
         except DiagnosticError as error:
