@@ -11,16 +11,21 @@ from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import DriveSignal
 from ..plugins.registry import Registry
+from ..stl.formats.evaluation_json import evaluation_from_json
 
+_UNIT_OF_POSITIONS = {"drive": "s", "road": "m"}
 _CHANGE_THE_UNIT = ("*", "/", "^")
 
 
 def robustness_unit(verdict: Verdict, registry: Registry) -> str:
-    """The unit of the robustness of an expectation: that of its signals, where all have the same
-    and are only added and compared; empty for any other."""
+    """The unit of the robustness of an expectation: that of the positions where it is a shift along
+    them; else that of its signals, where all have the same and are only added and compared; empty
+    for any other."""
     formula = verdict.formula
     if not isinstance(formula, Mapping) or "signals" not in formula:
         return ""
+    if evaluation_from_json(formula.get("evaluation", {})).is_shift:
+        return _UNIT_OF_POSITIONS.get(verdict.domain, "")
     if _has_any(formula.get("formula"), _CHANGE_THE_UNIT):
         return ""
     units = {_unit(call, registry) for call in formula["signals"].values()}

@@ -33,6 +33,11 @@ class EvaluationOptions:
         return self == PLAIN
 
     @property
+    def is_shift(self) -> bool:
+        """Whether robustness is a shift along the positions, in their unit."""
+        return self.robustness in ("time", "time_left")
+
+    @property
     def conflict(self) -> tuple[str, str] | None:
         """Two options that do not go together, if there are such."""
         chosen = [
