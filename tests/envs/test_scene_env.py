@@ -117,6 +117,32 @@ def test_a_formula_as_reward(formula: str, expected: object) -> None:
     assert reward == pytest.approx(max(expected(seen), -100.0), abs=1e-5)
 
 
+def test_weights_of_operands_count_in_the_reward() -> None:
+    """As they do in the robustness: weights 3 and 1 are shares of 3/4 and 1/4."""
+    text = (
+        f"{STRAIGHT}\nlet slow = ego.speed < 30m/s\n"
+        "expect fine: always (slow and ego.speed > 1m/s) { weights: { slow: 3 } }\n"
+    )
+    one = env(text, reward="fine")
+    one.reset(seed=0)
+    rewards = []
+    for _ in range(20):
+        observed, reward, *_ = one.step(STRAIGHT_ON)
+        speed = dict(zip(one.names, observed.tolist(), strict=True))["speed"]
+        over = speed - 1.0
+        expected = min((30.0 - speed) * 0.25, over * 0.75 if over > 0 else over * 0.25)
+        assert reward == pytest.approx(expected, abs=1e-5)
+        rewards.append(reward)
+    assert min(rewards) < 0 < max(rewards)
+
+
+@pytest.mark.parametrize("measure", ["time", "time_left"])
+def test_a_shift_in_time_is_no_reward(measure: str) -> None:
+    text = f"{STRAIGHT}\nexpect slow: always (ego.speed < 4m/s) {{ robustness: {measure} }}\n"
+    with pytest.raises(roadlang.DiagnosticError, match=r"RL730.*shift in time"):
+        env(text, reward="slow")
+
+
 def test_a_function_as_reward() -> None:
     def smooth(happened: Transition) -> object:
         change = np.abs(happened.action - happened.previous_action)[:, 0]

@@ -21,15 +21,20 @@ from ..simulation.conditions import Signal, term_values
 from ..simulation.samples import Samples
 from ..simulation.signals import SignalCall
 from ..simulation.world import World
+from ..stl.evaluate.measured_robustness import measured_rho
+from ..stl.formats.evaluation_json import evaluation_from_json
+from ..stl.formula.evaluation_options import EvaluationOptions
 from .rewards import MOST
 
 
 @dataclass(frozen=True)
 class _Form:
-    """Scenes whose expectations differ in their numbers alone."""
+    """Scenes whose expectations differ in their numbers alone. `formula` is in normal form, except
+    with weights, which belong to its operands as they are written."""
 
     rows: Integers
     formula: stl.Formula
+    evaluation: EvaluationOptions
     signals: Mapping[str, SignalCall]
     numbers: Mapping[str, Floats]
 
@@ -42,7 +47,11 @@ class _Form:
                 known[name] = self.signals[name].values(samples)
             return known[name]
 
-        return _robustness(self.formula, value, len(self.rows))
+        if not self.evaluation.weights:
+            return _robustness(self.formula, value, len(self.rows))
+        now = {name: value(name)[:, None] for name in sorted(self.formula.variables)}
+        rho = measured_rho(self.formula, np.zeros(1), now, self.evaluation)
+        return np.broadcast_to(rho, len(self.rows))
 
 
 class Margins:
@@ -54,6 +63,7 @@ class Margins:
         for row, scene in enumerate(world.scenes):
             call = _condition(name, scene)
             form = [call["formula"], sorted(call.get("signals", {})), sorted(call["numbers"])]
+            form.append(call.get("evaluation", {}))
             members.setdefault(json.dumps(form, sort_keys=True), []).append((row, call))
         self._count = len(world.scenes)
         self._forms = [_form(found, world, registry) for found in members.values()]
@@ -76,9 +86,12 @@ def margin_formula(verdict: Verdict, registry: Registry) -> stl.Formula | None:
     """The formula whose robustness is the margin of an expectation: `p` of `always p`.
 
     None where it is not known from what is now and a moment before: with further temporal
-    operators, signals that look farther back, `time`, and monitors.
+    operators, signals that look farther back, `time`, robustness that is a shift in time, and
+    monitors. Semantics between samples and averages over windows change nothing at a sample.
     """
     if verdict.domain != "drive" or verdict.formula is None or "monitor" in verdict.formula:
+        return None
+    if evaluation_from_json(verdict.formula.get("evaluation", {})).is_shift:
         return None
     formula = stl.from_json(verdict.formula["formula"])
     if isinstance(formula, stl.Always | stl.Eventually):
@@ -113,7 +126,9 @@ def _form(
     formula = stl.from_json(first["formula"])
     if isinstance(formula, stl.Always | stl.Eventually):
         formula = formula.operand
-    formula = stl.normal_form(formula)
+    evaluation = evaluation_from_json(first.get("evaluation", {}))
+    if not evaluation.weights:
+        formula = stl.normal_form(formula)
     signals = {}
     for name, call in first.get("signals", {}).items():
         kind = str(call["kind"])
@@ -124,7 +139,7 @@ def _form(
         number: np.array([float(condition["numbers"][number]) for _, condition in members])
         for number in first["numbers"]
     }
-    return _Form(rows, formula, signals, numbers)
+    return _Form(rows, formula, evaluation, signals, numbers)
 
 
 def _robustness(formula: stl.Formula, value: Signal, count: int) -> Floats:

@@ -102,7 +102,8 @@ def _no_reward(name: str, verdicts: dict[str, Any]) -> DiagnosticError:
     if name in verdicts:
         reason = (
             "its value is not known step by step: inside `always` or `eventually` there may be no"
-            " further temporal operator, no `time`, no monitor"
+            " further temporal operator, no `time`, no monitor, and its `robustness` may be no"
+            " shift in time (`time`, `time_left`)"
         )
         return DiagnosticError(diagnose(Code.NOT_A_REWARD, name=name, reason=reason))
     known = list(verdicts)
