@@ -24,10 +24,18 @@ print(out.tolist(), sum(loop.stats.cache_hits.values()))
 """
 
 
-def looked_up(cache: Path, digest: str = "") -> str:
-    """What the loop gives in a process of its own, and how often it was found in the cache."""
-    command = [sys.executable, "-c", LOOKED_UP.format(digest=digest)]
-    environment = {**os.environ, "NUMBA_CACHE_DIR": str(cache)}
+NO_FOLDER = """
+from numba.core import caching
+caching.CacheImpl._locator_classes = []
+"""
+
+
+def looked_up(cache: Path | None, digest: str = "") -> str:
+    """What the loop gives in a process of its own, and how often it was found in the cache. None:
+    there is no folder for one."""
+    code = NO_FOLDER if cache is None else ""
+    command = [sys.executable, "-c", code + LOOKED_UP.format(digest=digest)]
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(cache or "")}
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     return done.stdout.strip()
 
@@ -38,3 +46,8 @@ def test_what_was_compiled_is_used_again_until_the_formulas_change(tmp_path: Pat
     assert looked_up(tmp_path) == "[6.0, 8.0] 1"
     assert looked_up(tmp_path, digest="other formulas") == "[6.0, 8.0] 0"
     assert looked_up(tmp_path) == "[6.0, 8.0] 1"
+
+
+@pytest.mark.slow
+def test_without_a_folder_to_write_it_is_compiled_each_time() -> None:
+    assert looked_up(None) == "[6.0, 8.0] 0"

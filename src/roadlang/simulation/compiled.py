@@ -104,7 +104,11 @@ def _compiled(loop: Callable[..., None]) -> Any:
     import numba
 
     _register_formulas()
-    return numba.njit(cache=True, nogil=True, **_OPTIONS)(_keyed(loop, _digest()))
+    keyed = _keyed(loop, _digest())
+    try:
+        return numba.njit(cache=True, nogil=True, **_OPTIONS)(keyed)
+    except RuntimeError:  # neither the installation nor a folder of the user can be written
+        return numba.njit(nogil=True, **_OPTIONS)(keyed)
 
 
 def _keyed(loop: Callable[..., None], digest: str) -> Callable[..., None]:
