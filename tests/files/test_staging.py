@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -116,6 +117,25 @@ def test_without_locks_two_at_a_time_do_not_disturb_each_other(
         files.add(MARKER, b"{}")
     assert names_in(folder) == {"a", MARKER}
     assert existing or names_in(other) == {"b", MARKER}
+
+
+@pytest.mark.parametrize("count", [2, 100])
+def test_contents_that_the_disk_did_not_take_are_reported(
+    tmp_path: Path, count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The system tells so when a file is synchronized, long after it was written."""
+    original = os.fsync
+
+    def fail_on_files(handle: int) -> None:
+        if stat.S_ISREG(os.fstat(handle).st_mode):
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        original(handle)
+
+    monkeypatch.setattr(os, "fsync", fail_on_files)
+    with pytest.raises(DiagnosticError) as refused:
+        fill(tmp_path / "out", *map(str, range(count)))
+    assert refused.value.diagnostics[0].code == "RL460"
+    assert not names_in(tmp_path)
 
 
 def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:

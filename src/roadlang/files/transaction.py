@@ -198,13 +198,15 @@ def write(path: Path, content: bytes) -> None:
 
 
 def sync_of_many(paths: Sequence[Path]) -> None:
-    """Make contents outlast a loss of power. Of many files each alone takes a commit of the file
-    system, milliseconds; Linux writes everything at once, and waits for it."""
+    """Make contents outlast a loss of power. Raises `OSError` for what could not be written.
+
+    Of many files each alone takes a commit of the file system, milliseconds. Linux writes
+    everything at once and waits for it, but only for a file does it tell of errors.
+    """
     if sys.platform == "linux" and len(paths) > _MANY:
         os.sync()
-    else:
-        for path in paths:
-            _sync(path)
+    for path in paths:
+        _sync(path)
 
 
 def _sync(path: Path) -> None:
