@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import Any, cast
+
+import pytest
 
 from roadlang.ir import json_document
 from roadlang.ir.encoding import to_json
+from roadlang.ir.read_only import FrozenDict, FrozenList
+from roadlang.ir.scene_actor import Call
 from tests.backends.handmade_scenes import bend, town
 
 
@@ -42,3 +47,44 @@ def test_only_the_last_document_is_remembered() -> None:
     to_json(bend())
     to_json({"a": 1})
     assert json_document._last[0] == {}
+
+
+NUMBERS = [number + 0.5 for number in range(20)]
+
+
+@dataclass(frozen=True)
+class Holder:
+    """A document of one part."""
+
+    part: object
+
+
+@pytest.mark.parametrize("within", ["list", "map", "call", "road", "list of lists"])
+def test_what_changed_since_the_last_document_is_written_anew(within: str) -> None:
+    numbers = list(NUMBERS)
+    road = replace(bend().roads[0], x=cast(Any, numbers))
+    part = {
+        "list": numbers,
+        "map": FrozenDict({"numbers": numbers}),
+        "call": Call("ride", FrozenDict({"numbers": numbers})),
+        "road": road,
+        "list of lists": FrozenList([numbers]),
+    }[within]
+    before = to_json(Holder(part))
+    numbers[0] = 99.25
+    after = to_json(Holder(part))
+    assert before != after
+    assert after == written_alone(Holder(part))
+
+
+@pytest.mark.parametrize("numbers", [tuple(NUMBERS), FrozenList(NUMBERS)], ids=["tuple", "list"])
+def test_numbers_that_cannot_change_are_remembered(numbers: object) -> None:
+    to_json(Holder(numbers))
+    assert [part for part, _ in json_document._last[0].values()] == [numbers]
+
+
+def test_the_roads_of_a_scene_are_remembered() -> None:
+    scene = town()
+    to_json(scene)
+    remembered = {id(part) for part, _ in json_document._last[0].values()}
+    assert {id(part) for part in (*scene.roads, *scene.networks)} <= remembered

@@ -1,8 +1,8 @@
 """Values of the IR as the text of JSON documents: one member a line, lists of numbers on one line.
 
 Scenes of one run have roads, networks and options in common, as the same objects. Their text is
-written once: what the last document was made of is known by identity. That is sound because those
-parts cannot change, and bounded because only the last document is known.
+written once: what the last document was made of is known by identity. That is sound because only
+parts that cannot change are remembered, and bounded because only the last document is known.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from operator import attrgetter
 from typing import Any
 
 from .number_text import floats_text, is_floats
-from .read_only import FrozenDict, FrozenList
+from .read_only import FrozenDict, FrozenList, is_unchangeable
 from .scene import SceneNetwork, SceneRoad, Verdict
 from .scene_actor import Call
 
@@ -81,6 +81,8 @@ class _Writer:
         found = self.known.get(key) or self.texts.get(key)
         if found is None:
             found = value, write(value, depth)
+            if not is_unchangeable(value):
+                return found[1]
         self.texts[key] = found
         return found[1]
 
@@ -108,7 +110,8 @@ class _Writer:
     def _sequence(self, value: Any, depth: int) -> str:
         kinds = set(map(type, value))
         if kinds == _FLOATS:
-            return self._known(value, 0, _floats) if len(value) > _FEW else _floats(value, 0)
+            shared = len(value) > _FEW and type(value) is not list
+            return self._known(value, 0, _floats) if shared else _floats(value, 0)
         if kinds <= _PLAIN:
             return _other(value)
         if any(map(_is_spread, kinds)):

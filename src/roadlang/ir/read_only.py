@@ -52,7 +52,8 @@ class ReadOnlyMapping(Mapping[K, V]):
     __slots__ = ()
 
 
-_READ_ONLY = frozenset((float, int, str, bool, type(None), FrozenDict, FrozenList))
+_LEAVES = frozenset((float, int, str, bool, type(None)))
+_READ_ONLY = _LEAVES | {FrozenDict, FrozenList}
 
 
 _FROZEN_RECORDS: set[type] = set()
@@ -89,6 +90,25 @@ def frozen(value: Any) -> Any:
     if parameters is not None and parameters.frozen:
         _FROZEN_RECORDS.add(type(value))
     return value
+
+
+def is_unchangeable(value: Any) -> bool:
+    """Whether nothing in a value can be changed, however deep. False also of types that nothing is
+    known of."""
+    kind = type(value)
+    if kind in _LEAVES:
+        return True
+    if kind is tuple or kind is FrozenList:
+        return _LEAVES.issuperset(map(type, value)) or all(map(is_unchangeable, value))
+    if kind is FrozenDict:
+        return all(map(is_unchangeable, value.values()))
+    flags = getattr(value, "flags", None)
+    if flags is not None:
+        return not getattr(flags, "writeable", True)
+    parameters = getattr(kind, "__dataclass_params__", None)
+    if parameters is None or not parameters.frozen:
+        return False
+    return all(is_unchangeable(getattr(value, name)) for name in kind.__dataclass_fields__)
 
 
 @cache
