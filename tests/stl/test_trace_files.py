@@ -48,6 +48,14 @@ def test_cells_of_logs(tmp_path: Path) -> None:
     assert [math.isnan(x) for x in signals["x"]] == [False, True, True]
 
 
+@pytest.mark.parametrize("ending", ["gz", "bz2", "xz", "lzma", "csv.gz"])
+def test_text_in_a_file_that_is_named_as_if_it_were_compressed(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"log.{ending}"
+    path.write_text("time,x\n0,1\n1,2\n")
+
+    assert read_trace(path) == ("time", [0, 1], {"x": [1, 2]})
+
+
 @pytest.mark.parametrize("encoding", ["latin-1", "utf-16", "utf-8-sig", "utf-8"])
 def test_encodings(tmp_path: Path, encoding: str) -> None:
     path = tmp_path / "log.csv"

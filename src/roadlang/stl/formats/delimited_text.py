@@ -18,6 +18,8 @@ from pathlib import Path
 import numpy as np
 
 COMMENT = "#"
+_UNPACKED_BY_NUMPY = (".bz2", ".gz", ".lzma", ".xz")
+"""Ends of names that numpy takes for compressed files, whatever is in them."""
 _ISO_8601 = re.compile(
     r"(\d{4}-\d\d-\d\d)[Tt ](\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:[Zz]|([+-])(\d\d):?(\d\d))?"
 )
@@ -116,6 +118,8 @@ class DelimitedText:
         """The columns if all cells are plain numbers."""
         if not self.body.strip():
             return [[] for _ in self.names]
+        if file is not None and file.suffix in _UNPACKED_BY_NUMPY:
+            file = None
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of a body without any number
             try:
