@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+import numpy as np
 import pytest
 
 from roadlang import testing
@@ -87,6 +88,34 @@ def test_what_is_no_initial_speed_is_a_fault_of_the_plugin() -> None:
     with pytest.raises(DiagnosticError) as found:
         begins("drive with wrong")
     assert found.value.diagnostics[0].code == "RL474"
+
+
+@pytest.mark.parametrize(
+    ("parts", "says"),
+    [
+        (("fast",), "initial speeds that are of type <U4, not real numbers"),
+        ((np.array([1.0, 2.0]),), "initial speeds of shape (2,), not a number"),
+        ((-1.0,), "the initial speed -1.0"),
+        ((float("nan"),), "the initial speed nan"),
+        ((9.0, None), "lateral accelerations that are of type object"),
+        ((9.0, 3.0, "hard"), "decelerations that are of type <U4"),
+    ],
+)
+def test_an_initial_speed_of_anything_but_numbers(parts: tuple[Any, ...], says: str) -> None:
+    @dataclass(frozen=True)
+    class Odd(Patient):
+        """Gives odd parts."""
+
+        name: ClassVar[str] = "odd"
+
+        def initial_speed(self) -> InitialSpeed:
+            return InitialSpeed(*parts)
+
+    text = f"{ROAD}\nagent ego is car on main at 10m {{ drive with odd }}"
+    with pytest.raises(DiagnosticError) as found:
+        testing.sample(text, 1, kinds=[Odd])
+    assert found.value.diagnostics[0].code == "RL474"
+    assert says in found.value.diagnostics[0].message
 
 
 def test_a_group_of_none_has_no_start_speeds() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import cast
 
 import numpy as np
@@ -26,7 +26,8 @@ from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, InitialSpeed
 from ..plugins.options import schema_of
-from ..plugins.registry import Registry
+from ..plugins.registry import KindEntry, Registry
+from ..plugins.results import real_numbers
 from ..world.bends import bends_of_route
 from ..world.copies import counts, element_of, most_copies
 from ..world.named_roads import name_of_road, named_lanes, named_road
@@ -207,9 +208,23 @@ def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | Non
     if wanted is not None and not isinstance(wanted, InitialSpeed):
         fault = f"gave {type(wanted).__name__} for `initial_speed`, not an InitialSpeed"
         raise wrong_result(entry, None, fault)
-    if wanted is not None and not 0.0 <= float(wanted.speed or 0.0) < math.inf:
-        raise wrong_result(entry, None, f"gave the initial speed {wanted.speed}")
-    return wanted
+    if wanted is None:
+        return None
+    speed = None if wanted.speed is None else _number(wanted.speed, "initial speeds", entry)
+    if speed is not None and not 0.0 <= speed < math.inf:
+        raise wrong_result(entry, None, f"gave the initial speed {speed}")
+    lateral = _number(wanted.lateral_acceleration, "lateral accelerations", entry)
+    braking = _number(wanted.deceleration, "decelerations", entry)
+    return replace(wanted, speed=speed, lateral_acceleration=lateral, deceleration=braking)
+
+
+def _number(found: object, what: str, entry: KindEntry) -> float:
+    """A part of an initial speed. Raises RL474."""
+    numbers = real_numbers(found, what, entry, None)
+    if numbers.size != 1:
+        fault = f"gave {what} of shape {numbers.shape}, not a number"
+        raise wrong_result(entry, None, fault)
+    return float(numbers.item())
 
 
 def _limit(road: str, lane: int, start: float, candidates: CandidateBatch, row: int = 0) -> float:
