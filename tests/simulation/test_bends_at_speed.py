@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from roadlang import testing
 from roadlang.geometry import Footprints, separation
 from roadlang.ir.scene import Scene, SceneActor
+from roadlang.simulation.bend_speeds import BendSpeeds
 from roadlang.simulation.obstacles import Obstacles
 from roadlang.simulation.world import World
 from roadlang.simulation.world_building import world_of
@@ -89,6 +90,17 @@ def _first_touch(world: World, thing: SceneActor) -> float:
     apart = separation(rider, Footprints(*np.array(columns, dtype=float).T))
     touching = np.flatnonzero(apart < 0.0)
     return float(s[place[touching[0]]]) - along if len(touching) else math.inf
+
+
+def test_the_limits_of_a_bend_may_be_arrays_of_no_dimension() -> None:
+    world = world_of([_bend()], {}, 0.02, 0.1)
+    speeds = BendSpeeds(world)
+    rows = np.arange(1)
+    plain = speeds.at(world, rows, 4.5, 3.0, 10.0)
+    for _ in range(2):  # a second look is compared with the first
+        assert speeds.at(world, rows, np.array(4.5), np.array(3.0), 10.0) == plain
+    slower = speeds.at(world, rows, np.array(1.5), np.array(3.0), 10.0)
+    assert slower < plain
 
 
 BLOCK = """

@@ -76,7 +76,7 @@ def _is_same(one: Any, other: Any) -> bool:
     if one is other:
         return True
     if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
-        return len(one) == len(other) and not np.count_nonzero(one != other)
+        return one.shape == other.shape and not np.count_nonzero(one != other)
     return type(one) is type(other) and bool(one == other)
 
 
