@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ import pytest
 from roadlang import DiagnosticError, Falsification, Scene
 from roadlang.falsification.evaluator import Evaluator, Proposal
 from roadlang.falsification.outcome import Outcome
+from roadlang.geometry.arrays import Floats
+from roadlang.plugins.kinds import Axis, Search, Searcher
 from roadlang.session.loading import LoadedScenario
 from roadlang.testing import scenario
 from tests.falsification.slider import TEXT, Slider
@@ -238,3 +241,41 @@ class Counting:
         future: Future[list[Outcome]] = Future()
         future.set_result(function(*arguments))
         return future
+
+
+def test_what_fails_while_points_are_screened_is_not_the_searchers_fault(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fails(self: Evaluator, points: Floats) -> Floats:
+        raise ZeroDivisionError("no fault of a plugin")
+
+    monkeypatch.setattr(Evaluator, "screen", fails)
+    with pytest.raises(ZeroDivisionError, match="no fault of a plugin"):
+        slides().falsify(**FEW)
+
+
+@pytest.mark.parametrize("points", [None, 0.5, np.zeros(3), np.full((2, 1), 0.5), "x"])
+def test_points_to_screen_that_are_none_are_the_searchers_fault(points: Any) -> None:
+    class OddSearch(Search):
+        screen: Callable[[Any], Floats]
+
+        def screen_with(self, screen: Callable[[Floats], Floats]) -> None:
+            self.screen = screen
+
+        def ask(self, count: int) -> Floats:
+            return self.screen(points)
+
+    @dataclass(frozen=True)
+    class Odd(Searcher):
+        """Screens what are no points."""
+
+        name: ClassVar[str] = "odd"
+
+        def start(self, axes: Sequence[Axis], seed: int) -> Search:
+            return OddSearch()
+
+    with pytest.raises(DiagnosticError) as caught:
+        scenario(TEXT, kinds=[Slider, Odd]).falsify(**FEW, searcher="odd")
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL474"
+    assert "`falsify tested.odd` (tested 0) gave points" in found.message

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
 from ..geometry.arrays import Floats, read_only
+from ..plugins.attribution import called_by_plugins
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Axis, Search
 from ..plugins.results import real_numbers
@@ -24,11 +26,12 @@ class Islands:
     ) -> None:
         self._plan = plan
         self._axes = tuple(axes)
+        self._screen = screen
         self._searches: list[Search] = []
         for island in range(plan.islands):
             with plugin_guard(plan.entry, None):
                 search = plan.searcher.start(self._axes, _seed(plan.seed, island))
-                search.screen_with(screen)
+                search.screen_with(called_by_plugins(self._screened))
             self._searches.append(search)
         self._pending: list[tuple[Search, list[int], Floats]] = []
 
@@ -69,7 +72,16 @@ class Islands:
             return np.empty((0, len(self._axes)))
         with plugin_guard(self._plan.entry, None):
             result = search.ask(count)
-        points = real_numbers(result, "points", self._plan.entry, None)
+        return self._checked(result, count)
+
+    def _screened(self, points: Floats) -> Floats:
+        return self._screen(self._checked(points))
+
+    def _checked(self, found: Any, count: int | None = None) -> Floats:
+        """Points (n, axes) that a search gave, at most `count`. Raises RL474."""
+        points = real_numbers(found, "points", self._plan.entry, None)
+        if count is None:
+            count = len(points) if points.ndim else 1
         fits = points.ndim == 2 and points.shape[1] == len(self._axes) and len(points) <= count
         if not fits or not ((points >= 0.0) & (points < 1.0)).all():
             fault = f"gave points of shape {points.shape}, not {(count, len(self._axes))}"

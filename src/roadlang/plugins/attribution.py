@@ -3,10 +3,16 @@ else."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import wraps
 from types import TracebackType
+from typing import ParamSpec, TypeVar
 
 from .redirection import begin_redirection, end_redirection
 from .termination import Terminated, raise_if_terminated
+
+Parameters = ParamSpec("Parameters")
+Result = TypeVar("Result")
 
 
 class PluginFault(Exception):
@@ -18,11 +24,30 @@ class Reason(TypeError):
     """Why something of a plugin cannot be used; its text needs no class or place in addition."""
 
 
+class PassingFault(BaseException):
+    """What roadlang raised where code of a plugin called it; `__cause__` is that exception. No
+    `except Exception` of the plugin stops it."""
+
+
+def called_by_plugins(function: Callable[Parameters, Result]) -> Callable[Parameters, Result]:
+    """A function of roadlang that plugins are given to call: what it raises passes through
+    `attributed` as it is. It has to check what plugins call it with."""
+
+    @wraps(function)
+    def call(*values: Parameters.args, **options: Parameters.kwargs) -> Result:
+        try:
+            return function(*values, **options)
+        except Exception as error:
+            raise PassingFault from error
+
+    return call
+
+
 class attributed:
     """Around code of plugins. Raises `PluginFault` for whatever it raises.
 
-    Ctrl-C and SIGTERM pass through. What the code prints goes to standard error: standard output is
-    for the results of commands.
+    Ctrl-C, SIGTERM and what roadlang raised where the code called it pass through. What the code
+    prints goes to standard error: standard output is for the results of commands.
     """
 
     __slots__ = ()
@@ -40,6 +65,9 @@ class attributed:
         if isinstance(error, KeyboardInterrupt | Terminated):
             return
         raise_if_terminated()
+        if isinstance(error, PassingFault):
+            assert error.__cause__ is not None
+            raise error.__cause__
         if error is not None:  # a plugin may even call sys.exit
             raise PluginFault(reason_of(error)) from error
 
