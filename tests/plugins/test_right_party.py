@@ -142,6 +142,10 @@ def test_geometry_errors_of_an_adjuster_are_the_plugins(road: str) -> None:
         (lambda u: u * np.inf, "gave values that are not finite numbers"),
         (lambda u: u * 1j, "gave values that are complex numbers, not real numbers"),
         (lambda u: u[:0], "gave values of shape (0, 1), not (4, 1)"),
+        (lambda u: None, "gave values that are of type object, not real numbers"),
+        (lambda u: [None] * len(u), "gave values that are of type object, not real numbers"),
+        (lambda u: "wide", "gave values that are of type <U4, not real numbers"),
+        (lambda u: b"wide", "gave values that are of type |S4, not real numbers"),
     ],
 )
 def test_a_distribution_whose_values_are_no_numbers(
@@ -155,6 +159,13 @@ def test_a_distribution_whose_values_are_no_numbers(
     assert found.code == Code.WRONG_PLUGIN_RESULT
     assert "`distribution tested.odd`" in found.message
     assert says in found.message
+
+
+def test_objects_that_are_numbers_may_be_drawn() -> None:
+    text = STRAIGHT + "param size = odd(1m)\nroad wide from main { width: size }\n"
+    odd = distribution(lambda u: np.array([[6] for _ in u], dtype=object))
+    (scene,) = testing.sample(text, kinds=[odd])
+    assert scene.roads["wide"].width == pytest.approx(6.0)
 
 
 def test_what_is_not_a_number_by_the_scenes_own_doing_is_the_scenes_fault() -> None:

@@ -33,7 +33,7 @@ from ..ir.values import (
 )
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.option_types import CallType, ListType, OptionType, QuantityType, UnionType
-from ..plugins.options import OptionSchema, schema_of
+from ..plugins.options import OptionSchema, draws_numbers, schema_of
 from ..plugins.results import real_numbers
 from .candidates import CandidateBatch
 from .indexed_scenario import IndexedScenario
@@ -101,7 +101,10 @@ def drawn(draw: RandomValue, candidates: CandidateBatch, element: int = 0) -> An
         with built.guarded:
             result = built.kind.quantile(frozen(candidates.uniform(draw.place, element)))
             found = np.asarray(result)
-        if found.dtype.kind not in "OU":  # words, kinds and other things may be drawn as well
+            if found.dtype == object and draws_numbers(type(built.kind)):
+                found = np.asarray(found.tolist())  # numbers, where all of the objects are
+        # Of what a call names, words, kinds and other things may be drawn as well.
+        if found.dtype.kind not in "OU" or draws_numbers(type(built.kind)):
             found = real_numbers(found, "values", built.entry, draw.call.span)
             if not np.isfinite(found).all():
                 fault = "gave values that are not finite numbers"

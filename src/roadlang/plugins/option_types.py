@@ -122,6 +122,12 @@ class AnyType:
     """Anything."""
 
 
+def is_of_anything(option: OptionType) -> bool:
+    """Whether an option takes values of any type, or lists of them: a distribution chooses among
+    those."""
+    return isinstance(option.item if isinstance(option, ListType) else option, AnyType)
+
+
 @dataclass(frozen=True, slots=True)
 class UnionType:
     """One of several."""

@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 from .annotations import read_annotation
-from .option_types import ListType, OptionType
+from .option_types import ListType, OptionType, is_of_anything
 
 _KEY = "roadlang"
 
@@ -119,6 +119,11 @@ def schema_of(kind: type) -> tuple[OptionSchema, ...]:
     Raises `TypeError` with the field's name where a field is no option.
     """
     return _schema_of(kind)
+
+
+def draws_numbers(distribution: type) -> bool:
+    """Whether a distribution can draw numbers only: no option holds things to choose among."""
+    return not any(is_of_anything(option.type) for option in schema_of(distribution))
 
 
 @cache

@@ -26,8 +26,8 @@ class Distribution(Kind):
         """Values of the distribution, by inversion.
 
         `uniform` is (variants, 1) in [0, 1). Returns an array of the same shape, or of (variants,):
-        finite numbers in SI units, or for distributions of other things an array of objects. NaN is
-        RL474.
+        finite numbers in SI units, or, where an option takes values of any type to choose among, an
+        array of objects. Anything else is RL474, as is NaN.
         """
         raise NotImplementedError
 

@@ -7,7 +7,7 @@ from typing import Any
 from ...diagnostics import Code, DiagnosticError
 from ...ir.dimension import PURE
 from ...ir.values import ConstantValue, Items, PassCall, RandomValue, Value
-from ...plugins.option_types import AnyType, ListType, QuantityType
+from ...plugins.option_types import ListType, QuantityType, is_of_anything
 from ...plugins.stated_bounds import stated_support
 from ...syntax.tree import nodes as ast
 from ..checker import Checker, ResolvedKind
@@ -57,12 +57,9 @@ def _items(found: ResolvedKind, bound: BoundOptions) -> tuple[TypedExpression, .
 
 def _chosen(found: ResolvedKind, bound: BoundOptions) -> tuple[TypedExpression, ...]:
     for option in found.schema:
-        if option.name not in bound.stated:
-            continue
-        if isinstance(option.type, AnyType):
-            return (bound.stated[option.name],)
-        if isinstance(option.type, ListType) and isinstance(option.type.item, AnyType):
-            return bound.stated[option.name].items
+        if option.name in bound.stated and is_of_anything(option.type):
+            stated = bound.stated[option.name]
+            return stated.items if isinstance(option.type, ListType) else (stated,)
     return ()
 
 
