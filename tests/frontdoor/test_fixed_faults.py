@@ -278,3 +278,39 @@ def test_an_interval_beyond_the_end_of_its_road(over: str, wrong: bool, length: 
 def test_a_negative_standard_deviation_is_found_by_check() -> None:
     assert faults("param a = normal(5m, -1m)\n") == [("RL208", 1)]
     assert faults("param a = normal(5m, 0m)\n") == []
+
+
+RING = """road main {{
+  draw with waypoints {{ points: [(0m, 0m), (60m, 0m..5m), (60m, 60m), (0m, 60m)] }}, closed: {0}
+}}
+road bent from main {{ perturb with sine {{ amplitude: 1m, wavelength: 60m..70m }} }}
+{1} gentle: always (curvature({2}) < 1/m) {{ semantics: {3} }}
+"""
+
+
+@pytest.mark.parametrize("word", ["require", "expect"])
+@pytest.mark.parametrize("road", ["main", "bent"])
+@pytest.mark.parametrize("semantics", ["held", "linear"])
+def test_formulas_between_the_samples_of_a_closed_road(
+    word: str, road: str, semantics: str
+) -> None:
+    (error,) = roadlang.loads(RING.format("true", word, road, semantics)).check()
+    assert error.code == "RL312"
+    assert error.span is not None
+    assert (error.span.line, error.span.text) == (5, semantics)
+    assert faults(RING.format("false", word, road, semantics)) == []
+    assert faults(RING.format("true", word, road, "sampled")) == []
+
+
+@pytest.mark.parametrize("word", ["require", "expect"])
+def test_a_road_that_turns_out_closed_is_refused_at_the_same_place(word: str) -> None:
+    """Whether it is closed is drawn here, which only a scene shows."""
+    text = "param is_ring = choice(true, true)\n" + RING.format("is_ring", word, "main", "linear")
+    loaded = roadlang.loads(text)
+    assert [found for found in loaded.check() if found.is_error] == []
+    with pytest.raises(roadlang.DiagnosticError) as caught:
+        loaded.sample(1)
+    (error,) = caught.value.diagnostics
+    assert error.code == "RL312"
+    assert error.span is not None
+    assert error.span.text == "linear"

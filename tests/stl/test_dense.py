@@ -220,6 +220,11 @@ def test_what_has_no_value_between_samples_is_refused(text: str, semantics: Any)
         stl.parse(text).rho([0, 1], {"x": [1, 2]}, semantics=semantics)
 
 
+def test_a_closed_road_is_evaluated_at_its_samples_alone() -> None:
+    with pytest.raises(DiagnosticError, match=r"RL312.*`semantics: held`"):
+        stl.parse("always (x > 0)").rho([0, 1], {"x": [1, 2]}, wrap=3, semantics="held")
+
+
 def test_infinite_samples_are_held_and_refused_on_a_line() -> None:
     formula, x = stl.parse("eventually[0, 1] (x > 1)"), {"x": [0, math.inf, 0]}
     assert formula.rho([0, 1, 2], x, semantics="held") == math.inf

@@ -137,6 +137,9 @@ class Condition:
     signals: tuple[SignalBinding, ...] = ()
     numbers: tuple[NumberBinding, ...] = ()
     evaluation: EvaluationOptions = PLAIN
+    semantics_span: Span | None = field(
+        default=None, compare=False, metadata=UNWRITTEN
+    )  # where the value of `semantics` is written, for diagnostics
 
 
 @dataclass(frozen=True, slots=True)

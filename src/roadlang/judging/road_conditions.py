@@ -15,6 +15,7 @@ from ..geometry.arrays import Booleans, Floats
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
 from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
+from ..world.closed_road_faults import closed_road_fault
 from ..world.copies import is_absent, most_copies
 from ..world.signals import EvaluatedRoad, axes_of, signal
 
@@ -82,6 +83,9 @@ def traces_of_copy(
         axes_of(condition, candidates) if condition.domain == "road" else (EvaluatedRoad(),)
     ):
         positions, values, wrap = _values(condition, axis, copy, candidates)
+        fault = None if wrap is None else closed_road_fault(condition)
+        if fault is not None:
+            raise DiagnosticError(fault)
         name, on_connection = _road_name(condition, axis), axis.connection is not None
         yield ConditionTrace(name, positions, values, wrap, absent, on_connection)
 

@@ -27,6 +27,7 @@ from ..ir.values import ConstantValue, PassCall, TextValue
 from ..plugins.registry import Registry
 from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
+from .fixed_closed_roads import fixed_closed_roads
 from .fixed_junctions import fixed_junctions
 from .fixed_overlaps import fixed_overlaps
 from .fixed_positions import drawer_of, intervals_off_road, position_fault
@@ -37,7 +38,8 @@ from .unsupported import unsupported_parts
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
     """Kinds that refuse their options, images without scale, lanes that are not there,
     positions and intervals beyond their roads, things in one place, junctions that are not there,
-    and what backends and the simulator do not support.
+    formulas that cannot be evaluated on closed roads, and what backends and the simulator do not
+    support.
 
     Roads from picture files are not checked: they are read when scenes are made.
     """
@@ -51,7 +53,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
         if actor.on in scenario.roads:
             fault = _lane_fault(actor, scenario) or position_fault(actor, scenario)
             found += [fault] if fault is not None else []
-    found += [*fixed_overlaps(scenario), *fixed_junctions(scenario)]
+    found += [*fixed_overlaps(scenario), *fixed_junctions(scenario), *fixed_closed_roads(scenario)]
     return [*found, *unsupported_parts(scenario)]
 
 

@@ -56,7 +56,8 @@ def lower_constraint(
         options = statement.block.options
         written = ", ".join(f"{item.key.text}: {one_line(item.value)}" for item in options)
         text = f"{condition.text} {{ {written} }}"
-        condition = replace(condition, text=text, evaluation=evaluation)
+        place = next((i.value.span for i in options if i.key.text == "semantics"), None)
+        condition = replace(condition, text=text, evaluation=evaluation, semantics_span=place)
     return ir.ScenarioConstraint(name, condition, statement.span)
 
 

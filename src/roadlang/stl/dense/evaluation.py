@@ -71,9 +71,9 @@ def dense_function(
 
 
 def refuse_laps(wrap: float | None, semantics: Semantics) -> None:
-    """RL311 for a closed road."""
+    """RL312 for a closed road."""
     if wrap is not None:
-        raise stl_error(Code.UNKNOWN_BETWEEN_SAMPLES, text="a closed road", semantics=semantics)
+        raise stl_error(Code.CLOSED_BETWEEN_SAMPLES, semantics=semantics)
 
 
 def _functions(
