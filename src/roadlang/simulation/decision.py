@@ -29,7 +29,7 @@ class Decision:
 
     @property
     def has_open(self) -> bool:
-        """Whether something is not decided of anybody."""
+        """Whether any agent still has something undecided."""
         total = np.add.reduce(self.steering) + np.add.reduce(self.acceleration)
         return not math.isfinite(total) and bool(self.is_open.any())
 

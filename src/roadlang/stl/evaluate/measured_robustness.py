@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+from typing import TypeAlias
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +16,8 @@ from .time_robustness import time_rho, time_robustness
 from .trace import FloatArray, Positions, Signals
 from .weighted_robustness import weighted_rho, weighted_robustness
 
+Measure: TypeAlias = Callable[..., FloatArray]
+
 
 def measured_rho(
     formula: Formula,
@@ -21,16 +27,8 @@ def measured_rho(
     wrap: float | None = None,
 ) -> FloatArray:
     """The robustness at the first sample, (V,) or a scalar."""
-    if options.weights:
-        return weighted_rho(formula, positions, signals, dict(options.weights), wrap=wrap)
-    match options.robustness:
-        case "average":
-            return average_rho(formula, positions, signals, wrap=wrap)
-        case "time":
-            return time_rho(formula, positions, signals, wrap=wrap)
-        case "time_left":
-            return time_rho(formula, positions, signals, direction="left", wrap=wrap)
-    return formula.rho(positions, signals, wrap=wrap, semantics=options.semantics)
+    at_start, _ = _measure(options)
+    return at_start(formula, positions, signals, wrap=wrap)
 
 
 def measured_robustness(
@@ -41,16 +39,8 @@ def measured_robustness(
     wrap: float | None = None,
 ) -> FloatArray:
     """The robustness at every sample, (V, S) or (S,)."""
-    if options.weights:
-        return weighted_robustness(formula, positions, signals, dict(options.weights), wrap=wrap)
-    match options.robustness:
-        case "average":
-            return average_robustness(formula, positions, signals, wrap=wrap)
-        case "time":
-            return time_robustness(formula, positions, signals, wrap=wrap)
-        case "time_left":
-            return time_robustness(formula, positions, signals, direction="left", wrap=wrap)
-    return formula.robustness(positions, signals, wrap=wrap, semantics=options.semantics)
+    _, everywhere = _measure(options)
+    return everywhere(formula, positions, signals, wrap=wrap)
 
 
 def satisfied_by(
@@ -62,3 +52,19 @@ def satisfied_by(
 ) -> NDArray[np.bool_]:
     """Boolean satisfaction at the first sample, (V,) or a scalar: no measure changes it."""
     return formula.satisfied(positions, signals, wrap=wrap, semantics=options.semantics)
+
+
+def _measure(options: EvaluationOptions) -> tuple[Measure, Measure]:
+    """What gives the robustness at the first sample, and what gives it at every sample."""
+    if options.weights:
+        weights = dict(options.weights)
+        return partial(weighted_rho, weights=weights), partial(weighted_robustness, weights=weights)
+    match options.robustness:
+        case "average":
+            return average_rho, average_robustness
+        case "time":
+            return time_rho, time_robustness
+        case "time_left":
+            return partial(time_rho, direction="left"), partial(time_robustness, direction="left")
+    between = options.semantics
+    return partial(Formula.rho, semantics=between), partial(Formula.robustness, semantics=between)
