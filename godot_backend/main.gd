@@ -4,14 +4,14 @@ extends Node3D
 ## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still,
 ## --quit-idle SECONDS without a client, --quit-with-parent when standard input ends.
 
-const Protocol := preload("res://net/protocol.gd")
-const Server := preload("res://net/server.gd")
-const UdpLink := preload("res://net/udp_link.gd")
-const WebSocketLink := preload("res://net/websocket_link.gd")
-const Messages := preload("res://net/messages.gd")
-const Worlds := preload("res://build/worlds.gd")
-const Simulation := preload("res://agents/simulation.gd")
-const View := preload("res://view/view.gd")
+const Protocol := preload("net/protocol.gd")
+const Server := preload("net/server.gd")
+const UdpLink := preload("net/udp_link.gd")
+const WebSocketLink := preload("net/websocket_link.gd")
+const Messages := preload("net/messages.gd")
+const Worlds := preload("build/worlds.gd")
+const Simulation := preload("agents/simulation.gd")
+const View := preload("view/view.gd")
 
 ## An idle engine polls this often, so that it does not take a core for nothing.
 const IDLE_MSEC := 2

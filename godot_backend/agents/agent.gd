@@ -1,12 +1,12 @@
-extends "res://build/thing.gd"
+extends "../build/thing.gd"
 ## Something that moves: a body, the path it should follow, and what drives it.
 
-const Protocol := preload("res://net/protocol.gd")
-const Agent := preload("res://agents/agent.gd")
-const PathLine := preload("res://agents/path_line.gd")
-const Vehicle := preload("res://agents/vehicle.gd")
-const Walker := preload("res://agents/walker.gd")
-const Driver := preload("res://agents/driver.gd")
+const Protocol := preload("../net/protocol.gd")
+const Agent := preload("agent.gd")
+const PathLine := preload("path_line.gd")
+const Vehicle := preload("vehicle.gd")
+const Walker := preload("walker.gd")
+const Driver := preload("driver.gd")
 
 const NO_PATH := -1
 const ARRIVED := 0.5

@@ -1,7 +1,7 @@
 extends RefCounted
 ## The look of a car: a lofted hull and a glazed cabin, lamps front and rear.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("../build/looks.gd")
 
 ## Side view of the hull and the cabin: share of the length from the rear, share of the height.
 const HULL: Array[Vector2] = [

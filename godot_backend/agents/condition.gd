@@ -4,7 +4,7 @@ extends RefCounted
 ## Written as nested lists: ["and", f, g], ["any", low, high, f], ["<", t, u], ["speed", "ego"].
 ## ["all", low, high, f]: f at all samples of the window [now - high, now - low]; "any": at one.
 
-const Condition := preload("res://agents/condition.gd")
+const Condition := preload("condition.gd")
 
 const MAX_DEPTH := 40
 const LOGIC: Array[String] = ["and", "or", "not"]

@@ -1,9 +1,9 @@
 extends RefCounted
 ## Who touched whom or what first, when, and how fast one went relative to the other before.
 
-const Agent := preload("res://agents/agent.gd")
-const Member := preload("res://agents/member.gd")
-const Objects := preload("res://build/objects.gd")
+const Agent := preload("agent.gd")
+const Member := preload("member.gd")
+const Objects := preload("../build/objects.gd")
 
 
 class Contact:

@@ -1,18 +1,18 @@
 extends RefCounted
 ## Chooses who drives: the last controller whose `when` has come true and whose `while` holds.
 
-const Driver := preload("res://agents/driver.gd")
-const Condition := preload("res://agents/condition.gd")
-const Controller := preload("res://agents/controllers/controller.gd")
+const Driver := preload("driver.gd")
+const Condition := preload("condition.gd")
+const Controller := preload("controllers/controller.gd")
 
 const KINDS: Dictionary = {
-	"pure_pursuit": preload("res://agents/controllers/pure_pursuit.gd"),
-	"stanley": preload("res://agents/controllers/stanley.gd"),
-	"lane_follow": preload("res://agents/controllers/lane_follow.gd"),
-	"car_follow": preload("res://agents/controllers/car_follow.gd"),
-	"brake": preload("res://agents/controllers/brake.gd"),
-	"crossing": preload("res://agents/controllers/crossing.gd"),
-	"manual": preload("res://agents/controllers/manual.gd"),
+	"pure_pursuit": preload("controllers/pure_pursuit.gd"),
+	"stanley": preload("controllers/stanley.gd"),
+	"lane_follow": preload("controllers/lane_follow.gd"),
+	"car_follow": preload("controllers/car_follow.gd"),
+	"brake": preload("controllers/brake.gd"),
+	"crossing": preload("controllers/crossing.gd"),
+	"manual": preload("controllers/manual.gd"),
 }
 const MAX_CONTROLLERS := 32
 

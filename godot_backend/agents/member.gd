@@ -4,11 +4,11 @@ extends RefCounted
 ## What a client says of it in a step.
 enum Outside { NOTHING, STEER, FACE, POSE, LEAVE }
 
-const Stage := preload("res://build/stage.gd")
-const Agent := preload("res://agents/agent.gd")
-const Signals := preload("res://agents/signals.gd")
-const Vehicle := preload("res://agents/vehicle.gd")
-const Walker := preload("res://agents/walker.gd")
+const Stage := preload("../build/stage.gd")
+const Agent := preload("agent.gd")
+const Signals := preload("signals.gd")
+const Vehicle := preload("vehicle.gd")
+const Walker := preload("walker.gd")
 
 const END_BRAKING := 4.0
 

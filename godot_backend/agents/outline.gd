@@ -1,7 +1,7 @@
 extends RefCounted
 ## The rectangle that something covers on the ground.
 
-const Outline := preload("res://agents/outline.gd")
+const Outline := preload("outline.gd")
 
 var middle := Vector2.ZERO
 

@@ -1,7 +1,7 @@
 extends RefCounted
 ## A center line by arc length, in the plane: x east, y north.
 
-const PathLine := preload("res://agents/path_line.gd")
+const PathLine := preload("path_line.gd")
 
 ## Segments looked at on each side of the last foot point.
 const REACH := 6

@@ -1,8 +1,8 @@
 extends RefCounted
 ## The drive signals of one world, by name: what conditions and car following speak of.
 
-const Agent := preload("res://agents/agent.gd")
-const Outline := preload("res://agents/outline.gd")
+const Agent := preload("agent.gd")
+const Outline := preload("outline.gd")
 
 ## Beside each other rather than behind one another, from here on.
 const SAME_LANE := 2.0

@@ -3,18 +3,18 @@ extends RefCounted
 
 enum Mode { IDLE, FREE, LOCKSTEP }
 
-const Protocol := preload("res://net/protocol.gd")
-const Reader := preload("res://net/reader.gd")
-const Server := preload("res://net/server.gd")
-const Stage := preload("res://build/stage.gd")
-const Objects := preload("res://build/objects.gd")
-const Agent := preload("res://agents/agent.gd")
-const Contacts := preload("res://agents/contacts.gd")
-const Member := preload("res://agents/member.gd")
-const Signals := preload("res://agents/signals.gd")
-const Telemetry := preload("res://agents/telemetry.gd")
-const Weather := preload("res://build/weather.gd")
-const TrafficSignals := preload("res://build/signals.gd")
+const Protocol := preload("../net/protocol.gd")
+const Reader := preload("../net/reader.gd")
+const Server := preload("../net/server.gd")
+const Stage := preload("../build/stage.gd")
+const Objects := preload("../build/objects.gd")
+const Agent := preload("agent.gd")
+const Contacts := preload("contacts.gd")
+const Member := preload("member.gd")
+const Signals := preload("signals.gd")
+const Telemetry := preload("telemetry.gd")
+const Weather := preload("../build/weather.gd")
+const TrafficSignals := preload("../build/signals.gd")
 
 const DEFAULT_FRICTION := 0.9
 const FLUSH_BYTES := 7000

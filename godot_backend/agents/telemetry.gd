@@ -1,8 +1,8 @@
 extends RefCounted
 ## Packs where agents are, and what they touched, into bytes for the client.
 
-const Member := preload("res://agents/member.gd")
-const Contacts := preload("res://agents/contacts.gd")
+const Member := preload("member.gd")
+const Contacts := preload("contacts.gd")
 
 const RECORD_BYTES := 64
 const CONTACT_BYTES := 20

@@ -3,10 +3,10 @@ extends RigidBody3D
 ##
 ## What it weighs, and how it steers, accelerates and grips, the client says.
 
-const Vehicle := preload("res://agents/vehicle.gd")
-const Tires := preload("res://agents/tires.gd")
-const Wheels := preload("res://agents/wheels.gd")
-const CarBody := preload("res://agents/car_body.gd")
+const Vehicle := preload("vehicle.gd")
+const Tires := preload("tires.gd")
+const Wheels := preload("wheels.gd")
+const CarBody := preload("car_body.gd")
 
 const GRAVITY := 9.81
 ## Of the four springs and dampers together, per kilogram: 1.4 Hz, half of the critical damping.

@@ -2,8 +2,8 @@ extends AnimatableBody3D
 ## Someone on foot: walks as told, until a vehicle strikes. Then the vehicle loses as much momentum
 ## as the walker gets, who slides to a stop and lies there.
 
-const Walker := preload("res://agents/walker.gd")
-const Looks := preload("res://build/looks.gd")
+const Walker := preload("walker.gd")
+const Looks := preload("../build/looks.gd")
 
 const HEIGHT := 1.75
 const RADIUS := 0.25

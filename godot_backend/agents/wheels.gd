@@ -1,7 +1,7 @@
 extends Node3D
 ## The look of four wheels: they roll, the front ones turn, and they stay on the ground.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("../build/looks.gd")
 
 var _radius := 0.32
 var _hubs: Array[Node3D] = []

@@ -1,7 +1,7 @@
 extends StaticBody3D
 ## Flat ground under everything, just below the roads, so that nothing falls out of the world.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("looks.gd")
 
 const DEPTH := 0.05
 const THICKNESS := 2.0

@@ -1,9 +1,9 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## Places that a human can drag: those of a road or network, or that of one agent or object.
 
 enum Sort { WAYPOINT, PLACE, OBJECT, AGENT, JUNCTION, STREET }
 
-const Protocol := preload("res://net/protocol.gd")
+const Protocol := preload("../net/protocol.gd")
 
 const FIELDS := 2
 

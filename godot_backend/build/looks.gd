@@ -1,9 +1,9 @@
 extends RefCounted
 ## The materials and meshes that the built things share.
 
-const RoadShader := preload("res://build/shaders/road.gdshader")
-const TileShader := preload("res://build/shaders/tile.gdshader")
-const GrassShader := preload("res://build/shaders/grass.gdshader")
+const RoadShader := preload("shaders/road.gdshader")
+const TileShader := preload("shaders/tile.gdshader")
+const GrassShader := preload("shaders/grass.gdshader")
 
 ## Surfaces of lanes, by number: color, meters between joints or stall lines across (0 for none),
 ## and whether these are painted.

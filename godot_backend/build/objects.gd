@@ -1,10 +1,10 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## Things of one sort: drawn as instances of one mesh, solid where asked. They stand still, but for
 ## those so light that vehicles push them away.
 
-const Protocol := preload("res://net/protocol.gd")
-const Props := preload("res://build/props.gd")
-const Instances := preload("res://build/instances.gd")
+const Protocol := preload("../net/protocol.gd")
+const Props := preload("props.gd")
+const Instances := preload("instances.gd")
 
 const FIELDS := 7
 const MAX_SIZE := 1000.0

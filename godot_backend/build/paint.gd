@@ -1,7 +1,7 @@
-extends "res://build/triangles.gd"
+extends "triangles.gd"
 ## What is painted on the road: stop lines, arrows, zebra crossings. Nothing touches it.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("looks.gd")
 
 
 func look() -> Material:

@@ -1,7 +1,7 @@
-extends "res://build/triangles.gd"
+extends "triangles.gd"
 ## The paved area of a junction: triangles whose outer corners are those of the roads that meet.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("looks.gd")
 
 
 func look() -> Material:

@@ -1,7 +1,7 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## A stretch of a path's center line: x, z and half width of each point.
 
-const Protocol := preload("res://net/protocol.gd")
+const Protocol := preload("../net/protocol.gd")
 
 const FIELDS := 3
 

@@ -1,7 +1,7 @@
 extends RefCounted
 ## Meshes of things beside the road, one meter each way, standing on the ground.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("looks.gd")
 
 const WALLS: Array[Color] = [
 	Color(0.76, 0.71, 0.62), Color(0.66, 0.5, 0.42), Color(0.7, 0.72, 0.74), Color(0.8, 0.76, 0.66)

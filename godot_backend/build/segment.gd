@@ -1,8 +1,8 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## A piece of road: a strip of lanes that look alike, drawn and solid; a raised one has curbs.
 
-const Protocol := preload("res://net/protocol.gd")
-const Looks := preload("res://build/looks.gd")
+const Protocol := preload("../net/protocol.gd")
+const Looks := preload("looks.gd")
 
 const MIN_STATIONS := 2
 const MAX_STATIONS := 340

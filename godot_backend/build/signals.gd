@@ -1,10 +1,10 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## The signals of a junction: lights on poles, which change as the drive goes on.
 
 enum Light { GREEN, YELLOW, RED }
 
-const Protocol := preload("res://net/protocol.gd")
-const Looks := preload("res://build/looks.gd")
+const Protocol := preload("../net/protocol.gd")
+const Looks := preload("looks.gd")
 
 const LONGEST := 1e6
 const POLE_HEIGHT := 2.6

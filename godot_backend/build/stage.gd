@@ -1,21 +1,21 @@
 extends Node3D
 ## One world: everything a client has built in it, by kind and id, and the proof of it.
 
-const Protocol := preload("res://net/protocol.gd")
-const Reader := preload("res://net/reader.gd")
-const Thing := preload("res://build/thing.gd")
-const Segment := preload("res://build/segment.gd")
-const Patch := preload("res://build/patch.gd")
-const Paint := preload("res://build/paint.gd")
-const Signals := preload("res://build/signals.gd")
-const Tiles := preload("res://build/tiles.gd")
-const Objects := preload("res://build/objects.gd")
-const Handles := preload("res://build/handles.gd")
-const PathPiece := preload("res://build/path_piece.gd")
-const PathLine := preload("res://agents/path_line.gd")
-const Agent := preload("res://agents/agent.gd")
-const Weather := preload("res://build/weather.gd")
-const Ground := preload("res://build/ground.gd")
+const Protocol := preload("../net/protocol.gd")
+const Reader := preload("../net/reader.gd")
+const Thing := preload("thing.gd")
+const Segment := preload("segment.gd")
+const Patch := preload("patch.gd")
+const Paint := preload("paint.gd")
+const Signals := preload("signals.gd")
+const Tiles := preload("tiles.gd")
+const Objects := preload("objects.gd")
+const Handles := preload("handles.gd")
+const PathPiece := preload("path_piece.gd")
+const PathLine := preload("../agents/path_line.gd")
+const Agent := preload("../agents/agent.gd")
+const Weather := preload("weather.gd")
+const Ground := preload("ground.gd")
 
 var builds := 0
 var scene_name := ""

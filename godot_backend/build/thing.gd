@@ -1,7 +1,7 @@
 extends Node3D
 ## Something that a client has sent and this engine has built: known by kind and id, at a revision.
 
-const Reader := preload("res://net/reader.gd")
+const Reader := preload("../net/reader.gd")
 
 var kind := 0
 var id := 0

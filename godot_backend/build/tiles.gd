@@ -1,10 +1,10 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## Square cells of a pixel road: the four neighbors of a cell choose its shape and its turn.
 
-const Protocol := preload("res://net/protocol.gd")
-const Looks := preload("res://build/looks.gd")
-const Cells := preload("res://build/cells.gd")
-const Instances := preload("res://build/instances.gd")
+const Protocol := preload("../net/protocol.gd")
+const Looks := preload("looks.gd")
+const Cells := preload("cells.gd")
+const Instances := preload("instances.gd")
 
 ## Neighbors as bits, clockwise from north.
 const NORTH := 1

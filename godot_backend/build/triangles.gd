@@ -1,7 +1,7 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## A flat shape of triangles on the ground.
 
-const Protocol := preload("res://net/protocol.gd")
+const Protocol := preload("../net/protocol.gd")
 
 var _mesh: ArrayMesh
 

@@ -1,7 +1,7 @@
-extends "res://build/thing.gd"
+extends "thing.gd"
 ## Sun, sky, fog and rain, and how much grip they leave.
 
-const Looks := preload("res://build/looks.gd")
+const Looks := preload("looks.gd")
 
 const CLEAR_DAY := 6000.0
 const MOST_EXTENT := 50000.0

@@ -1,8 +1,8 @@
 extends Node
 ## The worlds of this engine: the first is shown; each has a physics space of its own.
 
-const Protocol := preload("res://net/protocol.gd")
-const Stage := preload("res://build/stage.gd")
+const Protocol := preload("../net/protocol.gd")
+const Stage := preload("stage.gd")
 
 ## World number to `Stage`.
 var stages: Dictionary = {}

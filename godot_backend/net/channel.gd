@@ -5,7 +5,7 @@ extends RefCounted
 ## it has everything, and a mask of the 64 that follow; what is not acknowledged is sent again.
 ## Messages are handed on as they come, each exactly once: none depends on its place.
 
-const Protocol := preload("res://net/protocol.gd")
+const Protocol := preload("protocol.gd")
 
 const FIRST_RESEND_USEC := 50000
 const LAST_RESEND_USEC := 200000

@@ -1,8 +1,8 @@
 extends RefCounted
 ## One datagram: a 20-byte header with a check, and a payload.
 
-const Protocol := preload("res://net/protocol.gd")
-const Frame := preload("res://net/frame.gd")
+const Protocol := preload("protocol.gd")
+const Frame := preload("frame.gd")
 
 const MAGIC := 0x4C52
 

@@ -1,15 +1,15 @@
 extends RefCounted
 ## What each message asks for, passed on to the room that does it.
 
-const Protocol := preload("res://net/protocol.gd")
-const Reader := preload("res://net/reader.gd")
-const Server := preload("res://net/server.gd")
-const Worlds := preload("res://build/worlds.gd")
-const Stage := preload("res://build/stage.gd")
-const Thing := preload("res://build/thing.gd")
-const Simulation := preload("res://agents/simulation.gd")
-const Agent := preload("res://agents/agent.gd")
-const View := preload("res://view/view.gd")
+const Protocol := preload("protocol.gd")
+const Reader := preload("reader.gd")
+const Server := preload("server.gd")
+const Worlds := preload("../build/worlds.gd")
+const Stage := preload("../build/stage.gd")
+const Thing := preload("../build/thing.gd")
+const Simulation := preload("../agents/simulation.gd")
+const Agent := preload("../agents/agent.gd")
+const View := preload("../view/view.gd")
 
 const RECORD_BYTES := 25
 const RECORDS_A_REPORT := 40

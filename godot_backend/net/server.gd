@@ -1,10 +1,10 @@
 extends RefCounted
 ## Takes datagrams from one client at a time, and hands whole messages on, each exactly once.
 
-const Protocol := preload("res://net/protocol.gd")
-const Frame := preload("res://net/frame.gd")
-const Channel := preload("res://net/channel.gd")
-const Reader := preload("res://net/reader.gd")
+const Protocol := preload("protocol.gd")
+const Frame := preload("frame.gd")
+const Channel := preload("channel.gd")
+const Reader := preload("reader.gd")
 
 ## A pass over the socket takes at most this long, so that the simulation goes on under any load.
 const BUDGET_USEC := 8000

@@ -1,7 +1,7 @@
 extends RefCounted
 ## Datagrams over UDP, bound to one address.
 
-const Protocol := preload("res://net/protocol.gd")
+const Protocol := preload("protocol.gd")
 
 const BUFFER_BYTES := 4194304
 

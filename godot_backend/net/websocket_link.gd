@@ -1,7 +1,7 @@
 extends RefCounted
 ## The same datagrams as binary messages of WebSocket connections: for bulk, and across proxies.
 
-const Protocol := preload("res://net/protocol.gd")
+const Protocol := preload("protocol.gd")
 
 const BUFFER_BYTES := 4194304
 const MAX_PEERS := 8

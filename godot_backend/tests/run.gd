@@ -1,16 +1,15 @@
 extends SceneTree
 ## Runs every test of this folder: functions called test_*, which return what is wrong, or "".
 
-const FOLDER := "res://tests"
-
 
 func _init() -> void:
 	var failed := 0
 	var count := 0
-	for file in DirAccess.get_files_at(FOLDER):
+	var folder: String = (get_script() as Script).resource_path.get_base_dir()
+	for file in DirAccess.get_files_at(folder):
 		if not file.begins_with("test_") or not file.ends_with(".gd"):
 			continue
-		var suite: RefCounted = load("%s/%s" % [FOLDER, file]).new()
+		var suite: RefCounted = load(folder.path_join(file)).new()
 		for method in suite.get_method_list():
 			var name: String = method["name"]
 			if not name.begins_with("test_"):

@@ -1,9 +1,9 @@
 extends RefCounted
 ## Paths, conditions and outlines.
 
-const PathLine := preload("res://agents/path_line.gd")
-const Condition := preload("res://agents/condition.gd")
-const Outline := preload("res://agents/outline.gd")
+const PathLine := preload("../agents/path_line.gd")
+const Condition := preload("../agents/condition.gd")
+const Outline := preload("../agents/outline.gd")
 
 
 func _circle(radius: float) -> PathLine:
@@ -42,7 +42,8 @@ func test_a_point_before_the_start_is_straight_on() -> String:
 
 
 func test_conditions_come_true_as_the_shared_table_says() -> String:
-	var file := FileAccess.get_file_as_string("res://tests/when_cases.json")
+	var folder: String = (get_script() as Script).resource_path.get_base_dir()
+	var file := FileAccess.get_file_as_string(folder.path_join("when_cases.json"))
 	var table: Array = JSON.parse_string(file)
 	for case: Dictionary in table:
 		var condition := Condition.new(case["tree"])

@@ -1,8 +1,8 @@
 extends RefCounted
 ## Tiles and their merged collision.
 
-const Tiles := preload("res://build/tiles.gd")
-const Cells := preload("res://build/cells.gd")
+const Tiles := preload("../build/tiles.gd")
+const Cells := preload("../build/cells.gd")
 
 
 func test_every_mask_has_a_shape_and_a_turn_that_give_it_back() -> String:

@@ -1,17 +1,18 @@
 extends RefCounted
 ## The controllers decide as the table says that Python's decide as well.
 
-const Agent := preload("res://agents/agent.gd")
-const Driver := preload("res://agents/driver.gd")
-const PathLine := preload("res://agents/path_line.gd")
-const Vehicle := preload("res://agents/vehicle.gd")
+const Agent := preload("../agents/agent.gd")
+const Driver := preload("../agents/driver.gd")
+const PathLine := preload("../agents/path_line.gd")
+const Vehicle := preload("../agents/vehicle.gd")
 ## The engine has curvature from chords, Python from headings: bends begin a little apart.
 const CLOSE := 0.02
 const CLOSE_ACCELERATION := 0.4
 
 
 func test_controllers_decide_as_the_shared_table_says() -> String:
-	var file := FileAccess.get_file_as_string("res://tests/controller_cases.json")
+	var folder: String = (get_script() as Script).resource_path.get_base_dir()
+	var file := FileAccess.get_file_as_string(folder.path_join("controller_cases.json"))
 	var table: Dictionary = JSON.parse_string(file)
 	var line := PathLine.new()
 	line.half_width = 4.0

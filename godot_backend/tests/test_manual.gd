@@ -1,9 +1,9 @@
 extends RefCounted
 ## What keys and sticks of a human mean.
 
-const Agent := preload("res://agents/agent.gd")
-const Vehicle := preload("res://agents/vehicle.gd")
-const Manual := preload("res://agents/controllers/manual.gd")
+const Agent := preload("../agents/agent.gd")
+const Vehicle := preload("../agents/vehicle.gd")
+const Manual := preload("../agents/controllers/manual.gd")
 
 
 func test_keys_drive_and_brake() -> String:

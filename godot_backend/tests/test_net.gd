@@ -1,9 +1,9 @@
 extends RefCounted
 ## Frames, payloads and reliable delivery.
 
-const Frame := preload("res://net/frame.gd")
-const Reader := preload("res://net/reader.gd")
-const Channel := preload("res://net/channel.gd")
+const Frame := preload("../net/frame.gd")
+const Reader := preload("../net/reader.gd")
+const Channel := preload("../net/channel.gd")
 
 
 func test_what_is_packed_is_opened() -> String:

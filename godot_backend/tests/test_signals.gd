@@ -1,7 +1,7 @@
 extends RefCounted
 ## The lights of a junction over time.
 
-const Signals := preload("res://build/signals.gd")
+const Signals := preload("../build/signals.gd")
 
 ## Of two heads that have green in turn, 2 s into the first phase: the time, and what they show.
 const TABLE: Array[Array] = [

@@ -1,10 +1,10 @@
 extends RefCounted
 ## What the hand of a human gets hold of.
 
-const Protocol := preload("res://net/protocol.gd")
-const Reader := preload("res://net/reader.gd")
-const Stage := preload("res://build/stage.gd")
-const Handles := preload("res://build/handles.gd")
+const Protocol := preload("../net/protocol.gd")
+const Reader := preload("../net/reader.gd")
+const Stage := preload("../build/stage.gd")
+const Handles := preload("../build/handles.gd")
 
 
 func test_handles_are_where_the_client_says() -> String:

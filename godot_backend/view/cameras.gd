@@ -3,9 +3,9 @@ extends Node3D
 
 enum Kind { CHASE, TOP, FREE }
 
-const Worlds := preload("res://build/worlds.gd")
-const Protocol := preload("res://net/protocol.gd")
-const Agent := preload("res://agents/agent.gd")
+const Worlds := preload("../build/worlds.gd")
+const Protocol := preload("../net/protocol.gd")
+const Agent := preload("../agents/agent.gd")
 
 const CHASE_BACK := 7.5
 const CHASE_UP := 2.6

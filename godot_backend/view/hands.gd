@@ -4,13 +4,13 @@ extends Control
 ## The handle under the pointer is highlighted; a click selects it. Delete removes what is selected,
 ## Insert puts a handle where the pointer is, Ctrl+Z and Ctrl+Y undo and redo. The client is told.
 
-const Protocol := preload("res://net/protocol.gd")
-const Server := preload("res://net/server.gd")
-const Worlds := preload("res://build/worlds.gd")
-const Stage := preload("res://build/stage.gd")
-const Handles := preload("res://build/handles.gd")
-const Agent := preload("res://agents/agent.gd")
-const Cameras := preload("res://view/cameras.gd")
+const Protocol := preload("../net/protocol.gd")
+const Server := preload("../net/server.gd")
+const Worlds := preload("../build/worlds.gd")
+const Stage := preload("../build/stage.gd")
+const Handles := preload("../build/handles.gd")
+const Agent := preload("../agents/agent.gd")
+const Cameras := preload("cameras.gd")
 
 ## Pixels within which the pointer takes a handle.
 const GRIP := 14.0

@@ -1,10 +1,10 @@
 extends Node3D
 ## Wooded hills around the built area: for the eye alone, nothing touches them.
 
-const Worlds := preload("res://build/worlds.gd")
-const Looks := preload("res://build/looks.gd")
-const Props := preload("res://build/props.gd")
-const Instances := preload("res://build/instances.gd")
+const Worlds := preload("../build/worlds.gd")
+const Looks := preload("../build/looks.gd")
+const Props := preload("../build/props.gd")
+const Instances := preload("../build/instances.gd")
 
 const SPOKES := 128
 const RINGS := 14

@@ -1,10 +1,10 @@
 extends Node
 ## Takes pictures of the first world at any size, and sends them to the client.
 
-const Protocol := preload("res://net/protocol.gd")
-const Server := preload("res://net/server.gd")
-const Agent := preload("res://agents/agent.gd")
-const Cameras := preload("res://view/cameras.gd")
+const Protocol := preload("../net/protocol.gd")
+const Server := preload("../net/server.gd")
+const Agent := preload("../agents/agent.gd")
+const Cameras := preload("cameras.gd")
 
 const MOST_PIXELS := 8192
 const PART_BYTES := 7000

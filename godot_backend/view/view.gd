@@ -1,14 +1,14 @@
 extends Node3D
 ## What a human sees and does: cameras, pictures, the overlay, handles.
 
-const Protocol := preload("res://net/protocol.gd")
-const Server := preload("res://net/server.gd")
-const Worlds := preload("res://build/worlds.gd")
-const Cameras := preload("res://view/cameras.gd")
-const Shots := preload("res://view/shots.gd")
-const Overlay := preload("res://view/overlay.gd")
-const Hands := preload("res://view/hands.gd")
-const Scenery := preload("res://view/scenery.gd")
+const Protocol := preload("../net/protocol.gd")
+const Server := preload("../net/server.gd")
+const Worlds := preload("../build/worlds.gd")
+const Cameras := preload("cameras.gd")
+const Shots := preload("shots.gd")
+const Overlay := preload("overlay.gd")
+const Hands := preload("hands.gd")
+const Scenery := preload("scenery.gd")
 
 var cameras := Cameras.new()
 

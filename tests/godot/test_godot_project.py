@@ -50,3 +50,8 @@ def test_every_script_says_what_it_is() -> None:
         assert lines[0].startswith("extends"), script
         assert lines[1].startswith("## "), script
         assert len(lines) <= 300, script
+
+
+def test_paths_are_relative_so_that_the_project_runs_inside_another() -> None:
+    for file in [*PROJECT.rglob("*.gd"), *PROJECT.rglob("*.gdshader"), *PROJECT.rglob("*.tscn")]:
+        assert "res://" not in file.read_text(encoding="utf-8"), file

@@ -1,4 +1,4 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## Slows to a speed, by default to a stop, and keeps it; steering is left to who steered before.
 
 const STANDING := 0.15

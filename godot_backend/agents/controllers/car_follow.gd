@@ -1,4 +1,4 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## Keeps a time gap to whoever is next in its lane: the Intelligent Driver Model (Treiber et al.
 ## 2000).
 

@@ -1,7 +1,7 @@
 extends RefCounted
 ## What drives an agent: from where it is to a steering angle and an acceleration, once a step.
 
-const Agent := preload("res://agents/agent.gd")
+const Agent := preload("../agent.gd")
 
 ## Gain from a difference in speed to an acceleration, 1/s.
 const SPEED_GAIN := 2.0

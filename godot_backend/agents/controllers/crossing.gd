@@ -1,8 +1,8 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## Walks across the road, at right angles to it, and stands still on the other side.
 
-const Crossing := preload("res://agents/controllers/crossing.gd")
-const Walker := preload("res://agents/walker.gd")
+const Crossing := preload("crossing.gd")
+const Walker := preload("../walker.gd")
 
 var _speed := 1.4
 var _beyond := 0.0

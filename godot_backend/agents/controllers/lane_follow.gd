@@ -1,4 +1,4 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## Follows the middle of its lane: the bend's own steering angle, corrected for what is amiss.
 
 var _speed := 0.0

@@ -1,4 +1,4 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## A human: arrows or WASD steer and drive, space brakes hard; or the left stick and the triggers of
 ## a gamepad.
 

@@ -1,4 +1,4 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## Pure pursuit of the line at a set speed.
 
 var _speed := 0.0

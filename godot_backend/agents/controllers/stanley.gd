@@ -1,4 +1,4 @@
-extends "res://agents/controllers/controller.gd"
+extends "controller.gd"
 ## The Stanley controller (Hoffmann et al. 2007): heading error plus an angle for the cross-track
 ## error of the front axle, and against yaw rates that are not those of the line.
 
