@@ -28,11 +28,7 @@ if TYPE_CHECKING:
 @shared_options.cluster
 @shared_options.settings
 @shared_options.params
-@click.option(
-    "--emit",
-    metavar="KIND,...",
-    help="Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.",
-)
+@shared_options.emit
 @click.option(
     "--print-after",
     metavar="PASS",

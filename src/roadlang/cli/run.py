@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..session.outputs import parse_outputs
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
 from .console import echo, report, shown
 
 if TYPE_CHECKING:
     from ..drive.batches import DriveTask
+    from ..evaluate.kind_instance import KindInstance
     from ..search.worker_pool import Workers
     from ..session.loading import LoadedScenario
     from ..session.scene import Scene
@@ -36,6 +38,11 @@ _CONCRETE = ".json"
 @shared_options.settings
 @shared_options.params
 @shared_options.duration
+@click.option(
+    "--emit",
+    metavar="KIND,...",
+    help="Files to write of each drive, in place of the file's `emit`s: `openscenario`.",
+)
 @click.option("--window", is_flag=True, help="Show the drive in a window, in real time.")
 @click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON.")
 def command(  # noqa: PLR0913 - one parameter per option
@@ -47,6 +54,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     settings: tuple[str, ...],
     params: str | None,
     duration: float | None,
+    emit: str | None,
     window: bool,
     jobs: int,
     cluster: str | None,
@@ -56,10 +64,11 @@ def command(  # noqa: PLR0913 - one parameter per option
     """Sample scenes of FILE, drive them, evaluate the expectations, and write traces to DIR.
 
     FILE is a scene file, or one scene that `emit json` or `roadlang falsify` wrote (scene.json),
-    which is driven as it is. DIR has a trace and a figure of each drive, and results.csv with a row
-    per scene. Finished drives are kept: `--resume` continues after an interruption. If --params has
-    a list of maps, each is a run in its own folder, DIR/run-000, ... The exit code is 4 if an
-    expectation is violated, and 5 if the simulator fails.
+    which is driven as it is. DIR has a trace and a figure of each drive, the files that the `emit`s
+    of FILE write of drives (such as `emit openscenario`), and results.csv with a row per scene.
+    Finished drives are kept: `--resume` continues after an interruption. If --params has a list of
+    maps, each is a run in its own folder, DIR/run-000, ... The exit code is 4 if an expectation is
+    violated, and 5 if the simulator fails.
     """
     from ..session.cluster import cluster as workers_of
 
@@ -68,7 +77,8 @@ def command(  # noqa: PLR0913 - one parameter per option
     if window:
         options["headless"] = False
     with workers_of(cluster, jobs) as workers:
-        batch = RunBatch(target, engine, options, workers, resume, as_json)
+        outputs = None if emit is None else parse_outputs(emit)
+        batch = RunBatch(target, engine, options, workers, resume, as_json, outputs)
         if file.endswith(_CONCRETE):
             batch.add_scene(file)
         else:
@@ -93,7 +103,9 @@ class RunBatch:
         workers: Workers,
         resume: bool,
         as_json: bool,
+        outputs: Sequence[str] | None = None,
     ) -> None:
+        self._outputs = outputs
         self._target = target
         self._engine = engine
         self._options = options
@@ -108,14 +120,17 @@ class RunBatch:
         """Drive the scene in a file as it is."""
         from hashlib import sha256
 
+        from ..session.drive_outputs import named_backends
         from ..session.results_record import record_of_scene
         from ..session.scene import Scene
         from ..session.scene_files import read_scene_file
 
         text = read_scene_file(file)
         scene, digest = Scene.from_json(text), sha256(text.encode()).hexdigest()
-        origin = record_of_scene(scene, file, digest, self._engine, self._options)
-        self._drive([scene], self._task(scene.registry), text, origin, {}, {})
+        outputs, registry = self._outputs, scene.registry
+        backends = [] if outputs is None else named_backends(outputs, registry)
+        origin = record_of_scene(scene, file, digest, self._engine, self._options, outputs)
+        self._drive([scene], self._task(registry), (text, origin), {}, {}, backends)
 
     def add_variants(
         self,
@@ -130,6 +145,8 @@ class RunBatch:
         from ..session.runs import variants
 
         each, is_list = variants(load(file), params)
+        if self._outputs is not None:
+            each = [variant.with_outputs(self._outputs) for variant in each]
         for number, loaded in enumerate(variant.with_params(overrides) for variant in each):
             self._add(loaded, {"run": f"run-{number:03d}"} if is_list else {}, count, seed)
 
@@ -137,10 +154,12 @@ class RunBatch:
         self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int
     ) -> None:
         """One run; that there is no scene ends only this one."""
+        from ..session.drive_outputs import drive_backends
         from ..session.results_record import record_of_run
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 
+        backends = drive_backends(loaded)
         jobs, executor = self._workers.jobs, self._workers.executor
         try:
             with ProgressBar("scenes") as progress:
@@ -156,7 +175,8 @@ class RunBatch:
         report(scenes.diagnostics)
         places = {item.name: item.span for item in loaded.scenario.expectations}
         origin = record_of_run(scenes, count, self._engine, self._options)
-        self._drive(scenes, self._task(loaded.registry), _key(scenes), origin, places, run)
+        task, key = self._task(loaded.registry), (_key(scenes), origin)
+        self._drive(scenes, task, key, places, run, backends)
 
     def _task(self, registry: Any) -> DriveTask:
         from ..drive.batches import DriveTask
@@ -167,19 +187,20 @@ class RunBatch:
         self,
         scenes: Sequence[Scene],
         task: DriveTask,
-        key: str,
-        origin: str,
+        origin: tuple[str, str],
         places: dict[str, Any],
         run: dict[str, str],
+        backends: Sequence[KindInstance],
     ) -> None:
-        """Drive what is not finished, write and print it as it comes, and count all. `key` stands
-        for all that the drives depend on, `origin` is the text of `provenance.json`."""
+        """Drive what is not finished, write and print it as it comes, and count all. `origin`: what
+        stands for all that the drives depend on, and the text of `provenance.json`."""
         from ..session.drives import drive_in_parts
         from ..session.run_files import RunFolder
         from .drive_lines import print_drive
         from .progress import ProgressBar
 
-        folder = RunFolder(self._folder(run), _digest(key, task), origin, self._resume)
+        key = _digest([origin[0], *([] if self._outputs is None else self._outputs)], task)
+        folder = RunFolder(self._folder(run), key, origin[1], self._resume, backends)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: list[Any] = []
         with ProgressBar("drives") as progress:
@@ -229,8 +250,8 @@ def _key(scenes: SceneSet) -> str:
     return digest(scenes.loaded.scenario, settings)
 
 
-def _digest(key: str, task: DriveTask) -> str:
+def _digest(key: Sequence[str], task: DriveTask) -> str:
     import hashlib
 
-    settings = json.dumps([key, task.engine, dict(task.options)], sort_keys=True, default=str)
+    settings = json.dumps([*key, task.engine, dict(task.options)], sort_keys=True, default=str)
     return hashlib.sha256(settings.encode()).hexdigest()

@@ -47,3 +47,8 @@ engine = click.option("--engine", help="Simulator, in place of the file's `simul
 duration = click.option(
     "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
 )
+emit = click.option(
+    "--emit",
+    metavar="KIND,...",
+    help="Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.",
+)

@@ -265,4 +265,5 @@ class Code:
     MALFORMED_YAML: Final = "RL936"
     NOT_A_PARAM: Final = "RL937"
     BAD_PLUGIN_NAME: Final = "RL938"
+    NO_DRIVE_FILES: Final = "RL939"
     NO_WAY = OldName("NO_ROUTE")

@@ -185,3 +185,13 @@ class Scene(Frozen):
     """where the scene is to be driven, with every option"""
     schema: str = SCENE_SCHEMA
     """version of this format"""
+
+    @property
+    def stem(self) -> str:
+        """What the names of all files of this scene begin with: `scene-0000`."""
+        return file_stem(self.index)
+
+
+def file_stem(scene: int) -> str:
+    """What the names of the files of a scene, by its number, begin with."""
+    return f"scene-{scene:04d}"

@@ -11,6 +11,7 @@ from typing import Any
 
 from ..falsification.statistics import FailureRate, clopper_pearson, measure_coverage
 from ..ir.results_record import RESULTS_FILE, ResultsRecord
+from ..ir.scene import file_stem
 from ..judging.badness import badness
 from ..plugins.registry import Registry
 from .reading import broken, read_journal, read_record
@@ -60,7 +61,7 @@ class _Entry:
     @property
     def stem(self) -> str:
         """The name of its files."""
-        name = f"scene-{self.row['scene']:04d}"
+        name = file_stem(self.row["scene"])
         return f"{self.run}/{name}" if self.run else name
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +16,7 @@ from ..ir.manifest import MANIFEST_FILE
 from ..ir.picture import Picture
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
+from ..ir.trace import Trace
 from ..ir.values import Entity, PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
@@ -66,10 +67,33 @@ def fixed_picture(name: str, scenario: IndexedScenario) -> Picture:
 def outputs_of_scene(backends: Sequence[KindInstance], scene: Scene) -> list[Output]:
     """The files of a scene, of all backends."""
     return [
-        Output(f"scene-{scene.index:04d}.{ending}", content, backend.entry.recorded, scene.index)
+        Output(f"{scene.stem}.{ending}", content, backend.entry.recorded, scene.index)
         for backend in backends
         for ending, content in _files_of_scene(backend, scene).items()
     ]
+
+
+def outputs_of_drive(
+    backends: Sequence[KindInstance], scene: Scene, trace: Trace, reserved: Collection[str]
+) -> list[Output]:
+    """The files of a drive, of all backends. `reserved`: endings that none of them may use.
+
+    Raises `DiagnosticError` RL931 where two have one name, RL474 for other faults.
+    """
+    names = OutputNames(backends)
+    found = []
+    for backend in backends:
+        with backend.guarded:
+            files = backend.kind.drive_files(scene, trace)
+        for ending, content in _checked(files, backend).items():
+            if ending.casefold() in reserved:
+                fault = f"gave a file of a drive the ending {ending!r}, which `roadlang run` uses"
+                raise wrong_result(backend.entry, backend.call.span, fault)
+            found.append(
+                Output(f"{scene.stem}.{ending}", content, backend.entry.recorded, scene.index)
+            )
+            names.add(found[-1])
+    return found
 
 
 def outputs_of_all(backends: Sequence[KindInstance], scenes: Sequence[Scene]) -> Iterator[Output]:

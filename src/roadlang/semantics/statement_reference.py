@@ -153,7 +153,8 @@ REFERENCE = (
     StatementReference(
         "emit",
         "emit KIND { ... }",
-        "An output. A file without any `emit` writes JSON and SVG.",
+        "An output. A file without any `emit` writes JSON and SVG. `roadlang compile` writes the "
+        "files of scenes, `roadlang run` those of drives.",
         _ROAD + "emit svg { size: 800px }",
     ),
 )

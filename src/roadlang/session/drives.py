@@ -158,17 +158,22 @@ class Drive:
         first = next(iter(self.trace.agents), "")
         name = moment.actors[0].name if moment is not None and moment.actors else first
         at = None if moment is None else moment.sample
-        trace = without_objects(self.trace, self.scene.record)
-        return drive_figure(self.scene.record, trace, name, series, title, at)
+        record = self.scene.record
+        return drive_figure(record, self.moving_trace, name, series, title, at)
+
+    @cached_property
+    def moving_trace(self) -> Trace:
+        """The trace without objects that stand still, which are in the scene."""
+        return without_objects(self.trace, self.scene.record)
 
     def to_csv(self) -> str:
         """The trace as `roadlang run` writes it: one row for each agent at each time. Objects that
         stand still are in the scene, not here."""
-        return to_csv(without_objects(self.trace, self.scene.record))
+        return to_csv(self.moving_trace)
 
     def to_json(self) -> str:
         """The same as JSON, with everything that was recorded."""
-        return to_json(without_objects(self.trace, self.scene.record))
+        return to_json(self.moving_trace)
 
 
 class DriveSet(Sequence[Drive]):

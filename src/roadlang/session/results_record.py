@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..ir.encoding import to_json
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from .scene_set import SceneSet
 
 Options = Mapping[str, Any]
+Outputs = Sequence[str] | None
+"""Texts of `--emit`; None where there is none."""
 
 
 def record_of_run(
@@ -27,6 +29,7 @@ def record_of_run(
     scenario = loaded.scenario
     count = [] if wanted is None else ["-n", str(wanted)]
     words = [*count, "--seed", str(seed), *_engine(engine, options), *_params(loaded.params)]
+    words += _emit(loaded.outputs)
     sampled = scenes[0].provenance
     return to_json(
         ResultsRecord(
@@ -48,10 +51,15 @@ def record_of_run(
 
 
 def record_of_scene(
-    scene: Scene, file: str, sha256: str, engine: str | None, options: Options
+    scene: Scene,
+    file: str,
+    sha256: str,
+    engine: str | None,
+    options: Options,
+    outputs: Outputs = None,
 ) -> str:
     """Of one scene that was driven as it was in a file."""
-    words = ["roadlang", "run", file, *_engine(engine, options)]
+    words = ["roadlang", "run", file, *_engine(engine, options), *_emit(outputs)]
     return to_json(
         ResultsRecord(
             command="run",
@@ -113,6 +121,10 @@ def _engine(engine: str | None, options: Options) -> list[str]:
     if "duration" in options:
         words += ["--duration", f"{options['duration']:g}"]
     return words
+
+
+def _emit(outputs: Outputs) -> list[str]:
+    return [] if outputs is None else ["--emit", ",".join(outputs)]
 
 
 def _params(params: Mapping[str, str]) -> list[str]:

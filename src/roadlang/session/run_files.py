@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,25 +11,39 @@ from ..falsification.descriptors import measures, protagonist
 from ..files.journal import JOURNAL_FILE, JournalFile
 from ..files.writing import write_all, write_file
 from ..ir.results_record import RESULTS_FILE
+from ..ir.scene import file_stem
+from ..scenes.emitting import outputs_of_drive
 from .drives import Drive
 from .falsification_files import FINDINGS
 
 if TYPE_CHECKING:
+    from ..evaluate.kind_instance import KindInstance
     from .drives import DriveSet
 
 _ENDINGS = (".json", ".trace.csv", ".trace.json", ".verdicts.json", ".drive.svg")
+_RESERVED = frozenset(ending[1:] for ending in (*_ENDINGS, *FINDINGS))
+"""Endings that no backend can use."""
 
 
 class RunFolder:
     """A folder of drives. `key` stands for all that they depend on, `provenance` says it to people;
-    `resume`: what is there of an earlier run with the same key is kept.
+    `resume`: what is there of an earlier run with the same key is kept. `backends` write files of
+    drives beside the traces.
 
     `finished` holds the rows of scenes by their number. Raises `DiagnosticError` RL702 where the
     journal is that of another run, RL460 where nothing can be written.
     """
 
-    def __init__(self, folder: Path, key: str, provenance: str, resume: bool) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        key: str,
+        provenance: str,
+        resume: bool,
+        backends: Sequence[KindInstance] = (),
+    ) -> None:
         self._folder = folder
+        self._backends = backends
         self._journal = JournalFile(folder / JOURNAL_FILE, key, resume)
         write_file(folder / RESULTS_FILE, provenance)
         entries = [json.loads(line) for line in self._journal.lines]
@@ -39,18 +53,28 @@ class RunFolder:
 
     def add(self, drives: DriveSet) -> None:
         """Write the files of drives, all of them or none, and then their lines in the journal."""
-        files: dict[str, str] = {}
-        for drive in drives:
+        outputs = [
+            outputs_of_drive(self._backends, drive.scene.record, drive.moving_trace, _RESERVED)
+            for drive in drives
+        ]
+        files: dict[str, str | bytes] = {}
+        for drive, found in zip(drives, outputs, strict=True):
+            stem = drive.scene.record.stem
             traces = drive.scene.to_json(), drive.to_csv(), drive.to_json()
             contents = *traces, verdicts_json(drive), drive.svg()
-            stem = _stem(drive.scene.index)
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
+            files |= {output.path: output.content for output in found}
             for ending in FINDINGS:  # of an earlier drive
                 (self._folder / (stem + ending)).unlink(missing_ok=True)
         write_all(self._folder, files)
-        entries = [
-            {"row": row, "record": record_of(drive), "measures": _measures(drive)}
-            for row, drive in zip(drives.rows(), drives, strict=True)
+        entries: list[dict[str, Any]] = [
+            {
+                "row": row,
+                "record": record_of(drive),
+                "measures": _measures(drive),
+                "files": [output.path for output in found],
+            }
+            for row, drive, found in zip(drives.rows(), drives, outputs, strict=True)
         ]
         self._journal.append([json.dumps(entry).encode() for entry in entries])
         self.finished |= {entry["row"]["scene"]: entry for entry in entries}
@@ -64,8 +88,9 @@ class RunFolder:
         return [dict(self.finished[number]["record"]) for number in scenes]
 
     def _has_files(self, entry: Mapping[str, Any]) -> bool:
-        stem = _stem(entry["row"]["scene"])
-        return all((self._folder / (stem + end)).is_file() for end in _ENDINGS)
+        stem = file_stem(entry["row"]["scene"])
+        paths = [*(stem + end for end in _ENDINGS), *entry.get("files", ())]
+        return all((self._folder / path).is_file() for path in paths)
 
 
 def record_of(drive: Drive) -> dict[str, Any]:
@@ -89,7 +114,3 @@ def _measures(drive: Drive) -> dict[str, float | None]:
 def verdicts_json(drive: Drive) -> str:
     """`record_of` as a file."""
     return json.dumps(record_of(drive), indent=2) + "\n"
-
-
-def _stem(scene: int) -> str:
-    return f"scene-{scene:04d}"

@@ -10,13 +10,14 @@ from .base import Kind
 if TYPE_CHECKING:
     from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
+    from ...ir.trace import Trace
 
 
 class Backend(Kind):
     """`emit`: writes scenes to files, or sends them to a simulator."""
 
     verb: ClassVar[str] = "emit"
-    required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "send")
+    required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "drive_files", "send")
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
         """What this backend cannot express of a scenario, with the options that it has.
@@ -31,6 +32,17 @@ class Backend(Kind):
 
         Returns contents by file ending: `{"json": "..."}` becomes `scene-0000.json`. Text is
         written as UTF-8. Endings are letters, digits, `_`, `-` and `.`; anything else is RL474.
+        A file that names another one of the same scene adds the ending to `scene.stem`.
+        """
+        return {}
+
+    def drive_files(self, scene: Scene, trace: Trace) -> Mapping[str, bytes | str]:
+        """The files of one drive, which `roadlang run` writes beside the trace.
+
+        `trace` holds what moves, as the files of the trace do; objects are in the scene. Returns
+        contents by file ending, as `files` does: `{"drive.xosc": "..."}` becomes
+        `scene-0000.drive.xosc`. Endings that `roadlang run` uses (`json`, `trace.csv`, ...) are
+        RL474.
         """
         return {}
 

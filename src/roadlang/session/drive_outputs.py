@@ -1,0 +1,54 @@
+"""The backends that write files of drives: those that a scene file or `run --emit` names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..plugins.kinds import implements
+from ..scenes.emitting import backends_of
+from .outputs import check_outputs
+
+if TYPE_CHECKING:
+    from ..evaluate.kind_instance import KindInstance
+    from ..ir.scenario import Scenario
+    from ..plugins.registry import Registry
+    from .loading import LoadedScenario
+
+
+def drive_backends(loaded: LoadedScenario) -> list[KindInstance]:
+    """Of a scene file: the backends of its `emit`s that write files of drives.
+
+    Raises RL939 for one that the command line names and that writes none.
+    """
+    return _backends(loaded.scenario, loaded.registry, named=loaded.outputs is not None)
+
+
+def named_backends(outputs: Sequence[str], registry: Registry) -> list[KindInstance]:
+    """Of the command line alone, for a scene without its scene file.
+
+    Raises RL939, and RL930, RL928, RL220 and the like for kinds and options.
+    """
+    from ..semantics import check_text
+
+    check_outputs(outputs, registry)
+    scenario, found = check_text("", Path("--emit"), {}, registry, outputs)
+    if scenario is None:
+        raise DiagnosticError(*found)
+    return _backends(scenario, registry, named=True)
+
+
+def _backends(scenario: Scenario, registry: Registry, named: bool) -> list[KindInstance]:
+    found = backends_of(scenario, registry, scenario.emits)
+    writing = [backend for backend in found if implements(type(backend.kind), "drive_files")]
+    if named:
+        faults = [
+            diagnose(Code.NO_DRIVE_FILES, kind=backend.entry.name)
+            for backend in found
+            if backend not in writing
+        ]
+        if faults:
+            raise DiagnosticError(*faults)
+    return writing
