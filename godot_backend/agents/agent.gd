@@ -1,3 +1,4 @@
+class_name RoadlangAgent
 extends "../build/thing.gd"
 ## Something that moves: a body, the path it should follow, and what drives it.
 

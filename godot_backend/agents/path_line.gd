@@ -1,3 +1,4 @@
+class_name RoadlangPath
 extends RefCounted
 ## A center line by arc length, in the plane: x east, y north.
 

@@ -1,6 +1,9 @@
 extends RefCounted
 ## Drives all agents of all worlds, tick by tick: freely, or one step at a client's word.
 
+signal begun
+signal ended(reason: String)
+
 enum Mode { IDLE, FREE, LOCKSTEP }
 
 const Protocol := preload("../net/protocol.gd")
@@ -82,6 +85,7 @@ func start(settings: Dictionary) -> String:
 			(objects as Objects).reset()
 	for member in _members:
 		member.reset()
+	begun.emit()
 	return ""
 
 
@@ -125,6 +129,7 @@ func stop(reason: String, more: Dictionary = {}) -> void:
 	var done := {"tick": tick, "reason": reason, "records": _recorded, "contacts": _contacts.count}
 	done.merge(more)
 	_server.send_json(Protocol.DONE, done)
+	ended.emit(reason)
 
 
 func _rest() -> void:

@@ -1,3 +1,4 @@
+class_name RoadlangScene
 extends Node3D
 ## One world: everything a client has built in it, by kind and id, and the proof of it.
 

@@ -6,6 +6,8 @@ const Stage := preload("stage.gd")
 
 ## World number to `Stage`.
 var stages: Dictionary = {}
+## Whether the first world also gets a physics space without a past. A game keeps its own.
+var fresh_spaces := true
 
 var _holders: Dictionary = {}
 var _before: World3D
@@ -16,10 +18,8 @@ func begin(world: int, title: String, extent: float) -> void:
 	drop(world)
 	var stage := Stage.new()
 	if world == 0:
-		# The old world must outlive the change: the viewport still says goodbye to it.
-		var root := get_tree().root
-		_before = root.find_world_3d()
-		root.world_3d = World3D.new()
+		if fresh_spaces:
+			_refresh_space()
 		add_child(stage)
 	else:
 		var holder := SubViewport.new()
@@ -31,6 +31,13 @@ func begin(world: int, title: String, extent: float) -> void:
 		_holders[world] = holder
 	stages[world] = stage
 	stage.begin(title, extent)
+
+
+func _refresh_space() -> void:
+	# The old world must outlive the change: the viewport still says goodbye to it.
+	var root := get_tree().root
+	_before = root.find_world_3d()
+	root.world_3d = World3D.new()
 
 
 func drop(world: int) -> void:

@@ -5,6 +5,7 @@ extends RefCounted
 ## it has everything, and a mask of the 64 that follow; what is not acknowledged is sent again.
 ## Messages are handed on as they come, each exactly once: none depends on its place.
 
+const Message := preload("message.gd")
 const Protocol := preload("protocol.gd")
 
 const FIRST_RESEND_USEC := 50000
@@ -15,7 +16,8 @@ var window := Protocol.WINDOW
 var resent := 0
 
 var _next_seq := 1
-var _waiting: Array[Array] = []
+var _waiting: Array[Message] = []
+## By sequence number.
 var _flying: Dictionary = {}
 var _received := 0
 var _beyond: Dictionary = {}
@@ -24,25 +26,26 @@ var _ack_due := false
 
 ## Takes a message for sending.
 func offer(type: int, payload: PackedByteArray) -> void:
-	_waiting.append([type, payload])
+	_waiting.append(Message.new(type, payload))
 
 
-## What is to be sent now, as [type, seq, payload].
-func due(now_usec: int) -> Array[Array]:
-	var out: Array[Array] = []
+## What is to be sent now.
+func due(now_usec: int) -> Array[Message]:
+	var out: Array[Message] = []
 	for seq: int in _flying:
-		var flight: Array = _flying[seq]
-		if now_usec >= int(flight[2]):
-			flight[3] = mini(int(flight[3]) * 2, LAST_RESEND_USEC)
-			flight[2] = now_usec + int(flight[3])
+		var message: Message = _flying[seq]
+		if now_usec >= message.due:
+			message.pause = mini(message.pause * 2, LAST_RESEND_USEC)
+			message.due = now_usec + message.pause
 			resent += 1
-			out.append([flight[0], seq, flight[1]])
+			out.append(message)
 	while not _waiting.is_empty() and _flying.size() < window:
-		var message: Array = _waiting.pop_front()
-		_flying[_next_seq] = [
-			message[0], message[1], now_usec + FIRST_RESEND_USEC, FIRST_RESEND_USEC
-		]
-		out.append([message[0], _next_seq, message[1]])
+		var message: Message = _waiting.pop_front()
+		message.seq = _next_seq
+		message.pause = FIRST_RESEND_USEC
+		message.due = now_usec + FIRST_RESEND_USEC
+		_flying[_next_seq] = message
+		out.append(message)
 		_next_seq += 1
 	return out
 

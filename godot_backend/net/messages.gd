@@ -1,6 +1,11 @@
 extends RefCounted
 ## What each message asks for, passed on to the room that does it.
 
+## A client has begun a scene in the first world.
+signal begun(title: String)
+## A client has asked for the proof of what is built in the first world.
+signal proved
+
 const Protocol := preload("protocol.gd")
 const Reader := preload("reader.gd")
 const Server := preload("server.gd")
@@ -85,6 +90,8 @@ func _begin(reader: Reader) -> String:
 	var extent := clampf(Agent.number(settings, "extent", 500.0), 50.0, MOST_EXTENT)
 	_worlds.begin(world, str(settings.get("name", "")), extent)
 	_view.scene_changed()
+	if world == 0:
+		begun.emit(_worlds.stage(0).scene_name)
 	return ""
 
 
@@ -135,6 +142,8 @@ func _commit(reader: Reader) -> String:
 	out.encode_u32(12, stage.builds)
 	out.append_array(Thing.md5(stage.records()))
 	_server.send(Protocol.BUILT, out)
+	if world == 0:
+		proved.emit()
 	return ""
 
 

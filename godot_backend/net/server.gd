@@ -102,8 +102,8 @@ func _flush(now: int) -> void:
 	if _session == 0:
 		return
 	_send_ack()
-	for message: Array in _channel.due(now):
-		_link.send(_client, Frame.pack(message[0], _session, message[1], message[2]))
+	for message in _channel.due(now):
+		_link.send(_client, Frame.pack(message.type, _session, message.seq, message.payload))
 
 
 func _send_ack() -> void:

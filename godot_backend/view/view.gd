@@ -1,6 +1,10 @@
 extends Node3D
 ## What a human sees and does: cameras, pictures, the overlay, handles.
 
+## A window of roadlang's own; pictures that are asked for and nothing between them; the same in a
+## game that keeps its own cameras, window and landscape.
+enum Eyes { WINDOW, STILL, GUEST }
+
 const Protocol := preload("../net/protocol.gd")
 const Server := preload("../net/server.gd")
 const Worlds := preload("../build/worlds.gd")
@@ -13,7 +17,7 @@ const Scenery := preload("scenery.gd")
 var cameras := Cameras.new()
 
 var _headless := true
-var _still := false
+var _eyes := Eyes.WINDOW
 var _server: Server
 var _shots: Shots
 var _overlay: Overlay
@@ -21,19 +25,22 @@ var _scenery: Scenery
 var _stale := false
 
 
-func setup(worlds: Worlds, server: Server, still: bool) -> void:
+func setup(worlds: Worlds, server: Server, eyes: Eyes) -> void:
 	_headless = DisplayServer.get_name() == "headless"
 	_server = server
-	_still = still
+	_eyes = eyes
 	if _headless:
 		return
 	cameras.setup(worlds)
 	add_child(cameras)
-	_scenery = Scenery.new(worlds)
-	add_child(_scenery)
 	_shots = Shots.new(cameras, server)
 	add_child(_shots)
-	if still:
+	cameras.set_process_unhandled_input(eyes == Eyes.WINDOW)
+	if eyes == Eyes.GUEST:
+		return
+	_scenery = Scenery.new(worlds)
+	add_child(_scenery)
+	if eyes == Eyes.STILL:
 		return
 	cameras.make_current()
 	_overlay = Overlay.new()
@@ -44,8 +51,7 @@ func setup(worlds: Worlds, server: Server, still: bool) -> void:
 
 
 func _ready() -> void:
-	# A still engine draws pictures that are asked for, and nothing between them.
-	if _still and not _headless:
+	if _eyes == Eyes.STILL and not _headless:
 		get_viewport().disable_3d = true
 
 
@@ -77,7 +83,7 @@ func draw_waiting() -> void:
 
 
 func _process(_dt: float) -> void:
-	if not _headless and not _still:
+	if not _headless and _eyes == Eyes.WINDOW:
 		_refresh()
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
 from roadlang.commands import echo
@@ -25,7 +27,15 @@ from roadlang.commands import echo
     help="Protocol.",
 )
 @click.option("--where", is_flag=True, help="Print the paths of Godot and the project, and exit.")
-def command(headless: bool, host: str, port: int, transport: str, where: bool) -> None:
+@click.option(
+    "--addon",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    metavar="PROJECT",
+    help="Copy roadlang into the folder of a Godot project, as `addons/roadlang`, and exit.",
+)
+def command(
+    headless: bool, host: str, port: int, transport: str, where: bool, addon: Path | None
+) -> None:
     """Start Godot with the bundled project, in which scenes are built and driven.
 
     Scenes reach it by `emit godot`, `roadlang watch` and `roadlang run`. It listens on this
@@ -33,6 +43,9 @@ def command(headless: bool, host: str, port: int, transport: str, where: bool) -
     """
     from roadlang_godot import engine
 
+    if addon is not None:
+        _install(addon)
+        return
     if where:
         found = engine.find()
         echo(f"engine   {found}")
@@ -46,3 +59,23 @@ def command(headless: bool, host: str, port: int, transport: str, where: bool) -
     with running:
         echo(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C ends it")
         running.process.wait()
+
+
+def _install(folder: Path) -> None:
+    from roadlang.commands import Code, DiagnosticError, diagnose
+    from roadlang_godot import addon
+
+    if not addon.is_project(folder):
+        reason = f"`{folder}` is no Godot project: it has no file `project.godot`"
+        raise click.BadParameter(reason, param_hint="--addon")
+    if addon.is_foreign(folder):
+        reason = f"`{folder / addon.FOLDER}` is something else: move it away first"
+        raise click.BadParameter(reason, param_hint="--addon")
+    try:
+        place = addon.install_addon(folder)
+    except OSError as error:
+        path = folder / addon.FOLDER
+        raise DiagnosticError(
+            diagnose(Code.OUTPUT_NOT_WRITTEN, file=path, reason=error.strerror or error)
+        ) from error
+    echo(f"{place}: put a `RoadlangStage` into a scene, and run it")

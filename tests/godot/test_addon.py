@@ -1,0 +1,122 @@
+"""roadlang inside a Godot project of somebody else."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from roadlang_godot import driving, protocol
+from roadlang_godot import engine as engines
+from roadlang_godot.addon import install_addon
+from roadlang_godot.commands.godot import command
+from roadlang_godot.layout import layout_of
+from tests.godot.godot_engines import started, until
+from tests.godot.godot_scenes import bends, call, car, scene
+
+PROJECT_FILE = """config_version=5
+
+[application]
+config/name="somebody's game"
+run/main_scene="res://game.tscn"
+
+[physics]
+3d/physics_engine="Jolt Physics"
+"""
+GAME_SCENE = """[gd_scene load_steps=2 format=3]
+
+[ext_resource type="Script" path="res://game.gd" id="1"]
+
+[node name="Game" type="Node3D"]
+script = ExtResource("1")
+"""
+GAME_SCRIPT = """extends Node3D
+
+var stage := RoadlangStage.new()
+
+
+func _ready() -> void:
+	stage.port = 0
+	stage.scene_built.connect(_built)
+	stage.drive_ended.connect(func(reason: String) -> void: print("game: ended by ", reason))
+	add_child(stage)
+
+
+func _built() -> void:
+	var ego: RoadlangAgent = stage.agent("ego")
+	var scene: RoadlangScene = stage.scene()
+	var path: RoadlangPath = scene.path(ego.path_id)
+	var says := [scene.scene_name, ego.agent_name, path.length]
+	print("game: built %s with %s on %.0f m" % says)
+"""
+
+
+@pytest.fixture
+def game(tmp_path: Path) -> Path:
+    """A game that has a `RoadlangStage`."""
+    (tmp_path / "project.godot").write_text(PROJECT_FILE)
+    (tmp_path / "game.tscn").write_text(GAME_SCENE)
+    (tmp_path / "game.gd").write_text(GAME_SCRIPT)
+    return tmp_path
+
+
+def _run(*arguments: str) -> tuple[int, str]:
+    done = CliRunner().invoke(command, list(arguments))
+    return done.exit_code, done.output
+
+
+def test_the_addon_replaces_an_earlier_one_and_nothing_else(game: Path) -> None:
+    assert _run("--addon", str(game))[0] == 0
+    place = game / "addons" / "roadlang"
+    (place / "left_over.gd").write_text("extends Node\n")
+    assert _run("--addon", str(game))[0] == 0
+    names = {path.name for path in place.iterdir()}
+    assert {"plugin.cfg", "plugin.gd", "roadlang_stage.gd", "main.tscn"} <= names
+    assert not {"left_over.gd", "project.godot", "tests", ".godot"} & names
+    assert [path.name for path in (game / "addons").iterdir()] == ["roadlang"]
+    (place / "plugin.cfg").write_text('[plugin]\n\nname="another"\n')
+    code, text = _run("--addon", str(game))
+    assert code == 2
+    assert "is something else" in text
+
+
+def test_what_is_no_godot_project_gets_no_addon(tmp_path: Path) -> None:
+    code, text = _run("--addon", str(tmp_path))
+    assert code == 2
+    assert "no file `project.godot`" in text
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_addon_has_the_version_of_the_protocol() -> None:
+    config = (engines.project() / "plugin.cfg").read_text(encoding="utf-8")
+    assert f'version="{protocol.VERSION}"' in config
+
+
+@pytest.mark.slow
+@pytest.mark.godot
+def test_a_game_receives_scenes(game: Path) -> None:
+    started().stop()
+    install_addon(game)
+    engine = str(engines.find())
+    imported = subprocess.run(
+        [engine, "--headless", "--path", str(game), "--import"], capture_output=True, text=True
+    )
+    assert imported.returncode == 0
+    assert "ERROR" not in imported.stdout + imported.stderr
+    road = bends()
+    sent = scene(road, agents=[car("ego", road, 5.0, call("lane_follow", speed=10.0))])
+    with (
+        started(fixed_fps=60, extra=["--path", str(game)]) as running,
+        running.connect() as session,
+    ):
+        layout = layout_of(sent)
+        session.begin(layout.settings(60), clear=True)
+        session.update(layout.parts)
+        session.prove()
+        driven = driving.run(session, 60)
+        until(lambda: "game: ended by time" in running.output())
+        assert "game: built test with ego on 869 m" in running.output()
+        assert "ERROR" not in running.output()
+    assert driven.trace["x"][-1] > driven.trace["x"][0]
