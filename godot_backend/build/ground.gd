@@ -5,6 +5,8 @@ const Looks := preload("looks.gd")
 
 const DEPTH := 0.05
 const THICKNESS := 2.0
+## Of all scenery, for the labels of cameras, that which is ground.
+const SCENERY := 1
 
 var _shape := BoxShape3D.new()
 var _mesh := PlaneMesh.new()
@@ -17,6 +19,7 @@ func _init() -> void:
 	collision.position.y = -DEPTH - THICKNESS * 0.5
 	add_child(collision)
 	_instance.mesh = _mesh
+	_instance.set_meta("scenery", SCENERY)
 	_instance.position.y = -DEPTH
 	_instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	add_child(_instance)

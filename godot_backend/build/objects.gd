@@ -69,6 +69,11 @@ func number_of(body: Node, shape: int) -> int:
 	return shape if found < 0 else found
 
 
+## Those that are pushed away; the others stand still.
+func light_bodies() -> Array[RigidBody3D]:
+	return _light
+
+
 ## The positions that the instances have.
 func content() -> PackedByteArray:
 	var positions := PackedVector3Array()

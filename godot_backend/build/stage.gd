@@ -17,6 +17,8 @@ const PathLine := preload("../agents/path_line.gd")
 const Agent := preload("../agents/agent.gd")
 const Weather := preload("weather.gd")
 const Ground := preload("ground.gd")
+const SensorCamera := preload("../sensors/camera.gd")
+const Labels := preload("../sensors/labels.gd")
 
 var builds := 0
 var scene_name := ""
@@ -152,6 +154,10 @@ func _make(kind: int) -> Thing:
 			return Handles.new()
 		Protocol.AGENT:
 			return Agent.new()
+		Protocol.CAMERA:
+			return SensorCamera.new()
+		Protocol.LABELS:
+			return Labels.new()
 		_:
 			return Weather.new()
 

@@ -69,7 +69,7 @@ func handle(type: int, payload: PackedByteArray) -> String:
 		Protocol.STOP:
 			_simulation.stop("stopped")
 			return ""
-		Protocol.VIEW, Protocol.SHOT, Protocol.NOTE:
+		Protocol.VIEW, Protocol.SHOT, Protocol.NOTE, Protocol.LOOK:
 			var wish := reader.json()
 			return "bad view" if reader.failed else _view.take(type, wish)
 	return "a message that this engine does not know"

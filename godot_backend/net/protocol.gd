@@ -34,6 +34,8 @@ const REMOVE := 0x18
 const PAINT := 0x19
 const SIGNALS := 0x1A
 const HANDLES := 0x1B
+const CAMERA := 0x1C
+const LABELS := 0x1D
 
 ## Proof.
 const COMMIT := 0x20
@@ -58,7 +60,9 @@ const SHOT := 0x41
 const PICTURE := 0x42
 const EDIT := 0x43
 const NOTE := 0x44
+const LOOK := 0x45
+const FRAMES := 0x46
 
 
 static func is_thing(type: int) -> bool:
-	return type >= SEGMENT and type <= HANDLES and type != REMOVE
+	return type >= SEGMENT and type <= LABELS and type != REMOVE

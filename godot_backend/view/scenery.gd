@@ -11,6 +11,9 @@ const RINGS := 14
 const REACH := 2600.0
 const HEIGHT := 95.0
 const TREES := 700
+## What scenery is, for the labels of cameras.
+const GROUND := 1
+const PLANTS := 2
 
 var _worlds: Worlds
 var _extent := 0.0
@@ -64,6 +67,7 @@ func _add_hills() -> void:
 	tool.set_material(Looks.grass())
 	var instance := MeshInstance3D.new()
 	instance.mesh = tool.commit()
+	instance.set_meta("scenery", GROUND)
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	add_child(instance)
 
@@ -83,6 +87,7 @@ func _add_trees() -> void:
 		)
 	var instance := MultiMeshInstance3D.new()
 	instance.multimesh = Instances.make(Props.mesh("tree", ""), places)
+	instance.set_meta("scenery", PLANTS)
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	add_child(instance)
 

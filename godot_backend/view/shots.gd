@@ -14,6 +14,10 @@ var _server: Server
 var _viewport := SubViewport.new()
 var _camera := Camera3D.new()
 var _queue: Array[Array] = []
+## Cameras of agents draw with fewer.
+var _shadow_pixels: int = ProjectSettings.get_setting(
+	"rendering/lights_and_shadows/directional_shadow/size"
+)
 
 
 func _init(cameras: Cameras, server: Server) -> void:
@@ -55,6 +59,7 @@ func _picture(wish: Dictionary) -> void:
 		follower.global_position = _camera.global_position + Vector3.UP * 7.0
 		follower.force_update_transform()
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
+	RenderingServer.directional_shadow_atlas_set_size(_shadow_pixels, true)
 	RenderingServer.force_draw(false)
 	var image := _viewport.get_texture().get_image()
 	image.convert(Image.FORMAT_RGB8)

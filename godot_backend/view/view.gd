@@ -13,6 +13,7 @@ const Shots := preload("shots.gd")
 const Overlay := preload("overlay.gd")
 const Hands := preload("hands.gd")
 const Scenery := preload("scenery.gd")
+const SensorLooks := preload("../sensors/looks.gd")
 
 var cameras := Cameras.new()
 
@@ -20,6 +21,7 @@ var _headless := true
 var _eyes := Eyes.WINDOW
 var _server: Server
 var _shots: Shots
+var _looks: SensorLooks
 var _overlay: Overlay
 var _scenery: Scenery
 var _stale := false
@@ -35,11 +37,14 @@ func setup(worlds: Worlds, server: Server, eyes: Eyes) -> void:
 	add_child(cameras)
 	_shots = Shots.new(cameras, server)
 	add_child(_shots)
+	_looks = SensorLooks.new(worlds, server)
+	add_child(_looks)
 	cameras.set_process_unhandled_input(eyes == Eyes.WINDOW)
 	if eyes == Eyes.GUEST:
 		return
 	_scenery = Scenery.new(worlds)
 	add_child(_scenery)
+	_looks.scenery = _scenery
 	if eyes == Eyes.STILL:
 		return
 	cameras.make_current()
@@ -70,6 +75,9 @@ func take(type: int, wish: Dictionary) -> String:
 		Protocol.SHOT:
 			_refresh()
 			_shots.take(wish)
+		Protocol.LOOK:
+			_refresh()
+			return _looks.take(wish)
 		Protocol.NOTE:
 			if _overlay != null:
 				_overlay.take(wish)
@@ -80,6 +88,7 @@ func take(type: int, wish: Dictionary) -> String:
 func draw_waiting() -> void:
 	if _shots != null:
 		_shots.draw_waiting()
+		_looks.draw_waiting()
 
 
 func _process(_dt: float) -> void:

@@ -126,7 +126,7 @@ def take(session: Session, layout: Layout, shot: Shot) -> bytes:
     session.send_json(Message.VIEW, view_of(layout, shot), "the view")
     session.flush()
     wish = {"width": shot.width, "height": shot.height, "format": shot.format}
-    return session.picture(wish)
+    return session.drawn(Message.SHOT, wish, Message.PICTURE)
 
 
 def meters_a_pixel(layout: Layout, shot: Shot) -> float:

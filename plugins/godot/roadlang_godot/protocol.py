@@ -44,6 +44,8 @@ class Message(IntEnum):
     PAINT = 0x19
     SIGNALS = 0x1A
     HANDLES = 0x1B
+    CAMERA = 0x1C
+    LABELS = 0x1D
     COMMIT = 0x20
     BUILT = 0x21
     LIST = 0x22
@@ -62,6 +64,8 @@ class Message(IntEnum):
     PICTURE = 0x42
     EDIT = 0x43
     NOTE = 0x44
+    LOOK = 0x45
+    FRAMES = 0x46
 
 
 @dataclass(frozen=True, slots=True)

@@ -152,13 +152,13 @@ class Session:
             if answered == request:
                 return float(height) if hit else None
 
-    def picture(self, wish: Mapping[str, Any]) -> bytes:
-        """The bytes of a picture (PNG or JPEG) that the engine has drawn."""
+    def drawn(self, type: Message, wish: Mapping[str, Any], answer: Message) -> bytes:
+        """An answer to a wish for pictures. Raises `EngineError` RL508 if there is no screen."""
         if not self.welcome.get("pictures"):
             raise fault(Code.RENDERING_UNAVAILABLE)
         request = self._next_request()
-        self.send(Message.SHOT, as_json({**wish, "id": request}), "a picture")
-        return self._parts(Message.PICTURE, request)
+        self.send_json(type, {**wish, "id": request}, "a picture")
+        return self._parts(answer, request)
 
     # -- messages -------------------------------------------------------------------------------
 

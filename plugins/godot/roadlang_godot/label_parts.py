@@ -1,0 +1,105 @@
+"""What each part of a scene is called in pictures: its class, and the numbers of its instances."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .drives import is_walker
+from .lane_strips import Surface
+from .layout import Layout
+from .names import plain_name
+from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
+from .scene_part import ScenePart
+from .semantic_classes import SemanticClass, class_of_kind
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene, SceneActor
+
+MOST_INSTANCES = 65535
+_RECORD = struct.Struct("<IBBH")
+_MOST = (BULK_DATAGRAM - HEADER_BYTES - 16) // _RECORD.size
+_SCENERY = 0
+"""Stands for the kind of what the engine adds by itself (`sensors/labels.gd`)."""
+_SCENERY_CLASSES = {0: SemanticClass.OTHER, 1: SemanticClass.TERRAIN, 2: SemanticClass.VEGETATION}
+"""By its number; 0 is everything without a label."""
+_PART_CLASSES = {
+    Message.PATCH: SemanticClass.ROAD,
+    Message.TILES: SemanticClass.ROAD,
+    Message.PAINT: SemanticClass.ROAD_PAINT,
+    Message.SIGNALS: SemanticClass.TRAFFIC_LIGHT,
+}
+_SURFACE_CLASSES = {
+    Surface.SIDEWALK: SemanticClass.SIDEWALK,
+    Surface.GRASS: SemanticClass.TERRAIN,
+}
+_SURFACE_BYTE = 1
+"""Of the body of a SEGMENT."""
+
+
+@dataclass(frozen=True, slots=True)
+class Instance:
+    """An agent or object in pictures: its number from 1, and its class."""
+
+    number: int
+    actor: SceneActor
+    category: SemanticClass
+
+
+def instances_of(scene: Scene, layout: Layout) -> tuple[Instance, ...]:
+    """The agents of a scene, then its objects in the order in which they are sent, as far as there
+    are numbers."""
+    out = []
+    for actor in scene.agents:
+        walks = is_walker(actor)
+        default = SemanticClass.PEDESTRIAN if walks else SemanticClass.OTHER_VEHICLE
+        out.append((actor, class_of_kind(plain_name(actor.kind), default)))
+    objects = {actor.name: actor for actor in scene.objects}
+    for id in sorted(layout.objects):
+        for name in layout.objects[id]:
+            kind = plain_name(objects[name].kind)
+            out.append((objects[name], class_of_kind(kind, SemanticClass.STREET_OBJECT)))
+    numbered = enumerate(out[:MOST_INSTANCES], start=1)
+    return tuple(Instance(number, actor, category) for number, (actor, category) in numbered)
+
+
+def label_parts(layout: Layout, instances: Iterable[Instance]) -> list[ScenePart]:
+    """The labels of all that a layout sends."""
+    by_name = {instance.actor.name: instance for instance in instances}
+    records = {_SCENERY: [_RECORD.pack(id, *row) for id, row in _scenery().items()]}
+    for part in layout.parts:
+        row = _label(part, layout, by_name)
+        if row is not None:
+            records.setdefault(part.kind, []).append(_RECORD.pack(part.id, *row))
+    parts: list[ScenePart] = []
+    for kind, rows in records.items():
+        for at in range(0, len(rows), _MOST):
+            body = b"".join(rows[at : at + _MOST])
+            head = struct.pack("<BH", kind, len(body) // _RECORD.size)
+            id = len(parts) + 1
+            parts.append(ScenePart(Message.LABELS, id, head + body, body, "the labels of things"))
+    return parts
+
+
+def _scenery() -> dict[int, tuple[int, int, int]]:
+    return {id: (found, 0, 0) for id, found in _SCENERY_CLASSES.items()}
+
+
+def _label(
+    part: ScenePart, layout: Layout, by_name: Mapping[str, Instance]
+) -> tuple[int, int, int] | None:
+    """Class, whether its copies are numbered one by one, and the number of the first."""
+    if part.kind == Message.SEGMENT:
+        surface = Surface(part.body[_SURFACE_BYTE])
+        return _SURFACE_CLASSES.get(surface, SemanticClass.ROAD), 0, 0
+    if part.kind == Message.OBJECTS:
+        found = by_name.get(layout.objects[part.id][0])
+        return None if found is None else (found.category, 1, found.number)
+    if part.kind == Message.AGENT:
+        name = next(name for name, number in layout.agents.items() if number == part.id)
+        found = by_name.get(name)
+        return None if found is None else (found.category, 0, found.number)
+    category = _PART_CLASSES.get(part.kind)
+    return None if category is None else (category, 0, 0)
