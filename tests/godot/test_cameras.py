@@ -33,9 +33,9 @@ def boxes_around() -> Scene:
     objects, random = [], np.random.default_rng(3)
     for i in range(9):
         angle, away = math.tau * i / 9 + 0.35, random.uniform(9.0, 30.0)
-        size = random.uniform(0.8, 3.0, 3)
+        length, width, height = random.uniform(0.8, 3.0, 3)
         x, y = 60.0 + away * math.cos(angle), away * math.sin(angle)
-        box = thing("box", x, y, *size, name=f"box{i}")
+        box = thing("box", x, y, length, width, height, f"box{i}")
         objects.append(box)
     kinds = ("tree", "building", "cone", "parked_van", "sign", "fence")
     objects += [thing(kind, 30.0 + 12.0 * i, 9.0, 1.5, 1.0, 2.0) for i, kind in enumerate(kinds)]
@@ -140,6 +140,7 @@ def test_every_pixel_of_a_thing_lies_in_its_solid_box(look: Looks) -> None:
     kinds = set()
     for frame, found in look.seen():
         assert frame.depth is not None
+        assert frame.instance is not None
         rows, columns = np.nonzero(frame.instance == found.instance.number)
         assert len(rows) == found.pixels
         depth = frame.depth[rows, columns].astype(float)
@@ -161,6 +162,7 @@ def test_classes_belong_to_instances(look: Looks) -> None:
     for frame in look.frames:
         assert frame.instance is not None
         assert frame.semantic is not None
+        assert frame.depth is not None
         for instance in look.eyes.instances:
             assert set(frame.semantic[frame.instance == instance.number]) <= {instance.category}
         rest = set(frame.semantic[frame.instance == 0].tolist())
