@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .frame import SceneOrigin
-from .mounted_camera import MountedCamera, Pass
+from .mounted_camera import MountedCamera, Render
 
 MILLIMETERS = 1000.0
 _COUNTS = struct.Struct("<HH")
@@ -71,16 +71,16 @@ def frames_of(
         at += _MOVER.size
     frames = []
     for _ in range(count):
-        id, width, height, passes, *numbers = _CAMERA.unpack_from(raw, at)
+        id, width, height, renders, *numbers = _CAMERA.unpack_from(raw, at)
         at += _CAMERA.size
         right, up, back, place = _in_world(numbers, origin)
         pose = Pose(place, np.stack([right, -up, -back], axis=-1))
         pictures = {}
-        for drawn in Pass:
-            if passes & drawn:
+        for render in Render:
+            if renders & render:
                 size = width * height * _CHANNELS
                 flat = np.frombuffer(raw, np.uint8, size, at)
-                pictures[drawn] = flat.reshape(height, width, _CHANNELS)
+                pictures[render] = flat.reshape(height, width, _CHANNELS)
                 at += size
         frames.append(CameraFrame(cameras[id - 1], time, pose, bodies, **_arrays(pictures)))
     return tuple(frames)
@@ -93,16 +93,16 @@ def _in_world(numbers: Sequence[float], origin: SceneOrigin) -> list[NDArray[np.
     return list(rows)
 
 
-def _arrays(pictures: Mapping[Pass, NDArray[np.uint8]]) -> dict[str, Any]:
+def _arrays(pictures: Mapping[Render, NDArray[np.uint8]]) -> dict[str, Any]:
     out: dict[str, Any] = {}
-    if Pass.RGB in pictures:
-        out["rgb"] = pictures[Pass.RGB].copy()
-    if Pass.LABELS in pictures:
-        red, green, blue = np.moveaxis(pictures[Pass.LABELS], -1, 0)
+    if Render.RGB in pictures:
+        out["rgb"] = pictures[Render.RGB].copy()
+    if Render.LABELS in pictures:
+        red, green, blue = np.moveaxis(pictures[Render.LABELS], -1, 0)
         out["semantic"] = blue.copy()
         out["instance"] = red.astype(np.uint16) | green.astype(np.uint16) << 8
-    if Pass.DEPTH in pictures:
-        red, green, blue = np.moveaxis(pictures[Pass.DEPTH].astype(np.uint32), -1, 0)
+    if Render.DEPTH in pictures:
+        red, green, blue = np.moveaxis(pictures[Render.DEPTH].astype(np.uint32), -1, 0)
         millimeters = red | green << 8 | blue << 16
         meters = (millimeters / MILLIMETERS).astype(np.float32)
         out["depth"] = np.where(millimeters == 0, np.float32(np.inf), meters)

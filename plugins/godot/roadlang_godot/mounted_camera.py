@@ -25,18 +25,21 @@ CAMERA = "camera"
 """The kind of `sense with` that is a camera."""
 
 
-class Pass(IntFlag):
-    """Pictures that the engine draws for a camera (`sensors/camera.gd`)."""
+class Render(IntFlag):
+    """What the engine draws for a camera (`sensors/camera.gd`)."""
 
     RGB = 1
     LABELS = 2
     DEPTH = 4
 
 
-_ENGINE_NAMES = {Pass.RGB: "rgb", Pass.LABELS: "labels", Pass.DEPTH: "depth"}
-_PASSES = {
-    "rgb": Pass.RGB, "semantic": Pass.LABELS, "instance": Pass.LABELS, "depth": Pass.DEPTH,
-}  # fmt: skip
+_ENGINE_NAMES = {Render.RGB: "rgb", Render.LABELS: "labels", Render.DEPTH: "depth"}
+_RENDERS = {
+    "rgb": Render.RGB,
+    "semantic": Render.LABELS,
+    "instance": Render.LABELS,
+    "depth": Render.DEPTH,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,12 +85,12 @@ class MountedCamera:
         return f"{self.agent}.{self.name}"
 
     @property
-    def passes(self) -> Pass:
+    def renders(self) -> Render:
         """What the engine has to draw for the outputs."""
-        passes = Pass(0)
+        renders = Render(0)
         for output in self.outputs:
-            passes |= _PASSES[output]
-        return passes
+            renders |= _RENDERS[output]
+        return renders
 
     @property
     def focal_length(self) -> float:
@@ -108,7 +111,7 @@ class MountedCamera:
         spec = {
             "agent": agent, "width": self.width, "height": self.height, "fov": self.fov,
             "x": x, "y": y, "z": z, "yaw": self.yaw, "pitch": self.pitch,
-            "outputs": [name for drawn, name in _ENGINE_NAMES.items() if drawn in self.passes],
+            "outputs": [name for drawn, name in _ENGINE_NAMES.items() if drawn in self.renders],
         }  # fmt: skip
         body = json.dumps(spec, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
         return ScenePart(Message.CAMERA, id, body, body, f"camera {self.title}")
