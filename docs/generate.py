@@ -50,6 +50,8 @@ USE = {
     "`over: [a, b]`, `taper`, and in a network `roads: [ids]`",
     "control": "`control with KIND { ... }` in a `network`; each also takes `junctions: [ids]`",
     "drive": "`drive with KIND { ... }` in an `agent`; each also takes `when:`",
+    "sense": "`sense with KIND as NAME { ... }` in an `agent`; each also takes `every:`, "
+    "`delay:` and `dropout:`; without `as` the sensor is named after its kind",
     "signal": "a call in a formula: a value at every arc length of a road",
     "number": "a call in a formula or value: one number of a scene",
     "drive_signal": "a member of an agent (`ego.speed`) or a call, in a formula over time",

@@ -217,7 +217,8 @@ class _Grower:
 
     def pass_(self, depth: int) -> ast.Pass:
         block = self.maybe(self.block, depth - 1)
-        return ast.Pass(self.word(), self.kind(), block, span=NOWHERE)
+        label = self.maybe(lambda _: self.word(), depth)
+        return ast.Pass(self.word(), self.kind(), label, block, span=NOWHERE)
 
     def block(self, depth: int) -> ast.Block:
         item = self.option if depth <= 0 else self.one_of(self.option, self.pass_)

@@ -50,6 +50,7 @@ _KINDS = {
     "drive reverse": "drive_reverse:Reverse",
     "drive stop_at": "drive_stop_at:StopAt",
     "drive speed_profile": "drive_speed_profile:SpeedProfile",
+    "sense camera": "sense_camera:Camera",
     "simulate builtin": "simulate_builtin:Builtin",
     "monitor sbft": "require_sbft:SbftMonitor",
     "signal deviation": "signal_deviation:Deviation",

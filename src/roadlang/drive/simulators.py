@@ -17,6 +17,7 @@ from ..plugins.kinds import Simulator
 from ..plugins.registry import KindEntry, Registry
 from ..simulation.simulating import EngineSettings
 from .controllers import python_controllers
+from .sensors import refuse_sensors
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,7 @@ def drive_scenes(
     """Drive each scene, all with one engine, and judge its expectations."""
     entry, simulator = simulator_of(scenes[0], registry, engine, options)
     controllers = [python_controllers(scene, registry) for scene in scenes]
+    refuse_sensors(scenes, (entry, simulator), registry)
     with plugin_guard(entry, None):
         traces = list(simulator.drive_all(scenes, controllers))
     for trace in traces:

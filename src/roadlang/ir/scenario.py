@@ -134,6 +134,14 @@ class NamedSignal:
 
 
 @dataclass(frozen=True, slots=True)
+class ScenarioSensor:
+    """A sensor of an agent."""
+
+    name: str
+    call: PassCall
+
+
+@dataclass(frozen=True, slots=True)
 class ScenarioActor:
     """An agent or object. `kind` is the call of an agent or object kind, or a draw among such.
 
@@ -150,6 +158,7 @@ class ScenarioActor:
     at_fraction: bool = False
     options: Options = NO_OPTIONS
     drive: tuple[PassCall, ...] = ()
+    sensors: tuple[ScenarioSensor, ...] = ()
     span: Span | None = None
     option_spans: FrozenDict[str, Span] = NO_SPANS
 

@@ -11,6 +11,7 @@ from .scene_actor import Call as Call
 from .scene_actor import SceneActor as SceneActor
 from .scene_junctions import SceneJunction
 from .scene_road import SceneRoad as SceneRoad
+from .scene_sensor import SceneSensor as SceneSensor
 
 SCENE_SCHEMA = "roadlang.scene/2"
 

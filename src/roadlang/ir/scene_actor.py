@@ -8,6 +8,7 @@ from typing import Any
 
 from .read_only import Frozen
 from .scene_route import SceneRoute
+from .scene_sensor import SceneSensor
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,3 +65,5 @@ class SceneActor(Frozen):
     """of an agent at the start, m/s, in the direction of its heading; null: 0"""
     route: SceneRoute | None = None
     """of an agent through a network; null: it follows its road and lane"""
+    sensors: tuple[SceneSensor, ...] = ()
+    """of an agent, in the order of the scene file"""

@@ -185,6 +185,30 @@ class DriveOptions:
 
 
 @dataclass(frozen=True)
+class SenseOptions:
+    """Options of every `sense with`. Times are rounded to decisions of the controllers."""
+
+    every: Duration = option(
+        None,
+        above=0,
+        maximum=3600,
+        help="time from one reading to the next, which is held until then; by default that from "
+        "one decision of the controllers to the next",
+        example="100ms",
+    )
+    delay: Duration = option(
+        0.0, minimum=0, maximum=60, help="time from a measurement to its arrival", example="100ms"
+    )
+    dropout: Number = option(
+        0.0,
+        minimum=0,
+        maximum=1,
+        help="share of the readings that do not arrive; the last one that did is held",
+        example="2%",
+    )
+
+
+@dataclass(frozen=True)
 class FalsifyOptions:
     """Options of every `falsify with`."""
 
@@ -233,6 +257,7 @@ _OF_VERB = {
     "perturb": NetworkPerturbOptions,
     "control": ControlOptions,
     "drive": DriveOptions,
+    "sense": SenseOptions,
     "agent": AgentOptions,
     "object": PlacementOptions,
     "falsify": FalsifyOptions,

@@ -16,6 +16,8 @@ def type_text(option: OptionSchema) -> str:
     """What may be written for an option: `length (m)`, `integer | auto`."""
     if isinstance(option.type, types.WordType):
         return " | ".join(map(word_text, option.words)) or "one of the words of `option(words=...)`"
+    if types.is_list_of_words(option.type):
+        return f"list of {' | '.join(map(word_text, option.words))}"
     return " | ".join([_WORDS[type(option.type)](option.type), *map(word_text, option.words)])
 
 
@@ -131,7 +133,7 @@ _WORDS: dict[type, Callable[[Any], str]] = {
     types.ListType: lambda t: f"list of {_plural(t.item)}",
     types.IntervalType: lambda t: f"interval [a, b] of {_plural(t.item)}",
     types.PointType: lambda t: (
-        f"point ({t.dimension.unit})"
+        f"point{' in space' * t.in_space} ({t.dimension.unit})"
         if t.second is None
         else f"pair ({t.dimension.unit}, {t.second.unit})"
     ),

@@ -49,6 +49,8 @@ def _option(option: OptionSchema) -> Schema:
     if option.words:
         words = {"enum": list(option.words)}
         alternatives = [words] if isinstance(option.type, types.WordType) else [schema, words]
+        if isinstance(option.type, types.ListType) and types.is_list_of_words(option.type):
+            alternatives = [array(words, option.type.at_least)]
     if not option.required and option.default is None:
         alternatives.append({"type": "null"})
     described = "; ".join(filter(None, [option.help, type_text(option)]))
@@ -69,7 +71,7 @@ _SCHEMAS: dict[type, Callable[[Any], Schema]] = {
     types.WordType: lambda t: {"type": "string"},
     types.ListType: lambda t: array(_type(t.item), t.at_least),
     types.IntervalType: lambda t: array(_type(t.item), 2, 2),
-    types.PointType: lambda t: array({"type": "number"}, 2, 2),
+    types.PointType: lambda t: array({"type": "number"}, len(t.parts), len(t.parts)),
     types.EntityType: lambda t: {"type": "string"},
     types.CallType: lambda t: {"type": "object"},
     types.KindNameType: lambda t: {"type": "string"},

@@ -38,7 +38,11 @@ def _default_fault(option: OptionSchema) -> str | None:
     if isinstance(value, MutableDefault):
         instead = "None" if value.kind in ("dict", "set") else "a tuple"
         return f"has a {value.kind} as default, which all uses would share: write {instead}"
-    if not _fits(value, option.type):
+    if types.is_list_of_words(option.type):
+        fits = isinstance(value, tuple) and all(word in option.words for word in value)
+    else:
+        fits = _fits(value, option.type)
+    if not fits:
         return f"has the default {value!r}; expected: {type_text(option)}"
     if not all(option.constraints.allow(number) for number in _numbers(value)):
         return f"has the default {value!r}; expected: {bounds_text(option)}"
@@ -68,7 +72,7 @@ def _is_tuple_of(value: Any, type_: OptionType) -> bool:
         pair = len(value) == 2 and all(_fits(item, type_.item) for item in value)
         return pair and value[0] <= value[1]
     if isinstance(type_, types.PointType):
-        return len(value) == 2 and all(map(_is_number, value))
+        return len(value) == len(type_.parts) and all(map(_is_number, value))
     return isinstance(type_, types.NamesType) and all(isinstance(item, str) for item in value)
 
 

@@ -58,15 +58,19 @@ class IntervalType:
 
 @dataclass(frozen=True, slots=True)
 class PointType:
-    """`(x, y)`; or a pair of two dimensions, such as `(80m, 20km/h)`."""
+    """`(x, y)`; a pair of two dimensions, such as `(80m, 20km/h)`; or `(x, y, z)`."""
 
     dimension: Dimension
     second: Dimension | None = None
+    in_space: bool = False
 
     @property
-    def parts(self) -> tuple[QuantityType, QuantityType]:
-        """The types of its two numbers."""
-        return QuantityType(self.dimension), QuantityType(self.second or self.dimension)
+    def parts(self) -> tuple[QuantityType, ...]:
+        """The types of its two or three numbers."""
+        first = QuantityType(self.dimension)
+        return (
+            (first,) * 3 if self.in_space else (first, QuantityType(self.second or self.dimension))
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,6 +130,11 @@ def is_of_anything(option: OptionType) -> bool:
     """Whether an option takes values of any type, or lists of them: a distribution chooses among
     those."""
     return isinstance(option.item if isinstance(option, ListType) else option, AnyType)
+
+
+def is_list_of_words(option: OptionType) -> bool:
+    """Whether the words of an option are the items of a list, rather than instead of one."""
+    return isinstance(option, ListType) and isinstance(option.item, WordType)
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,8 +12,9 @@ from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
-from ..ir.scene import Call, SceneActor
-from ..ir.values import Measure, RandomValue
+from ..ir.scene import Call, SceneActor, SceneSensor
+from ..ir.values import Measure, PassCall, RandomValue
+from ..plugins.common_options import common_options
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
@@ -30,6 +31,8 @@ _DEFAULT_HEIGHT = 1.5
 _POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")
 Drives = list[tuple[Call, ...]]
 """The controllers of each copy, or, where all copies have the same, of all."""
+Sensors = list[tuple[SceneSensor, ...]]
+"""The sensors of each copy, or of all."""
 
 
 def scene_actors(
@@ -80,18 +83,20 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
     present = counts(actor, candidates).tolist()
     columns = [getattr(where, name).tolist() for name in _POSE]
     kinds = _kinds(actor, rows)
-    drives = _drives(actor, rows)
+    drives = _calls(tuple(actor.drive), "controllers", actor, rows)
+    sensors = _sensors(actor, rows)
     is_agent = actor.name in rows.scenario.agents
     speeds = start_speeds(actor, where, drives, rows) if is_agent else rows.same(())
     routes = scene_routes(actor, rows) if is_agent else rows.same(())
     names = _names(actor, max(present, default=0))
     found = [
         tuple(
-            _placed_copy(actor, name, kind, pose, drive, speed, route)
-            for name, kind, pose, drive, speed, route in zip(
+            _placed_copy(actor, name, kind, pose, drive, speed, route, sensed)
+            for name, kind, pose, drive, speed, route, sensed in zip(
                 names[:count], kinds[row], zip(*(column[row] for column in columns), strict=True),
                 _of_copies(drives[row], count, ()), _of_copies(speeds[row], count, None),
-                _of_copies(routes[row], count, None), strict=False,
+                _of_copies(routes[row], count, None), _of_copies(sensors[row], count, ()),
+                strict=False,
             )
         )
         for row, count in enumerate(present)
@@ -112,6 +117,7 @@ def _placed_copy(
     drive: tuple[Call, ...],
     speed: float | None,
     route: Any,
+    sensors: tuple[SceneSensor, ...],
 ) -> SceneActor:
     x, y, heading, length, width, start, offset, lane, backward, road = pose
     kind_name, height, options = kind
@@ -135,6 +141,7 @@ def _placed_copy(
         drive,
         speed,
         route,
+        sensors,
     )
 
 
@@ -172,30 +179,50 @@ def _concrete_options(found: KindInstance) -> Any:
     return frozen({field.name: concrete(getattr(found.kind, field.name)) for field in fields})
 
 
-def _drives(actor: ScenarioActor, rows: SceneRows) -> list[Drives]:
-    if rows.differ(*actor.drive):
-        return rows.each(partial(_drives_of_one, actor))
+def _calls(
+    calls: tuple[PassCall, ...], what: str, actor: ScenarioActor, rows: SceneRows
+) -> list[Drives]:
+    if rows.differ(*calls):
+        return rows.each(partial(_calls_of_one, calls, actor))
     element = element_of(actor)
 
     def make() -> Drives:
         fixed = fixed_candidate(rows.scenario)
-        return [tuple(call_of(call, fixed, element) for call in actor.drive)]
+        return [tuple(call_of(call, fixed, element) for call in calls)]
 
-    return rows.same(rows.scenario.once(("controllers", actor.name), make))
+    return rows.same(rows.scenario.once((what, actor.name), make))
 
 
-def _drives_of_one(actor: ScenarioActor, candidates: CandidateBatch) -> Drives:
+def _calls_of_one(
+    calls: tuple[PassCall, ...], actor: ScenarioActor, candidates: CandidateBatch
+) -> Drives:
     count = most_copies(actor, candidates)
-    values = [
-        value for call in actor.drive for value in candidates.scenario.dependencies.contents(call)
-    ]
+    values = [value for call in calls for value in candidates.scenario.dependencies.contents(call)]
     differs = any(
         isinstance(value, Measure) or (isinstance(value, RandomValue) and value.per == "copy")
         for value in values
     )
     copies = range(1, 1 + (count if differs else min(count, 1)))
     element = (lambda copy: copy) if is_group(actor) else (lambda copy: 0)
-    return [tuple(call_of(c, candidates, element(copy)) for c in actor.drive) for copy in copies]
+    return [tuple(call_of(c, candidates, element(copy)) for c in calls) for copy in copies]
+
+
+def _sensors(actor: ScenarioActor, rows: SceneRows) -> list[Sensors]:
+    names = [sensor.name for sensor in actor.sensors]
+    if not names:
+        return rows.same([])
+    common = {option.name: option.default for option in common_options("sense")}
+    calls = _calls(tuple(sensor.call for sensor in actor.sensors), "sensors", actor, rows)
+    return [
+        [
+            tuple(
+                SceneSensor(name, call.kind, frozen({**common, **call.options}))
+                for name, call in zip(names, of_copy, strict=True)
+            )
+            for of_copy in of_scene
+        ]
+        for of_scene in calls
+    ]
 
 
 def _kind_defaults(kind: str, candidates: CandidateBatch) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..drive.sensors import refused_sensor
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor
 from ..ir.scenario_contents import ScenarioContents
@@ -15,7 +16,7 @@ from .constant_kinds import constant_kind
 
 
 def unsupported_parts(scenario: IndexedScenario) -> list[Diagnostic]:
-    """RL243 for each part that an `emit` or `simulate` of the scenario does not support."""
+    """RL243 for each part that an `emit` or `simulate` does not support, RL257 for each sensor."""
     source = scenario.source
     calls = [call for call in (source.simulate, *source.emits) if call is not None]
     found: list[Diagnostic] = []
@@ -24,7 +25,24 @@ def unsupported_parts(scenario: IndexedScenario) -> list[Diagnostic]:
             found += _reported(call, scenario)
         except DiagnosticError as error:
             found += error.diagnostics
-    return found
+    return [*found, *_sensors_not_offered(scenario)]
+
+
+def _sensors_not_offered(scenario: IndexedScenario) -> list[Diagnostic]:
+    """RL257 for each sensor that the simulator of the scene does not offer."""
+    simulate = scenario.source.simulate
+    sensors = [sensor for agent in scenario.source.agents for sensor in agent.sensors]
+    if simulate is None or not sensors:
+        return []
+    built = constant_kind(simulate, scenario)
+    if built is None:
+        return []
+    simulator = (scenario.kind(simulate)[0], built)
+    refused = (
+        refused_sensor(scenario.kind(s.call)[0], s.name, simulator, scenario.registry, s.call.span)
+        for s in sensors
+    )
+    return [found for found in refused if found is not None]
 
 
 def _reported(call: PassCall, scenario: IndexedScenario) -> Iterator[Diagnostic]:

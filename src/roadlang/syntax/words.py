@@ -14,8 +14,10 @@ RESERVED = (
     "true", "false", "with",
     *(word for word, operator in BY_WORD.items() if not operator.contextual),
 )  # fmt: skip
-PASS_VERBS = ("adjust", "extract", "read", "draw", "perturb", "control", "drive")
+PASS_VERBS = ("adjust", "extract", "read", "draw", "perturb", "control", "drive", "sense")
 """Words before `with KIND` in the blocks of declarations."""
+LABELED_PASS_VERBS = ("sense",)
+"""Those of passes that may have names of their own, `with KIND as NAME`."""
 
 NOT_NAMES = frozenset((*RESERVED, *STATEMENTS, *CONNECTIVES, "as", "inf"))
 """Words that name no signal unless they are in back quotes."""

@@ -17,13 +17,14 @@ from .placing import Position, Standing
 from .roads import Drawer, Perturber, Piece, Selector
 from .sampling import Distribution, DrawnValue, Sampler
 from .searching import Axis, Search, Searcher
+from .sensing import Channel, Sensor
 from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
     Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
     JunctionControl,
-    LaneKind, Position, Controller, Signal, RoadNumber, DriveSignal, Monitor, Distribution, Sampler,
-    Simulator, Searcher, Backend, AgentKind, ObjectKind,
+    LaneKind, Position, Controller, Sensor, Signal, RoadNumber, DriveSignal, Monitor,
+    Distribution, Sampler, Simulator, Searcher, Backend, AgentKind, ObjectKind,
 )  # fmt: skip
 VERBS: tuple[str, ...] = tuple(base.verb for base in BASES)
 _BASE_OF = {base.verb: base for base in BASES}
@@ -50,6 +51,7 @@ __all__ = [
     "AgentKind",
     "Axis",
     "Backend",
+    "Channel",
     "Controller",
     "Distribution",
     "Drawer",
@@ -74,6 +76,7 @@ __all__ = [
     "Search",
     "Searcher",
     "Selector",
+    "Sensor",
     "Signal",
     "Simulator",
     "Standing",

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
     from ...ir.trace import Trace
+    from .sensing import Sensor
 
 
 STANDING_GAP = 2.0
@@ -96,6 +97,11 @@ class Simulator(Kind):
         """What this simulator cannot drive of a scenario; as `Backend.unsupported`, at the
         `simulate with` of a scene file."""
         return ()
+
+    def offers(self, sensor: type[Sensor]) -> bool:
+        """Whether controllers get the readings of sensors of this kind, with the options that this
+        simulator has. By default of none; `check` reports a sensor that is not offered (RL256)."""
+        return False
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Drive a scene.

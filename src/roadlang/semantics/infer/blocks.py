@@ -9,7 +9,7 @@ from ...diagnostics import Code, Label, Span, nearest
 from ...ir.values import PassCall
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
-from ...syntax.words import PASS_VERBS
+from ...syntax.words import LABELED_PASS_VERBS, PASS_VERBS
 from ..checker import Checker, ResolvedKind
 from ..context import Context
 from .kinds import display_name, find_kind
@@ -73,6 +73,8 @@ def lower_pass(
 ) -> PassCall | None:
     """`verb with kind { ... }`: the call, or None, reported."""
     verb = item.verb.text
+    if item.label is not None and verb not in LABELED_PASS_VERBS:
+        checker.report(Code.NAMED_PASS, item.label.span, verb=verb, name=item.label.text)
     found = find_kind(checker, verb, item.kind.text, item.kind.span)
     if found is None:
         return None

@@ -22,6 +22,7 @@ from ..names.program import Declaration
 from ..types.expression_types import DeclaredType, KindCallType, Quantity, TypedExpression
 from .actor_places import place_of
 from .routes import rest_of_route, with_route
+from .sensors import sensors_of
 
 
 def lower_actor(
@@ -37,7 +38,8 @@ def lower_actor(
     on = _road(checker, statement, context)
     network = on if isinstance(on, str) and _is_network(checker, on) else None
     placement, kind_options = _options(checker, statement, spec, kind, context)
-    drive = lower_passes(checker, spec, statement.block, context)
+    passes = lower_passes(checker, spec, statement.block, context)
+    drive = tuple(call for call in passes or () if call.verb == "drive")
     if on is not False and placement is not None:
         placement = with_route(checker, statement, context, network, placement, bool(drive))
     route = None if placement is None else placement.get("route")
@@ -47,8 +49,9 @@ def lower_actor(
         return None
     if kind is None or kind.value is None or on is False or at is None or at.value is None:
         return None
-    if placement is None or drive is None:
+    if placement is None or passes is None:
         return None
+    sensors = sensors_of(checker, statement, passes)
     _warn_without_base(checker, name, drive)
     if on is None and not _fits_without_road(checker, statement):
         return None
@@ -59,7 +62,7 @@ def lower_actor(
     road = on if isinstance(on, str) else None
     spans = _option_spans(statement)
     return ir.ScenarioActor(
-        name, value, road, at.value, fraction, placement, drive, statement.span, spans
+        name, value, road, at.value, fraction, placement, drive, sensors, statement.span, spans
     )
 
 

@@ -10,6 +10,7 @@ from ...plugins.common_options import (
     NetworkPerturbOptions,
     PerturbOptions,
     PlacementOptions,
+    SenseOptions,
 )
 from ..infer.statement_options import (
     FormulaOptions,
@@ -41,7 +42,10 @@ _SPECS = (
     ),
     StatementSpec("require", "requirements", lower_constraint, FormulaOptions, as_written=True),
     StatementSpec("expect", "expectations", lower_constraint, FormulaOptions, as_written=True),
-    StatementSpec("agent", "agents", lower_actor, AgentOptions, {"drive": DriveOptions}),
+    StatementSpec(
+        "agent", "agents", lower_actor, AgentOptions,
+        {"drive": DriveOptions, "sense": SenseOptions},
+    ),
     StatementSpec("object", "objects", lower_actor, PlacementOptions),
     StatementSpec("world", "world", lower_settings, WorldOptions, once=True),
     StatementSpec("sample", "sample", lower_run_step, once=True),

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ...diagnostics import Code, Fix, Label, Span, diagnose, did_you_mean, nearest
 from ...syntax.tree import nodes as ast
+from ...syntax.words import LABELED_PASS_VERBS
 from .namespaces import Namespace
 from .program import Declaration, Program
 
@@ -148,9 +149,13 @@ def _merged(before: ast.Block | None, after: ast.Block) -> ast.Block:
 
 
 def _replaced_by(item: ast.Option | ast.Pass) -> tuple[str, str]:
-    """What an item replaces: the option of its name, or all passes of its verb."""
+    """What an item replaces: the option of its name, the sensor of its name, or all passes of its
+    verb."""
     if isinstance(item, ast.Option):
         return "option", item.key.text
+    if item.verb.text in LABELED_PASS_VERBS:
+        name = item.kind.text.rpartition(".")[2] if item.label is None else item.label.text
+        return f"{item.verb.text} as", name
     return "pass", item.verb.text
 
 

@@ -42,6 +42,8 @@ def _checked(
     if typed.is_unknown:
         return None
     if isinstance(typed.type, ty.StringType) and _is_word(typed.type, limits):
+        if opt.is_list_of_words(expected):
+            return _mismatch(checker, typed, expected, limits, what)
         return typed
     match expected:
         case opt.QuantityType():
@@ -268,8 +270,9 @@ def _point(
 ) -> TypedExpression | None:
     if not isinstance(typed.type, ty.CoordinatesType):
         return _mismatch(checker, typed, expected, Constraints(), what)
-    if typed.items and len(typed.items) != 2:
-        return _count(checker, typed, what, "two", len(typed.items))
+    if typed.items and len(typed.items) != len(expected.parts):
+        count = "three" if expected.in_space else "two"
+        return _count(checker, typed, what, count, len(typed.items))
     name = "a coordinate" if expected.second is None else f"a number of {what}"
     items = [
         _checked(checker, item, part, Constraints(), name)

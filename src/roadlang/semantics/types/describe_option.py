@@ -20,6 +20,8 @@ def describe(expected: opt.OptionType, words: Iterable[str] = ()) -> str:
     named = ", ".join(f"`{word_text(word)}`" for word in words)
     if isinstance(expected, opt.WordType):
         return f"one of {named}"
+    if opt.is_list_of_words(expected):
+        return f"a list of words among {named}"
     text = _describe(expected)
     return f"{text}, or {named}" if named else text
 
@@ -44,6 +46,8 @@ def _describe(expected: opt.OptionType) -> str:
             return "an interval `[low, high]`"
         case opt.PointType(dimension, second) if second is not None:
             return f"a pair `(a, b)` in {dimension.unit} and {second.unit}"
+        case opt.PointType(dimension, in_space=True):
+            return f"a point `(x, y, z)` in {dimension.unit or 'dimensionless numbers'}"
         case opt.PointType(dimension):
             return f"a point `(x, y)` in {dimension.unit or 'dimensionless numbers'}"
         case opt.EntityType(roles):

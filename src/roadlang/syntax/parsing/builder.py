@@ -96,9 +96,16 @@ class Builder:
         return ast.Option(key, value, span=Span(self.source, start, end))
 
     def pass_(
-        self, start: int, end: int, verb: Token, kind: ast.KindName, block: ast.Block | None
+        self,
+        start: int,
+        end: int,
+        verb: Token,
+        kind: ast.KindName,
+        label: Token | None,
+        block: ast.Block | None,
     ) -> ast.Pass:
-        return ast.Pass(self._word(verb), kind, block, span=Span(self.source, start, end))
+        named = None if label is None else self._word(label)
+        return ast.Pass(self._word(verb), kind, named, block, span=Span(self.source, start, end))
 
     def kind(self, start: int, end: int, *words: Token) -> ast.KindName:
         text = ".".join(word[1] for word in words)

@@ -139,7 +139,8 @@ def part(node: ast.SyntaxNode) -> Part:
         case ast.Option(key=key, value=value) | ast.MapEntry(key=key, value=value):
             return _valued((expression(key), ":"), value)
         case ast.Pass():
-            return Part((node.verb.text, " with ", node.kind.text), node.block)
+            label = (" as ", node.label.text) if node.label is not None else ()
+            return Part((node.verb.text, " with ", node.kind.text, *label), node.block)
         case ast.Statement():
             return _statement(node)
     raise TypeError(f"no statement or item: {type(node).__name__}")

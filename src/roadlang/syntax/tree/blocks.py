@@ -24,10 +24,11 @@ class Option(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Pass(SyntaxNode):
-    """`verb with kind { ... }`."""
+    """`verb with kind as label { ... }`."""
 
     verb: Word
     kind: KindName
+    label: Word | None
     block: Block | None
 
 
