@@ -6,7 +6,16 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from roadlang.api import Angle, Channel, ListOf, OptionError, Pixels, PointInSpace, Sensor, option
+from roadlang.api import (
+    Angle,
+    ReadingArray,
+    ListOf,
+    OptionError,
+    Pixels,
+    PointInSpace,
+    Sensor,
+    option,
+)
 
 
 @dataclass(frozen=True)
@@ -52,13 +61,13 @@ class Camera(Sensor):
         if len(set(self.outputs)) != len(self.outputs):
             raise OptionError("outputs", "names an output twice")
 
-    def channels(self) -> dict[str, Channel]:
+    def arrays(self) -> dict[str, ReadingArray]:
         """Arrays of (height, width), from the top left."""
         shape = (round(self.height), round(self.width))
         known = {
-            "rgb": Channel((*shape, 3), "uint8", 0, 255),
-            "depth": Channel(shape, "float32", 0.0, unit="m"),
-            "semantic": Channel(shape, "uint8", 0, 255),
-            "instance": Channel(shape, "uint16", 0, 65535),
+            "rgb": ReadingArray((*shape, 3), "uint8", 0, 255),
+            "depth": ReadingArray(shape, "float32", 0.0, unit="m"),
+            "semantic": ReadingArray(shape, "uint8", 0, 255),
+            "instance": ReadingArray(shape, "uint16", 0, 65535),
         }
         return {name: known[name] for name in self.outputs}

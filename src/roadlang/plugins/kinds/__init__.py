@@ -17,7 +17,7 @@ from .placing import Position, Standing
 from .roads import Drawer, Perturber, Piece, Selector
 from .sampling import Distribution, DrawnValue, Sampler
 from .searching import Axis, Search, Searcher
-from .sensing import Channel, Sensor
+from .sensing import ReadingArray, Sensor
 from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
@@ -51,7 +51,6 @@ __all__ = [
     "AgentKind",
     "Axis",
     "Backend",
-    "Channel",
     "Controller",
     "Distribution",
     "Drawer",
@@ -70,6 +69,7 @@ __all__ = [
     "Piece",
     "Position",
     "Reader",
+    "ReadingArray",
     "RightOfWay",
     "RoadNumber",
     "Sampler",

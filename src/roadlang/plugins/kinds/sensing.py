@@ -10,7 +10,7 @@ from .base import Kind
 
 
 @dataclass(frozen=True)
-class Channel:
+class ReadingArray:
     """One array of the readings of a sensor."""
 
     shape: tuple[int, ...] = ()
@@ -30,6 +30,6 @@ class Sensor(Kind):
 
     verb: ClassVar[str] = "sense"
 
-    def channels(self) -> Mapping[str, Channel]:
-        """What a reading holds, by name: `{"distances": Channel((72,), unit="m")}`."""
+    def arrays(self) -> Mapping[str, ReadingArray]:
+        """What a reading holds, by name: `{"distances": ReadingArray((72,), unit="m")}`."""
         return {}
