@@ -8,11 +8,11 @@ from typing import ClassVar, Literal
 
 from roadlang.api import (
     Angle,
-    ReadingArray,
     ListOf,
     OptionError,
     Pixels,
     PointInSpace,
+    ReadingArray,
     Sensor,
     option,
 )
