@@ -158,7 +158,9 @@ if TYPE_CHECKING:
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
     from .scenes.junction_paint import PaintedShape, junction_paint
+    from .scenes.paint_rings import paint_rings
     from .scenes.signal_heads import SignalHead, signal_heads
+    from .scenes.surface_heights import CURB_HEIGHT, PAINT_HEIGHT
     from .simulation.bodies import Body, vehicle_parameters
     from .simulation.contacts import Contact
     from .simulation.decision import Decision
@@ -193,7 +195,9 @@ _LATER = {
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
     ".scenes.junction_paint": "PaintedShape junction_paint",
+    ".scenes.paint_rings": "paint_rings",
     ".scenes.signal_heads": "SignalHead signal_heads",
+    ".scenes.surface_heights": "CURB_HEIGHT PAINT_HEIGHT",
     ".simulation.bodies": "Body vehicle_parameters",
     ".simulation.contacts": "Contact",
     ".simulation.decision": "Decision",
@@ -206,29 +210,30 @@ _LATER = {
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
 __all__ = [
-    "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURVATURE", "FORCE", "FREQUENCY", "JERK",
-    "LENGTH", "MASS", "PIXELS", "PURE", "SCALE", "SPEED", "STANDING_GAP", "TIME", "Acceleration",
-    "Adjuster", "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything",
-    "Axis", "Backend", "BatchRandom", "Between", "Body", "Call", "Code", "Condition",
-    "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "Curvature", "Decision",
-    "Diagnostic", "DiagnosticError", "Dimension", "Distribution", "Drawer", "DrawnValue",
-    "DriveSignal", "Duration", "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag",
-    "FoundObject", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
-    "Label", "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval", "Like", "ListOf",
-    "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation",
-    "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape", "Perturber", "Picture",
-    "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace", "Position", "Profile",
-    "Provenance", "Reader", "ReadingArray", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName",
-    "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale",
-    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
-    "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode",
-    "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor", "SceneSignal", "Search", "Searcher",
-    "Selector", "Sensor", "Signal", "SignalHead", "SignalPhase", "Simulator", "Source", "Span",
-    "Speed", "Standing", "String", "Trace", "Verdict", "ViolatedSegment", "Word", "call_of",
-    "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_paint", "kind_of",
-    "line_steering", "list_of", "map_of", "one_of", "option", "pair_of", "quantity", "read_image",
-    "read_input", "record_of", "route_points", "scene_from_json", "signal_heads", "simulate_scenes",
-    "to_json", "vehicle_parameters",
+    "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURB_HEIGHT", "CURVATURE", "FORCE",
+    "FREQUENCY", "JERK", "LENGTH", "MASS", "PAINT_HEIGHT", "PIXELS", "PURE", "SCALE", "SPEED",
+    "STANDING_GAP", "TIME", "Acceleration", "Adjuster", "AgentKind", "AgentName", "AgentOrObject",
+    "AgentTrace", "Angle", "Anything", "Axis", "Backend", "BatchRandom", "Between", "Body", "Call",
+    "Code", "Condition", "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller",
+    "Curvature", "Decision", "Diagnostic", "DiagnosticError", "Dimension", "Distribution",
+    "Drawer", "DrawnValue", "DriveSignal", "Duration", "EngineSettings", "Extraction", "Extractor",
+    "File", "Fix", "Flag", "FoundObject", "ImageName", "InitialSpeed", "Integer", "Jerk",
+    "JunctionControl", "Kind", "Label", "LaneKind", "LanePlace", "LanePlaces", "Length",
+    "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
+    "Number", "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "OptionError",
+    "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch",
+    "Point", "PointInSpace", "Position", "Profile", "Provenance", "Reader", "ReadingArray",
+    "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork",
+    "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene",
+    "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction",
+    "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad",
+    "SceneRoute", "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector", "Sensor",
+    "Signal", "SignalHead", "SignalPhase", "Simulator", "Source", "Span", "Speed", "Standing",
+    "String", "Trace", "Verdict", "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean",
+    "geometry", "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of",
+    "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input",
+    "record_of", "route_points", "scene_from_json", "signal_heads", "simulate_scenes", "to_json",
+    "vehicle_parameters",
 ]  # fmt: skip
 
 

@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from roadlang.api import Scene, vehicle_parameters
+from roadlang.api import CURB_HEIGHT, Scene, vehicle_parameters
 from roadlang_godot import driving
-from roadlang_godot.lane_strips import CURB_HEIGHT
 from roadlang_godot.layout import layout_of
 from roadlang_godot.session import Session
 from roadlang_godot.telemetry import Records

@@ -8,11 +8,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from roadlang.api import CURB_HEIGHT
 from roadlang.geometry import CrossSection, WidthProfile
 from roadlang.scenes.sampling import SamplingResult
 from roadlang_godot.agent_specs import line_offset
 from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.lane_strips import CURB_HEIGHT, BorderLine, LaneStrip, Surface, lane_strips
+from roadlang_godot.lane_strips import BorderLine, LaneStrip, Surface, lane_strips
 from roadlang_godot.line import line_of
 from roadlang_godot.road_mesh import road_parts
 

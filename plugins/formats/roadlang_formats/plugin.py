@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from roadlang.api import hookimpl
 
 _KINDS = {
+    "emit gltf": "emit_gltf:GltfBackend",
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "read opendrive": "read_opendrive:OpenDriveMap",
     "read geojson": "read_geojson:GeoJson",

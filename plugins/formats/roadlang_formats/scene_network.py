@@ -24,6 +24,8 @@ from roadlang.geometry import (
     poses_along,
 )
 
+from .surfaces.built import built_roads
+
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneConnection, SceneJunction, SceneRoad
 
@@ -36,9 +38,7 @@ def network_of(scene: Scene) -> RoadNetwork:
     """Roads keep the numbers of their network, if there is only one; they end where their junctions
     begin. Raises GeometryError for impossible ones."""
     junctions = [junction for network in scene.networks for junction in network.junctions]
-    swallowed = {name for junction in junctions for name in junction.inside}
-    built = [road for road in scene.roads if road.derived and road.name not in swallowed]
-    built = [road for road in built if road.length - sum(road.trim) > _SHORTEST]
+    built = [road for road in built_roads(scene) if road.length - sum(road.trim) > _SHORTEST]
     numbers = _numbers(built)
     nodes: list[Node] = []
     edges = []

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.api import junction_paint, signal_heads
+from roadlang.api import PAINT_HEIGHT, junction_paint, paint_rings, signal_heads
 from roadlang.geometry import Floats
 
 from .frame import SceneOrigin
@@ -18,10 +18,8 @@ from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart
 
 if TYPE_CHECKING:
-    from roadlang.api import PaintedShape, Scene, SceneJunction
+    from roadlang.api import Scene, SceneJunction
 
-PAINT_HEIGHT = 0.015
-"""Meters above the road, so that neither shines through the other."""
 _LARGEST = BULK_DATAGRAM - HEADER_BYTES - 16
 _CORNER_BYTES, _TRIANGLE_BYTES = 12, 6
 
@@ -32,7 +30,7 @@ def paint_parts(
     """The paint of all junctions, as much in one thing as a datagram holds."""
     parts: list[ScenePart] = []
     batch: list[Floats] = []
-    for ring in _rings(junction_paint(scene, junctions)):
+    for ring in paint_rings(junction_paint(scene, junctions)):
         if batch and sum(map(_size, (*batch, ring))) > _LARGEST:
             parts.append(_paint(batch, len(parts) + 1, frame))
             batch = []
@@ -61,39 +59,6 @@ def signal_parts(junctions: Iterable[SceneJunction], frame: SceneOrigin) -> list
         label = f"signals of junction {junction.id}"
         parts.append(ScenePart(Message.SIGNALS, len(parts) + 1, body, content, label))
     return parts
-
-
-def _rings(shapes: Iterable[PaintedShape]) -> Iterator[Floats]:
-    """Convex rings (n, 2), counter-clockwise."""
-    for shape in shapes:
-        if not shape.width:
-            yield shape.points if _area(shape.points) > 0.0 else shape.points[::-1]
-            continue
-        for start, stop in zip(shape.points[:-1], shape.points[1:], strict=True):
-            yield from _strokes(start, stop, shape.width, shape.dashes)
-
-
-def _strokes(
-    start: Floats, stop: Floats, width: float, dashes: tuple[float, float] | None
-) -> Iterator[Floats]:
-    """Rectangles along a line."""
-    along = stop - start
-    length = float(np.hypot(*along))
-    if length < 1e-6:
-        return
-    along = along / length
-    beside = 0.5 * width * np.array([-along[1], along[0]])
-    on, off = dashes or (length, 0.0)
-    s = 0.0
-    while s < length - 1e-6:
-        first, last = start + s * along, start + min(s + on, length) * along
-        yield np.array([first - beside, last - beside, last + beside, first + beside])
-        s += on + off
-
-
-def _area(ring: Floats) -> float:
-    x, y = ring.T
-    return float(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
 
 
 def _size(ring: Floats) -> int:

@@ -10,8 +10,6 @@ import numpy as np
 
 from roadlang.api import geometry
 
-CURB_HEIGHT = 0.12
-"""Meters."""
 _LOOKS_EQUAL = 0.01
 """Meters."""
 

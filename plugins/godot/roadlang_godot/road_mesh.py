@@ -8,10 +8,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.api import CURB_HEIGHT
 from roadlang.geometry import Floats
 
 from .frame import SceneOrigin
-from .lane_strips import CURB_HEIGHT, LaneStrip, lane_strips
+from .lane_strips import LaneStrip, lane_strips
 from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart

@@ -10,6 +10,7 @@ import numpy as np
 
 from roadlang.geometry import CrossSection, Curve, Floats
 
+from ..surfaces.built import built_roads
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import (
     ReferenceLine,
@@ -61,16 +62,9 @@ class OpenDriveRoad:
 def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
     """All roads that are built, from the first number on; none that junctions have swallowed."""
     left_hand = scene.world.get("traffic") == "left"
-    swallowed = {
-        name
-        for network in scene.networks
-        for junction in network.junctions
-        for name in junction.inside
-    }
     parts: list[OpenDriveRoad] = []
-    for road in scene.roads:
-        if road.derived and road.name not in swallowed:
-            parts += _parts(road, len(parts) + 1, left_hand, tolerance)
+    for road in built_roads(scene):
+        parts += _parts(road, len(parts) + 1, left_hand, tolerance)
     return tuple(parts)
 
 

@@ -1,0 +1,85 @@
+"""Materials of what is built: base color, roughness and metalness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from roadlang_standard.extraction.colors import bgr
+
+
+@dataclass(frozen=True)
+class Material:
+    """`color` is sRGB, `#rrggbb` or a name, which glTF wants in linear light."""
+
+    name: str
+    color: str
+    roughness: float = 0.9
+    metallic: float = 0.0
+
+    def record(self) -> dict[str, Any]:
+        """As glTF has it."""
+        blue, green, red = bgr(self.color)
+        return {
+            "name": self.name,
+            "pbrMetallicRoughness": {
+                "baseColorFactor": [*(_linear(part / 255.0) for part in (red, green, blue)), 1.0],
+                "metallicFactor": self.metallic,
+                "roughnessFactor": self.roughness,
+            },
+        }
+
+
+def _linear(value: float) -> float:
+    """A component of sRGB in linear light (IEC 61966-2-1)."""
+    low = value <= 0.04045
+    return round(value / 12.92 if low else ((value + 0.055) / 1.055) ** 2.4, 6)
+
+
+_SHARED = (
+    Material("asphalt", "#303033"),
+    Material("bus lane", "#3d3330"),
+    Material("bike lane", "#542621"),
+    Material("parking", "#3b3b3d"),
+    Material("sidewalk", "#757370"),
+    Material("median", "#757370"),
+    Material("grass", "#334d1f", 1.0),
+    Material("curb", "#8c8a82"),
+    Material("ground", "#47592e", 1.0),
+    Material("embankment", "#4d4a33", 1.0),
+    Material("paint", "#dbdbd1", 0.7),
+    Material("glass", "#0d1217", 0.1, 0.4),
+    Material("tire", "#0d0d0d"),
+    Material("metal", "#595c61", 0.5, 0.6),
+    Material("trunk", "#4d3826"),
+    Material("roof", "#544d4d"),
+    Material("skin", "#c99b7c"),
+    Material("red light", "#c62828", 0.4),
+    Material("yellow light", "#f9a825", 0.4),
+    Material("green light", "#2e7d32", 0.4),
+)
+MATERIALS: Mapping[str, Material] = {material.name: material for material in _SHARED}
+"""By name."""
+_LANES = {
+    "bus": "bus lane",
+    "bike": "bike lane",
+    "parking": "parking",
+    "sidewalk": "sidewalk",
+    "median": "median",
+    "grass": "grass",
+}
+
+
+def lane_material(kind: str, raised: bool) -> str:
+    """The name of the material of a lane; of a plugin's kind that of a sidewalk if it is raised."""
+    return _LANES.get(kind, "sidewalk" if raised else "asphalt")
+
+
+def painted(kind: str, color: str) -> Material:
+    """Of an agent or object in its color; gray, if that is none."""
+    try:
+        bgr(color)
+    except ValueError:
+        color = "gray"
+    return Material(f"{kind} {color}", color, 0.5)

@@ -1,0 +1,1 @@
+"""The built roads and junctions of a scene as surfaces in space."""
