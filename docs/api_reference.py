@@ -39,6 +39,8 @@ _GEOMETRY = (
 )  # fmt: skip
 _ELSEWHERE = (
     "API_VERSION",
+    "CURB_HEIGHT",
+    "PAINT_HEIGHT",
     "STANDING_GAP",
     "Dimension",
     "Kind",
@@ -64,6 +66,8 @@ def api_page() -> str:
         "Shapes: *variants* is the number of candidates in a batch, *stations* the number of",
         "positions along a road. Units are SI units and radians throughout. `STANDING_GAP`,",
         f"{api.STANDING_GAP:g} m, is what traffic leaves between vehicles that stand in a row.",
+        f"Sidewalks lie `CURB_HEIGHT`, {api.CURB_HEIGHT:g} m, above the roadway, and paint",
+        f"`PAINT_HEIGHT`, {api.PAINT_HEIGHT:g} m, above what it is painted on.",
         "",
         *_hooks(),
         *_options(),

@@ -1,9 +1,8 @@
 """Kinds that are planned and not built yet: `check` says so instead of not knowing them."""
 
 PLANNED = (
-    "emit opendrive",
     "emit sumo",
-    "emit gltf",
     "emit scenic",
+    "emit usd",
     "emit openscenario",
 )

@@ -16,9 +16,6 @@ from .scene_nodes import Collision, SceneNodes
 if TYPE_CHECKING:
     from roadlang.api import Scene, Trace
 
-_CLOSE = 1e-3
-"""Meters and radians by which an animated pose may be off between its keys."""
-
 
 def document(scene: Scene, collision: Collision, trace: Trace | None = None) -> bytes:
     """The file of a scene; with a trace, agents move as they were driven."""
@@ -34,7 +31,7 @@ def _animate(scene: Scene, trace: Trace, nodes: SceneNodes) -> None:
     heights = SceneHeights.of(scene)
     poses: dict[int, tuple[Floats, Floats]] = {}
     times = None
-    for agent in trace.agents:
+    for agent in trace.agents.values():
         if agent.name in nodes.agents and len(agent.time):
             times = agent.time - agent.time[0]
             flat = np.column_stack((agent.x, agent.y))

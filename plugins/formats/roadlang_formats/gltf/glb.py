@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Floats
 
 from .materials import Material
-from .meshes import Part
+from .meshes import Faces
 
 _FLOAT, _U16, _U32 = 5126, 5123, 5125
 _VERTICES, _INDICES = 34962, 34963
@@ -34,7 +34,7 @@ class GlbWriter:
         self._materials: dict[Material, int] = {}
         self._roots: list[int] = []
 
-    def mesh(self, name: str, parts: Sequence[Part], materials: Mapping[str, Material]) -> int:
+    def mesh(self, name: str, parts: Sequence[Faces], materials: Mapping[str, Material]) -> int:
         """A mesh of at least one part. The same mesh may be that of many nodes."""
         primitives = [self._primitive(part, materials[part.material]) for part in parts]
         return self._add("meshes", {"name": name, "primitives": primitives})
@@ -102,7 +102,7 @@ class GlbWriter:
             chunks += _chunk(_BIN, bytes(self._blob), b"\0")
         return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
-    def _primitive(self, part: Part, material: Material) -> dict[str, Any]:
+    def _primitive(self, part: Faces, material: Material) -> dict[str, Any]:
         attributes = {
             "POSITION": self._accessor(
                 to_axes(part.points).astype("<f4"), "VEC3", _VERTICES, bounds=True

@@ -11,7 +11,7 @@ from roadlang.api import PAINT_HEIGHT, junction_paint, paint_rings
 from roadlang.geometry import Floats
 
 from ..surfaces.junction_surface import JunctionSurface
-from .meshes import Part, strip
+from .meshes import Faces, strip
 from .solids import box
 
 if TYPE_CHECKING:
@@ -22,19 +22,19 @@ _POLE = 3.6
 """Height of a set of lights, meters."""
 
 
-def area_part(surface: JunctionSurface) -> Part | None:
+def area_part(surface: JunctionSurface) -> Faces | None:
     """The paved area."""
     if not len(surface.triangles):
         return None
     normals = np.tile(_UP, (len(surface.ring), 1))
-    return Part("asphalt", surface.ring, normals, surface.triangles, surface.ring[:, :2])
+    return Faces("asphalt", surface.ring, normals, surface.triangles, surface.ring[:, :2])
 
 
-def edge_parts(surface: JunctionSurface, ground: float) -> Iterator[Part | None]:
+def edge_parts(surface: JunctionSurface, ground: float) -> Iterator[Faces | None]:
     """The sides of the area down to the ground, which lies at this height."""
     ring = surface.ring
     for first, second in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        top = np.stack((second, first))
+        top = np.stack((first, second))
         foot = np.column_stack((top[:, :2], (ground, ground)))
         step = second - first
         length = float(np.hypot(step[0], step[1]))
@@ -43,17 +43,17 @@ def edge_parts(surface: JunctionSurface, ground: float) -> Iterator[Part | None]
             yield strip("embankment", top, foot, out)
 
 
-def paint_parts(scene: Scene, surface: JunctionSurface) -> Iterator[Part]:
+def paint_parts(scene: Scene, surface: JunctionSurface) -> Iterator[Faces]:
     """Stop lines, arrows and zebra crossings."""
     for ring in paint_rings(junction_paint(scene, [surface.junction])):
         heights = _heights(surface, ring) + PAINT_HEIGHT
         points = np.column_stack((ring, heights))
         last = np.arange(2, len(ring))
         fan = np.column_stack((np.zeros(len(last), int), last - 1, last))
-        yield Part("paint", points, np.tile(_UP, (len(ring), 1)), fan)
+        yield Faces("paint", points, np.tile(_UP, (len(ring), 1)), fan)
 
 
-def signal_parts() -> Iterator[Part]:
+def signal_parts() -> Iterator[Faces]:
     """A set of lights that looks toward -x, where the traffic comes from that it is for."""
     yield box("metal", (-0.06, -0.06, 0.0), (0.06, 0.06, _POLE))
     yield box("tire", (-0.2, -0.17, _POLE - 1.05), (-0.06, 0.17, _POLE))

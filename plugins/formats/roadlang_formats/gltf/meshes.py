@@ -14,7 +14,7 @@ _FLAT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class Faces:
     """Triangles of one material: points (n, 3) and unit normals (n, 3), x east, y north and z up;
     `triangles` (t, 3) run counter-clockwise seen from the front. `uv` (n, 2) in meters."""
 
@@ -27,9 +27,9 @@ class Part:
 
 def strip(
     material: str, left: Floats, right: Floats, normals: Floats, along: Floats | None = None
-) -> Part | None:
-    """The quads between two lines (n, 3), whose front is where, seen from the start, `left` is on
-    the left. `normals` (n, 3), or (3,) for all. None where there is no area."""
+) -> Faces | None:
+    """The quads between two lines (n, 3); who looks at the front along the lines has `left` on the
+    left. `normals` (n, 3), or (3,) for all. None where there is no area."""
     count = len(left)
     points = np.stack((left, right), axis=1).reshape(-1, 3)
     first = 2 * np.arange(count - 1)[:, None, None]
@@ -45,30 +45,30 @@ def strip(
         width = np.linalg.norm(left - right, axis=1)
         across = np.stack((np.zeros(count), width), axis=1).reshape(-1)
         uv = np.column_stack((across, np.repeat(along, 2)))
-    return Part(material, points, normals, triangles, uv)
+    return Faces(material, points, normals, triangles, uv)
 
 
-def joined(parts: Iterable[Part | None]) -> tuple[Part, ...]:
+def joined(parts: Iterable[Faces | None]) -> tuple[Faces, ...]:
     """One part for each material, in the order in which they first come."""
-    groups: dict[tuple[str, bool], list[Part]] = {}
+    groups: dict[tuple[str, bool], list[Faces]] = {}
     for part in parts:
         if part is not None and len(part.triangles):
             groups.setdefault((part.material, part.uv is None), []).append(part)
     return tuple(_joined(group) for group in groups.values())
 
 
-def moved(part: Part, by: Sequence[float]) -> Part:
+def moved(part: Faces, by: Floats) -> Faces:
     """The same part elsewhere."""
-    points = part.points + np.asarray(by, dtype=float)
-    return Part(part.material, points, part.normals, part.triangles, part.uv)
+    points = part.points + by
+    return Faces(part.material, points, part.normals, part.triangles, part.uv)
 
 
-def _joined(parts: Sequence[Part]) -> Part:
+def _joined(parts: Sequence[Faces]) -> Faces:
     if len(parts) == 1:
         return parts[0]
     first = np.cumsum([0, *(len(part.points) for part in parts[:-1])])
     uvs = [part.uv for part in parts if part.uv is not None]
-    return Part(
+    return Faces(
         parts[0].material,
         np.concatenate([part.points for part in parts]),
         np.concatenate([part.normals for part in parts]),

@@ -11,7 +11,7 @@ from roadlang.geometry import Floats
 
 from ..surfaces.road_surface import RoadSurface
 from .materials import lane_material
-from .meshes import Part, strip
+from .meshes import Faces, strip
 
 _LINE = 0.14
 """Width of a painted line, meters."""
@@ -24,7 +24,7 @@ _DASH, _PERIOD = 3.0, 9.0
 _UP = np.array([0.0, 0.0, 1.0])
 
 
-def lane_parts(surface: RoadSurface) -> Iterator[tuple[int, str, Part]]:
+def lane_parts(surface: RoadSurface) -> Iterator[tuple[int, str, Faces]]:
     """The id, kind and surface of each lane that has any width."""
     for place, lane in enumerate(surface.section.lanes):
         lift = lane_height(surface, place) * _UP
@@ -42,7 +42,7 @@ def lane_height(surface: RoadSurface, place: int) -> float:
     return CURB_HEIGHT if raised else 0.0
 
 
-def curb_parts(surface: RoadSurface) -> Iterator[Part | None]:
+def curb_parts(surface: RoadSurface) -> Iterator[Faces | None]:
     """The upright faces between lanes of different heights, and at the ends of raised lanes."""
     last = len(surface.section.lanes)
     for place in range(last + 1):
@@ -51,40 +51,40 @@ def curb_parts(surface: RoadSurface) -> Iterator[Part | None]:
         low, high = line + min(left, right) * _UP, line + max(left, right) * _UP
         sides = np.column_stack((surface.left, np.zeros(len(line))))
         if left < right:  # seen from the left
-            yield strip("curb", high, low, sides)
+            yield strip("curb", low, high, sides)
         elif right < left:
-            yield strip("curb", low, high, -sides)
+            yield strip("curb", high, low, -sides)
     if not surface.road.closed:
         for place in range(last):
             if lane_height(surface, place):
                 yield from _ends(surface, place)
 
 
-def embankment_parts(surface: RoadSurface, ground: float) -> Iterator[Part | None]:
+def embankment_parts(surface: RoadSurface, ground: float) -> Iterator[Faces | None]:
     """The sides of the road down to the ground, which lies at this height."""
     sides = np.column_stack((surface.left, np.zeros(len(surface.left))))
     for place, outward in ((0, 1.0), (len(surface.section.lanes), -1.0)):
         line = surface.borders[place]
         foot = np.column_stack((line[:, :2], np.full(len(line), ground)))
-        pair = (line, foot) if outward > 0 else (foot, line)
-        yield strip("embankment", *pair, outward * sides)
+        left, right = (foot, line) if outward > 0 else (line, foot)
+        yield strip("embankment", left, right, outward * sides)
 
 
-def marking_parts(surface: RoadSurface) -> Iterator[Part | None]:
+def marking_parts(surface: RoadSurface) -> Iterator[Faces | None]:
     """The painted lines along the borders of lanes."""
     for place, marking in enumerate(surface.section.markings):
         shift, height = _inward(surface, place, marking)
         line = surface.borders[place] + (height + PAINT_HEIGHT) * _UP
         spread = (_APART, -_APART) if marking == "double" else (0.0,)
         for away in spread if marking in ("solid", "broken", "double") else ():
-            edges = [
+            left, right = (
                 line + np.column_stack(((shift + away + side) * surface.left, 0.0 * surface.slope))
                 for side in (_LINE / 2, -_LINE / 2)
-            ]
+            )
             if marking == "broken":
-                yield from _dashes(surface, *edges)
+                yield from _dashes(surface, left, right)
             else:
-                yield strip("paint", *edges, normals_up(surface))
+                yield strip("paint", left, right, normals_up(surface))
 
 
 def normals_up(surface: RoadSurface) -> Floats:
@@ -104,24 +104,24 @@ def _inward(surface: RoadSurface, place: int, marking: str) -> tuple[float, floa
     return (-_INSET, right) if at_left else (_INSET, left)
 
 
-def _dashes(surface: RoadSurface, left: Floats, right: Floats) -> Iterator[Part | None]:
+def _dashes(surface: RoadSurface, left: Floats, right: Floats) -> Iterator[Faces | None]:
     s = surface.stations
     first = np.ceil(s[0] / _PERIOD) * _PERIOD
     for start in np.arange(first, s[-1] - 0.5, _PERIOD):
         stop = min(start + _DASH, s[-1])
         at = np.concatenate(([start], s[(s > start + 0.01) & (s < stop - 0.01)], [stop]))
-        edges = [
+        one, other = (
             np.column_stack([np.interp(at, s, column) for column in line.T])
             for line in (left, right)
-        ]
+        )
         slope = np.interp(at, s, surface.slope)
-        aside = edges[0] - edges[1]
+        aside = one - other
         away = aside[:, :2] / np.maximum(np.hypot(aside[:, 0], aside[:, 1]), 1e-9)[:, None]
         up = np.column_stack((-slope * away[:, 1], slope * away[:, 0], np.ones(len(at))))
-        yield strip("paint", *edges, up / np.linalg.norm(up, axis=1)[:, None])
+        yield strip("paint", one, other, up / np.linalg.norm(up, axis=1)[:, None])
 
 
-def _ends(surface: RoadSurface, place: int) -> Iterator[Part | None]:
+def _ends(surface: RoadSurface, place: int) -> Iterator[Faces | None]:
     """The upright faces of a raised lane where the road begins and where it ends."""
     for at, outward in ((0, -1.0), (-1, 1.0)):
         along = outward * np.array([surface.left[at, 1], -surface.left[at, 0], 0.0])

@@ -17,7 +17,7 @@ from ..surfaces.road_surface import RoadSurface, road_surfaces
 from .glb import GlbWriter
 from .junction_meshes import area_part, edge_parts, paint_parts, signal_parts
 from .materials import MATERIALS, Material, painted
-from .meshes import Part, joined, moved
+from .meshes import Faces, joined, moved
 from .road_meshes import curb_parts, embankment_parts, lane_parts, marking_parts
 from .shapes import body
 
@@ -76,7 +76,7 @@ class SceneNodes:
         x, y = (west + east) / 2.0, (south + north) / 2.0
         half = np.array([east - west, north - south]) / 2.0 + _BESIDE
         corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * half
-        part = Part(
+        part = Faces(
             "ground",
             np.column_stack((corners, np.zeros(4))),
             np.tile([0.0, 0.0, 1.0], (4, 1)),
@@ -130,7 +130,7 @@ class SceneNodes:
         return self.writer.node(name, children=children, extras={"part": "junction", "name": name})
 
     def _extra(
-        self, owner: str, name: str, parts: Iterable[Part], at: Floats, solid: bool
+        self, owner: str, name: str, parts: Iterable[Faces], at: Floats, solid: bool
     ) -> list[int]:
         found = [moved(part, -at) for part in parts]
         if not found:
@@ -142,7 +142,7 @@ class SceneNodes:
         return [self.writer.node(f"{owner} {name}", mesh=mesh, at=at.tolist(), extras=extras)]
 
     def _solid(
-        self, name: str, parts: list[Part], at: Iterable[float], extras: Mapping[str, Any]
+        self, name: str, parts: list[Faces], at: Iterable[float], extras: Mapping[str, Any]
     ) -> int:
         """A node whose triangles are solid too."""
         name = f"{name}-col" if self.collision == "godot" else name
@@ -167,7 +167,7 @@ class SceneNodes:
         self,
         key: tuple[Any, ...],
         name: str,
-        parts: tuple[Part, ...],
+        parts: tuple[Faces, ...],
         materials: Mapping[str, Material],
     ) -> int:
         if key not in self._meshes:
@@ -178,4 +178,4 @@ class SceneNodes:
 def _middle(points: Floats) -> Floats:
     """A place near the middle, in full meters."""
     flat = points.reshape(-1, 3)
-    return np.round((flat.min(axis=0) + flat.max(axis=0)) / 2.0)
+    return np.asarray(np.round((flat.min(axis=0) + flat.max(axis=0)) / 2.0))

@@ -6,7 +6,7 @@ import numpy as np
 
 from roadlang.geometry import Floats
 
-from .meshes import Part
+from .meshes import Faces
 
 _SIDES = 12
 """Of a cylinder: a multiple of four, so that it is exactly as wide as it says."""
@@ -22,7 +22,7 @@ _FACES = (
 _QUAD = np.array([[0, 1, 2], [0, 2, 3]])
 
 
-def box(material: str, low: tuple[float, float, float], high: tuple[float, float, float]) -> Part:
+def box(material: str, low: tuple[float, float, float], high: tuple[float, float, float]) -> Faces:
     """With flat faces, between two corners."""
     corners = np.array([low, high], dtype=float)
     points, normals = [], []
@@ -34,7 +34,7 @@ def box(material: str, low: tuple[float, float, float], high: tuple[float, float
             points.append(point)
             normals.append(np.eye(3)[axis] * sign)
     triangles = np.concatenate([_QUAD + 4 * face for face in range(6)])
-    return Part(material, np.array(points), np.array(normals), triangles)
+    return Faces(material, np.array(points), np.array(normals), triangles)
 
 
 def tapered(
@@ -42,7 +42,7 @@ def tapered(
     radii: tuple[float, float],
     heights: tuple[float, float],
     stretch: tuple[float, float] = (1.0, 1.0),
-) -> Part:
+) -> Faces:
     """A cylinder or cone that stands: its radii and heights below and above. `stretch`: factors
     along x and y."""
     turn = 2.0 * np.pi * np.arange(_SIDES) / _SIDES
@@ -73,15 +73,15 @@ def tapered(
     )
 
 
-def wheel(material: str, x: float, y: tuple[float, float], radius: float) -> Part:
+def wheel(material: str, x: float, y: tuple[float, float], radius: float) -> Faces:
     """On the ground, with its axle from side to side."""
     part = tapered(material, (radius, radius), (0.0, y[1] - y[0]))
     # The axis z becomes y, y becomes x, and x becomes z: a rotation.
     points, normals = (np.roll(rows, -1, axis=1) for rows in (part.points, part.normals))
-    return Part(material, points + np.array([x, y[0], radius]), normals, part.triangles)
+    return Faces(material, points + np.array([x, y[0], radius]), normals, part.triangles)
 
 
-def _with_area(material: str, points: Floats, normals: Floats, triangles: np.ndarray) -> Part:
+def _with_area(material: str, points: Floats, normals: Floats, triangles: np.ndarray) -> Faces:
     a, b, c = (points[triangles[:, corner]] for corner in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return Part(material, points, normals, triangles[area > 1e-12])
+    return Faces(material, points, normals, triangles[area > 1e-12])
