@@ -44,6 +44,8 @@ var _is_dragged := false
 ## From the pointer's place on the ground to that of what is held.
 var _offset := Vector2.ZERO
 var _to := Vector2.ZERO
+## Where what is held was when it was taken.
+var _from := Vector2.ZERO
 var _drag := 0
 var _told := 0
 
@@ -131,6 +133,7 @@ func _take(pixel: Vector2) -> void:
 	_is_dragged = false
 	_drag += 1
 	_to = found["place"]
+	_from = _to
 	_offset = _to - on_ground(_cameras.camera, pixel)
 
 
@@ -143,7 +146,9 @@ func _move_to(pixel: Vector2, done: bool) -> void:
 	_to = to
 	if done or (is_new and Time.get_ticks_usec() - _told > TELL_USEC):
 		_told = Time.get_ticks_usec()
-		_tell("move", _held, {"to": [_to.x, _to.y], "drag": _drag, "done": done})
+		var ends := {"from": [_from.x, _from.y], "to": [_to.x, _to.y]}
+		ends.merge({"drag": _drag, "done": done})
+		_tell("move", _held, ends)
 
 
 func _press(key: InputEventKey) -> void:

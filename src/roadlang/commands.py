@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .files.writing import replace_file, write_all, write_file
     from .handles.handle import Handle
     from .handles.handles import dragged, handles_of, inserted, removed
+    from .handles.networks import network_motion
     from .ir.edited_starts import edited_starts
     from .judging.running_drives import judge_so_far
     from .session.params import parse_overrides
@@ -32,6 +33,7 @@ _LATER = {
     ".judging.running_drives": "judge_so_far",
     ".handles.handle": "Handle",
     ".handles.handles": "dragged handles_of inserted removed",
+    ".handles.networks": "network_motion",
     ".session.params": "parse_overrides",
     ".syntax.moved_places": "moved_places_of",
     ".session.scene_files": "read_scene_file",
@@ -52,6 +54,7 @@ __all__ = [
     "inserted",
     "judge_so_far",
     "moved_places_of",
+    "network_motion",
     "note",
     "parse_overrides",
     "python_controllers",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import roadlang
@@ -13,6 +14,7 @@ from roadlang.commands import Handle, handles_of
 from roadlang_godot.commands.watch import Watcher, _lines
 from roadlang_godot.engine import Engine
 from roadlang_godot.live import HandEdit
+from roadlang_godot.protocol import Message
 from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot
@@ -26,6 +28,14 @@ require gentle: always (bend < 0.2/m)
 expect slow: always (ego.speed < 3m/s)
 expect arrives: eventually (ego.progress > 0.95)
 expect moves: eventually (ego.speed > 2m/s)
+"""
+TOWN = """image plan from \"\"\"
+.....#.....
+.....#.....
+.#########.
+.....#.....
+\"\"\" { scale: 12m/px, legend: { "#": road } }
+network main from plan { lanes: 2 }
 """
 
 
@@ -106,6 +116,81 @@ def test_what_is_dragged_back_is_as_it_was(
             assert watched.file.read_text() == text, name
             assert watched.watcher._edited.text == text, name
             assert watched.live.scene == first, name
+
+
+def test_an_agent_that_is_put_down_where_it_was_taken_drives_on_from_there(
+    engine: Engine, tmp_path: Path
+) -> None:
+    text = (TEXT % 0).replace("{ drive with", "{ start_speed: 8m/s, drive with")
+    watched = Watched(engine, tmp_path / "scene.rl", save=True, content=text.encode())
+    with watched.session:
+        until(lambda: watched.live.listen(0.02) or x_of_ego(watched) > 15.0)
+        place = (x_of_ego(watched), 0.0)
+        ego = watched.handle("ego")
+        for y, done in ((20.0, False), (0.0, True)):
+            watched.do(HandEdit("move", ego, (place[0], y), 1, done, place))
+        assert watched.file.read_text() == text
+        assert x_of_ego(watched) == pytest.approx(place[0], abs=10.0)
+        watched.do(HandEdit("move", ego, (40.0, 0.0), 2, True, (x_of_ego(watched), 0.0)))
+        assert "main at 40m" in watched.file.read_text()
+
+
+def x_of_ego(watched: Watched) -> float:
+    until(lambda: watched.live.listen(0.02) or watched.live.pose("ego") is not None)
+    pose = watched.live.pose("ego")
+    assert pose is not None
+    return pose.x
+
+
+def test_a_network_that_is_dragged_is_shown_moved_before_it_is_compiled(
+    engine: Engine, tmp_path: Path
+) -> None:
+    watched = Watched(engine, tmp_path / "scene.rl", save=True, content=TOWN.encode())
+    with watched.session:
+        handles = handles_of(TOWN, watched.live.scene)
+        junction = next(handle for handle in handles if handle.sort == "junction")
+        before, strips = watched.live.scene, built_strips(watched)
+        to = (junction.x + 3.0, junction.y - 2.0)
+        watched.watcher.take(watched.live, HandEdit("move", junction, to, 1, False))
+        shown = built_strips(watched)
+        assert watched.live.scene == before, "it is not compiled yet"
+        watched.watcher.settle(watched.live)
+        compiled = built_strips(watched)
+        assert shown.keys() == compiled.keys() == strips.keys()
+        assert away(middles(strips), middles(compiled)) > 1.0
+        # Lanes keep their width only once they are compiled; their middles differ by less.
+        assert away(middles(shown), middles(compiled)) < 0.03
+        back = (junction.x, junction.y)
+        watched.watcher.take(watched.live, HandEdit("move", junction, back, 1, True))
+        watched.watcher.settle(watched.live)
+        assert built_strips(watched) == strips
+        assert watched.file.read_text() == TOWN
+
+
+def built_strips(watched: Watched) -> dict[int, bytes]:
+    """The corners of the strips of roads that the engine was sent."""
+    built = watched.session._built[0].values()
+    return {part.id: part.content for _, part in built if part.kind == Message.SEGMENT}
+
+
+def middles(strips: dict[int, bytes]) -> list[np.ndarray]:
+    """The middle lines of strips, (n, 2) each."""
+    corners = [np.frombuffer(strip, "<f4").reshape(-1, 2, 3) for strip in strips.values()]
+    return [strip.mean(axis=1)[:, [0, 2]] for strip in corners]
+
+
+def away(lines: list[np.ndarray], others: list[np.ndarray]) -> float:
+    """The greatest distance of a point inside one line from the nearest place of the others."""
+    places = np.vstack([dense(line) for line in others])
+    points = np.vstack([line[2:-2] for line in lines])
+    return float(np.hypot(*(points[:, None] - places).T).min(axis=0).max())
+
+
+def dense(line: np.ndarray) -> np.ndarray:
+    """A line with a point about each centimeter."""
+    at = np.arange(len(line))
+    fine = np.linspace(0, len(line) - 1, 250 * len(line))
+    return np.column_stack([np.interp(fine, at, column) for column in line.T])
 
 
 def test_undo_restores_the_file_byte_for_byte(engine: Engine, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -20,6 +20,15 @@ from .names import plain_name
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
+
+
+class Pose(NamedTuple):
+    """Where an agent is: meters east and north, radians, meters per second."""
+
+    x: float
+    y: float
+    heading: float
+    speed: float
 
 
 def followed_lines(scene: Scene, lines: Mapping[str, RoadSamples]) -> dict[str, RoadSamples]:
@@ -78,11 +87,14 @@ START_MEMBERS = ("x", "y", "heading", "speed", "placed")
 """Of a specification: the pose and speed at the start, and how often an edit has changed it."""
 
 
-def kept_start(spec: dict[str, Any], earlier: Mapping[str, Any], restarted: bool) -> dict[str, Any]:
+def kept_start(
+    spec: dict[str, Any], earlier: Mapping[str, Any], restarted: bool, at: Mapping[str, float]
+) -> dict[str, Any]:
     """The specification after an edit of the scene: an agent that goes on keeps its start, for the
-    engine begins anew with those whose `placed` has changed."""
+    engine begins anew with those whose `placed` has changed. `at`: members of the start of one that
+    begins anew elsewhere than the scene says."""
     if restarted:
-        return {**spec, "placed": int(earlier.get("placed", 0)) + 1}
+        return {**spec, **at, "placed": int(earlier.get("placed", 0)) + 1}
     start = {key: earlier[key] for key in START_MEMBERS if key in earlier}
     return {**spec, **start}
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from roadlang.commands import Handle
 
     from .live import HandEdit
+    from .moved_parts import PlaneMap
 
 
 MOVING_KIND = "nudges"
@@ -27,12 +28,13 @@ class _Drag:
     handle: Handle
     text: str
     scene: Scene
+    start: tuple[float, float]
     to: tuple[float, float]
 
     @property
     def is_back(self) -> bool:
         """Whether it is where it began."""
-        return math.dist(self.to, (self.handle.x, self.handle.y)) < SAME
+        return math.dist(self.to, self.start) < SAME
 
 
 class EditedText:
@@ -73,6 +75,16 @@ class EditedText:
         length = moved_places_of(drag.text, handle.name).length
         return with_dragged_road(drag.scene, handle.name, handle.station, by, length)
 
+    def motion(self, compiled: str) -> PlaneMap | None:
+        """How what is dragged moves what was built of a text that was compiled, where a network is
+        dragged."""
+        from roadlang.commands import network_motion
+
+        drag = self._drag
+        if drag is None or drag.handle.sort not in ("junction", "street"):
+            return None
+        return network_motion(compiled, self.shown, drag.handle.name)
+
     def replace(self, text: str) -> None:
         """The file was saved by someone else: there is nothing to undo."""
         self.text = self.shown = text
@@ -90,7 +102,8 @@ class EditedText:
         from roadlang.commands import dragged
 
         if self._drag is None or self._drag.number != edit.drag:
-            self._drag = _Drag(edit.drag, handle, self.text, scene, edit.to)
+            start = edit.start or (handle.x, handle.y)
+            self._drag = _Drag(edit.drag, handle, self.text, scene, start, edit.to)
         self._drag = drag = replace(self._drag, to=edit.to)
         text: str | None = drag.text
         if not drag.is_back:

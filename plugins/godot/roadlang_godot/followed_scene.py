@@ -11,6 +11,7 @@ import numpy as np
 from roadlang.api import Contact, Mirror
 from roadlang_standard.engine_tables import BODIES
 
+from .agent_specs import Pose
 from .driving import ControlForm, EngineControl
 from .layout import Layout
 from .telemetry import DriveState, Records
@@ -44,15 +45,21 @@ class FollowedScene:
         # The engine reports agents in the order of their numbers.
         self._place = np.argsort(np.argsort(self._numbers))
         self._tick = -1
+        self._poses: dict[str, Pose] = {}
 
     def carry_on(self, before: FollowedScene, restarted: frozenset[str]) -> None:
         """Go on with the drive of the scene before an edit, but for agents that are `restarted`."""
         self._mirror.carry_on(before._mirror, restarted)
         self._tick = before._tick
+        self._poses = dict(before._poses)
 
     def forget(self) -> None:
         """The trace begins now."""
         self._mirror.forget()
+
+    def pose(self, name: str) -> Pose | None:
+        """Where an agent was seen last; None before the first look."""
+        return self._poses.get(name)
 
     @property
     def finished(self) -> bool:
@@ -97,6 +104,7 @@ class FollowedScene:
         pose[:, 3] = rows["speed"]
         pose[:, 0] += frame.x
         pose[:, 1] += frame.y
+        self._poses = dict(zip(self._names, map(Pose._make, pose.tolist()), strict=True))
         steering = rows["steering"].astype(np.float64)
         self._mirror.follow(pose, steering, passed=0 <= self._tick < tick)
         self._tick = tick

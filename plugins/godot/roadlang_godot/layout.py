@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import Code
 
-from .agent_specs import agent_spec, followed_lines, kept_start
+from .agent_specs import Pose, agent_spec, followed_lines, kept_start
 from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, extent_from, frame_around
@@ -68,12 +68,14 @@ def layout_of(
     python_driven: Collection[str] = (),
     earlier: Layout | None = None,
     restarted: Collection[str] = (),
+    poses: Mapping[str, Pose] | None = None,
 ) -> Layout:
     """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
 
     Of agents that are `python_driven`, no controllers are sent. `earlier`: the layout before an
     edit, whose frame and numbers stay, so that what did not move is not sent again; of its agents,
-    those begin anew that are `restarted`, by their names or groups.
+    those begin anew that are `restarted`, by their names or groups, at one of the `poses` where
+    there is one.
 
     Raises `EngineError` RL509 where there is no road, RL514 where tiles have no pixels.
     """
@@ -98,7 +100,11 @@ def layout_of(
     for actor in scene.agents:
         driven = replace(actor, drive=()) if actor.name in silent else actor
         specs[actor.name] = agent_spec(driven, scene, paths, followed, frame)
-    specs = _kept_starts(scene, specs, {} if earlier is None else earlier.specs, restarted)
+    starts = {
+        name: {**pose._asdict(), "x": pose.x - frame.x, "y": pose.y - frame.y}
+        for name, pose in (poses or {}).items()
+    }
+    specs = _kept_starts(scene, specs, {} if earlier is None else earlier.specs, restarted, starts)
     parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
@@ -124,13 +130,15 @@ def _kept_starts(
     specs: Mapping[str, dict[str, Any]],
     known: Mapping[str, Mapping[str, Any]],
     restarted: Collection[str],
+    starts: Mapping[str, Mapping[str, float]],
 ) -> dict[str, dict[str, Any]]:
     """The specifications with the starts of those that were there before an edit."""
     out = dict(specs)
     for actor in scene.agents:
         if actor.name in known:
             anew = actor.name in restarted or actor.group in restarted
-            out[actor.name] = kept_start(specs[actor.name], known[actor.name], anew)
+            start = starts.get(actor.name, {})
+            out[actor.name] = kept_start(specs[actor.name], known[actor.name], anew, start)
     return out
 
 

@@ -8,9 +8,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from .agent_specs import Pose
 from .followed_scene import FollowedScene
 from .handle_parts import handle_parts
 from .layout import Layout, layout_of
+from .moved_parts import PlaneMap, moved_parts
 from .paced_drive import PacedDrive
 from .protocol import Message
 from .session import Session
@@ -29,13 +31,15 @@ MEMORY = 120.0
 @dataclass(frozen=True, slots=True)
 class HandEdit:
     """What a human does in the window. `what`: `move`, `insert` near a handle, `remove`, `undo`,
-    `redo`. A drag of one number has many moves, of which the last is `done`."""
+    `redo`. A drag of one number has many moves, of which the last is `done`. It begins at `start`,
+    which is not the place of the handle where an agent is dragged that has driven on from it."""
 
     what: str
     handle: Handle | None = None
     to: tuple[float, float] = (0.0, 0.0)
     drag: int = 0
     done: bool = True
+    start: tuple[float, float] | None = None
 
 
 class LiveScene:
@@ -57,11 +61,11 @@ class LiveScene:
         controllers = controllers or {}
         self.scene = scene
         self.layout: Layout = layout_of(scene, road, controllers)
-        shown, self._handles = handle_parts(handles, self.layout.frame)
+        self._shown, self._handles = handle_parts(handles, self.layout.frame)
         self._drive: PacedDrive | None = None
         self._begin(scene, controllers)
         session.begin(self.layout.settings(RATE), clear=True)
-        session.update([*self.layout.parts, *shown])
+        session.update([*self.layout.parts, *self._shown])
         session.prove()
         self._run()
 
@@ -71,17 +75,18 @@ class LiveScene:
         controllers: Mapping[str, Controller] | None = None,
         restarted: frozenset[str] = frozenset(),
         handles: Sequence[Handle] = (),
+        poses: Mapping[str, Pose] | None = None,
     ) -> int:
         """Send what differs; everything else drives on. Returns how many messages it took.
 
         Agents keep pose, speed and what their controllers remember, wherever their roads are now,
-        but for agents or groups that are `restarted`.
+        but for agents or groups that are `restarted`: at one of the `poses` where there is one.
         """
         controllers = controllers or {}
-        layout = layout_of(scene, self._road, controllers, self.layout, restarted)
+        layout = layout_of(scene, self._road, controllers, self.layout, restarted, poses)
         followed, was_driven = self._followed, self._drive is not None
-        shown, self._handles = handle_parts(handles, layout.frame)
-        count = self._session.update([*layout.parts, *shown])
+        self._shown, self._handles = handle_parts(handles, layout.frame)
+        count = self._session.update([*layout.parts, *self._shown])
         self.scene, self.layout = scene, layout
         self._begin(scene, controllers)
         if self._drive is not None and layout.agents:
@@ -92,6 +97,12 @@ class LiveScene:
         elif was_driven or layout.agents:
             self._run()
         return count
+
+    def show_moved(self, plane: PlaneMap) -> int:
+        """Show all roads and junctions moved by a map of the plane, until the next change. Agents
+        and objects stay. Returns how many messages it took."""
+        parts = moved_parts(self.layout.parts, self.layout.frame, plane)
+        return self._session.update([*parts, *self._shown])
 
     def show(self, lines: list[str]) -> None:
         """Lines of text over the picture."""
@@ -110,6 +121,10 @@ class LiveScene:
             if edits := self._edits():
                 return edits
         return self._edits()
+
+    def pose(self, name: str) -> Pose | None:
+        """Where an agent is now, if that is known."""
+        return None if self._followed is None else self._followed.pose(name)
 
     def trace(self) -> Trace | None:
         """What was driven lately; None where nothing was."""
@@ -164,8 +179,11 @@ class LiveScene:
         return found
 
     def _edit(self, edit: Mapping[str, Any], handle: Handle | None) -> HandEdit:
-        frame = self.layout.frame
-        x, y = edit.get("to", (0.0, 0.0))
-        to = (float(x) + frame.x, float(y) + frame.y)
+        to = self._place(edit.get("to", (0.0, 0.0)))
+        start = self._place(edit["from"]) if "from" in edit else None
         done = bool(edit.get("done", True))
-        return HandEdit(str(edit["what"]), handle, to, int(edit.get("drag", 0)), done)
+        return HandEdit(str(edit["what"]), handle, to, int(edit.get("drag", 0)), done, start)
+
+    def _place(self, local: Sequence[float]) -> tuple[float, float]:
+        frame = self.layout.frame
+        return float(local[0]) + frame.x, float(local[1]) + frame.y

@@ -23,8 +23,8 @@ SAG = 0.01
 """How far a chord may be from the curve, meters."""
 COARSEST, FINEST = 2.5, 0.4
 
-_HEAD = struct.Struct("<BBBBBHff")
-_MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - _HEAD.size) // 24
+SEGMENT_HEAD = struct.Struct("<BBBBBHff")
+_MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - SEGMENT_HEAD.size) // 24
 
 
 def stations(line: RoadSamples, start: float, end: float) -> Iterator[Floats]:
@@ -74,7 +74,7 @@ def strip_part(
     spacing = float(s[1] - s[0])
     vertices = strip.tobytes()
     marks = (look.surface, look.left, look.right, int(look.raised))
-    head = _HEAD.pack(min(look.lanes, 255), *marks, len(s), float(s[0]), spacing)
+    head = SEGMENT_HEAD.pack(min(look.lanes, 255), *marks, len(s), float(s[0]), spacing)
     label = f"{name} from {s[0]:.0f} m to {s[-1]:.0f} m"
     return ScenePart(Message.SEGMENT, id, head + vertices, vertices, label)
 

@@ -14,6 +14,8 @@ from .network import Edge, Node, RoadNetwork
 
 _STEP = 1.0
 """Meters between the points through which a moved road is drawn again, at most."""
+_CLOSE = 1e-9
+"""Meters by which the origin of a point may be off."""
 _GRID = 41
 """Points across the surroundings of a place at which it is looked whether the plane folds."""
 _STEEPEST = 1.72
@@ -72,10 +74,18 @@ class Warp:
 
     def origin_of(self, point: tuple[float, float]) -> tuple[float, float]:
         """The point that comes to lie at `point`, found by iteration."""
-        found = target = np.array(point, dtype=np.float64)
-        for _ in range(60):
-            found = found + target - self.moved(found)
+        found = self.origins_of(np.array([point], dtype=np.float64))[0]
         return float(found[0]), float(found[1])
+
+    def origins_of(self, points: Floats) -> Floats:
+        """(n, 2) the points that come to lie at (n, 2) `points`."""
+        found = points
+        for _ in range(60):
+            away = points - self.moved(found)
+            found = found + away
+            if np.abs(away).max(initial=0.0) < _CLOSE:
+                break
+        return found
 
     def touches(self, points: Floats) -> bool:
         """Whether any of (n, 2) points is moved."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..geometry.arrays import Floats
 from ..geometry.errors import GeometryError
 from ..geometry.warp import Warp
 from ..ir.scene import Scene, SceneNetwork, SceneRoad
@@ -61,6 +62,29 @@ def network_dragged(text: str, handle: Handle, to: Place) -> str | None:
     except GeometryError:
         return None
     return with_network_moves(text, handle.name, moves)
+
+
+@dataclass(frozen=True)
+class NetworkMotion:
+    """What becomes of the plane around a network by an edit that moves places of it."""
+
+    before: Warp
+    after: Warp
+
+    def __call__(self, points: Floats) -> Floats:
+        """(n, 2) where points come to lie, meters."""
+        return self.after.moved(self.before.origins_of(points))
+
+
+def network_motion(before: str, after: str, name: str) -> NetworkMotion | None:
+    """The motion from one text to another; None where one has no moves that can be read."""
+    found = network_moves_of(before, name), network_moves_of(after, name)
+    if found[0] is None or found[1] is None:
+        return None
+    try:
+        return NetworkMotion(_warp(found[0]), _warp(found[1]))
+    except GeometryError:
+        return None
 
 
 def network_restored(text: str, handle: Handle) -> str | None:

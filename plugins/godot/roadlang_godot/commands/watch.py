@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from roadlang.api import Controller
     from roadlang.api import Scene as SceneRecord
     from roadlang.commands import Handle
+    from roadlang_godot.agent_specs import Pose
     from roadlang_godot.live import HandEdit, LiveScene
     from roadlang_godot.session import Session
 
@@ -96,6 +97,16 @@ class CompiledEdit:
     """that compiling took"""
 
 
+@dataclass(frozen=True)
+class HeldAgent:
+    """An agent that is dragged: where it was when it was taken, and the text then."""
+
+    drag: int
+    name: str
+    pose: Pose
+    text: str
+
+
 class Watcher:
     """Looks after one file and one simulator. Edits are compiled beside the drive, which goes on.
 
@@ -113,7 +124,8 @@ class Watcher:
         self._saved = self._compiled = loaded.text
         self._compiler = ThreadPoolExecutor(1, "compiler")
         self._compiling: Future[CompiledEdit] | None = None
-        self._is_previewed = False
+        self._is_previewed = self._is_moved = False
+        self._held: HeldAgent | None = None
 
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
@@ -172,11 +184,33 @@ class Watcher:
 
     def take(self, live: LiveScene, edit: HandEdit) -> None:
         """Apply changes made in the window to the text."""
+        self._hold(live, edit)
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
             echo(f"`{edit.handle.name}` is unchanged: {self._file} cannot express this edit")
         was_previewed, self._is_previewed = self._is_previewed, self._preview(live)
         if was_previewed and not self._is_previewed:
             self._compiled = ""  # what is shown is of no text: the text is compiled anew
+        self._show_moved(live)
+
+    def _show_moved(self, live: LiveScene) -> None:
+        """Show a network where it is dragged to, until that is compiled."""
+        motion = self._edited.motion(self._loaded.text)
+        if motion is not None:
+            live.show_moved(motion)
+        elif self._is_moved:
+            self._compiled = ""
+        self._is_moved = motion is not None
+
+    def _hold(self, live: LiveScene, edit: HandEdit) -> None:
+        """Remember where an agent is when a human takes it."""
+        if self._held is not None and self._held.drag == edit.drag:
+            return
+        self._held = None
+        if edit.what == "move" and edit.handle is not None and edit.handle.sort == "agent":
+            name = edit.handle.name
+            pose = live.pose(name)
+            if pose is not None:
+                self._held = HeldAgent(edit.drag, name, pose, self._edited.text)
 
     def _preview(self, live: LiveScene) -> bool:
         """Show what is dragged, where that needs no compiling; whether it does not."""
@@ -204,15 +238,19 @@ class Watcher:
             edit = compiling.result()
             began = time.monotonic()
             restarted = edited_starts(self._loaded.scenario, edit.loaded.scenario)
-            count = live.change(edit.scene, edit.controllers, restarted, edit.handles)
+            held = self._held
+            back = {} if held is None or held.text != edit.loaded.text else {held.name: held.pose}
+            count = live.change(edit.scene, edit.controllers, restarted, edit.handles, back)
         except DiagnosticError as error:
             if self._compiled == self._edited.text:  # no moment of a drag
                 report(error.diagnostics)
             self._edited.withdraw(self._compiled)
             return
         self._loaded = edit.loaded
+        self._is_moved = False
         if edit.loaded.text != self._edited.text:
-            return  # a moment of a drag
+            self._show_moved(live)  # a moment of a drag
+            return
         sent, took = 1000 * (time.monotonic() - began), 1000 * edit.seconds
         echo(f"{count} changes in {sent:.0f} ms, after {took:.0f} ms of compiling")
 
