@@ -124,15 +124,15 @@ def test_an_agent_that_is_put_down_where_it_was_taken_drives_on_from_there(
     text = (TEXT % 0).replace("{ drive with", "{ start_speed: 8m/s, drive with")
     watched = Watched(engine, tmp_path / "scene.rl", save=True, content=text.encode())
     with watched.session:
-        until(lambda: watched.live.listen(0.02) or x_of_ego(watched) > 15.0)
+        until(lambda: watched.live.listen(0.02) or x_of_ego(watched) > 45.0)
         place = (x_of_ego(watched), 0.0)
         ego = watched.handle("ego")
         for y, done in ((20.0, False), (0.0, True)):
             watched.do(HandEdit("move", ego, (place[0], y), 1, done, place))
         assert watched.file.read_text() == text
-        assert x_of_ego(watched) == pytest.approx(place[0], abs=10.0)
-        watched.do(HandEdit("move", ego, (40.0, 0.0), 2, True, (x_of_ego(watched), 0.0)))
-        assert "main at 40m" in watched.file.read_text()
+        assert x_of_ego(watched) > 44.0, "not at its start, 5 m"
+        watched.do(HandEdit("move", ego, (30.0, 0.0), 2, True, (x_of_ego(watched), 0.0)))
+        assert "main at 30m" in watched.file.read_text()
 
 
 def x_of_ego(watched: Watched) -> float:

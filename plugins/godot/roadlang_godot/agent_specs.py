@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
 
 
-class Pose(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class AgentPose:
     """Where an agent is: meters east and north, radians, meters per second."""
 
     x: float

@@ -11,7 +11,7 @@ import numpy as np
 from roadlang.api import Contact, Mirror
 from roadlang_standard.engine_tables import BODIES
 
-from .agent_specs import Pose
+from .agent_specs import AgentPose
 from .driving import ControlForm, EngineControl
 from .layout import Layout
 from .telemetry import DriveState, Records
@@ -45,7 +45,7 @@ class FollowedScene:
         # The engine reports agents in the order of their numbers.
         self._place = np.argsort(np.argsort(self._numbers))
         self._tick = -1
-        self._poses: dict[str, Pose] = {}
+        self._poses: dict[str, AgentPose] = {}
 
     def carry_on(self, before: FollowedScene, restarted: frozenset[str]) -> None:
         """Go on with the drive of the scene before an edit, but for agents that are `restarted`."""
@@ -57,7 +57,7 @@ class FollowedScene:
         """The trace begins now."""
         self._mirror.forget()
 
-    def pose(self, name: str) -> Pose | None:
+    def pose(self, name: str) -> AgentPose | None:
         """Where an agent was seen last; None before the first look."""
         return self._poses.get(name)
 
@@ -104,7 +104,8 @@ class FollowedScene:
         pose[:, 3] = rows["speed"]
         pose[:, 0] += frame.x
         pose[:, 1] += frame.y
-        self._poses = dict(zip(self._names, map(Pose._make, pose.tolist()), strict=True))
+        seen = [AgentPose(*values) for values in pose.tolist()]
+        self._poses = dict(zip(self._names, seen, strict=True))
         steering = rows["steering"].astype(np.float64)
         self._mirror.follow(pose, steering, passed=0 <= self._tick < tick)
         self._tick = tick

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import Code
 
-from .agent_specs import Pose, agent_spec, followed_lines, kept_start
+from .agent_specs import AgentPose, agent_spec, followed_lines, kept_start
 from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, extent_from, frame_around
@@ -68,7 +68,7 @@ def layout_of(
     python_driven: Collection[str] = (),
     earlier: Layout | None = None,
     restarted: Collection[str] = (),
-    poses: Mapping[str, Pose] | None = None,
+    poses: Mapping[str, AgentPose] | None = None,
 ) -> Layout:
     """The layout of a scene with roads built as a `mesh` along their curves or as `tiles`.
 
@@ -96,15 +96,9 @@ def layout_of(
     undriven = undriven_agents(scene, python_driven)
     silent = {*python_driven, *undriven}
     agents = _numbers(scene, {} if earlier is None else earlier.agents)
-    specs = {}
-    for actor in scene.agents:
-        driven = replace(actor, drive=()) if actor.name in silent else actor
-        specs[actor.name] = agent_spec(driven, scene, paths, followed, frame)
-    starts = {
-        name: {**pose._asdict(), "x": pose.x - frame.x, "y": pose.y - frame.y}
-        for name, pose in (poses or {}).items()
-    }
-    specs = _kept_starts(scene, specs, {} if earlier is None else earlier.specs, restarted, starts)
+    driven = [replace(one, drive=()) if one.name in silent else one for one in scene.agents]
+    specs = {one.name: agent_spec(one, scene, paths, followed, frame) for one in driven}
+    specs = _kept_starts(scene, specs, earlier, restarted, poses or {})
     parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
@@ -128,17 +122,23 @@ def _ground(points: NDArray[np.float64], earlier: Layout | None) -> tuple[SceneO
 def _kept_starts(
     scene: Scene,
     specs: Mapping[str, dict[str, Any]],
-    known: Mapping[str, Mapping[str, Any]],
+    earlier: Layout | None,
     restarted: Collection[str],
-    starts: Mapping[str, Mapping[str, float]],
+    poses: Mapping[str, AgentPose],
 ) -> dict[str, dict[str, Any]]:
     """The specifications with the starts of those that were there before an edit."""
     out = dict(specs)
+    if earlier is None:
+        return out
     for actor in scene.agents:
-        if actor.name in known:
+        if actor.name in earlier.specs:
             anew = actor.name in restarted or actor.group in restarted
-            start = starts.get(actor.name, {})
-            out[actor.name] = kept_start(specs[actor.name], known[actor.name], anew, start)
+            pose, start = poses.get(actor.name), {}
+            if pose is not None:
+                x, y = pose.x - earlier.frame.x, pose.y - earlier.frame.y
+                start = {**asdict(pose), "x": x, "y": y}
+            known = earlier.specs[actor.name]
+            out[actor.name] = kept_start(specs[actor.name], known, anew, start)
     return out
 
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .agent_specs import Pose
+from .agent_specs import AgentPose
 from .followed_scene import FollowedScene
 from .handle_parts import handle_parts
 from .layout import Layout, layout_of
@@ -75,7 +75,7 @@ class LiveScene:
         controllers: Mapping[str, Controller] | None = None,
         restarted: frozenset[str] = frozenset(),
         handles: Sequence[Handle] = (),
-        poses: Mapping[str, Pose] | None = None,
+        poses: Mapping[str, AgentPose] | None = None,
     ) -> int:
         """Send what differs; everything else drives on. Returns how many messages it took.
 
@@ -122,7 +122,7 @@ class LiveScene:
                 return edits
         return self._edits()
 
-    def pose(self, name: str) -> Pose | None:
+    def pose(self, name: str) -> AgentPose | None:
         """Where an agent is now, if that is known."""
         return None if self._followed is None else self._followed.pose(name)
 

@@ -14,13 +14,13 @@ import click
 from roadlang.commands import DiagnosticError, echo, report
 from roadlang_godot.edited_text import EditedText
 from roadlang_godot.faults import EngineError
+from roadlang_godot.held_agent import NOBODY, held_agent
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
     from roadlang.api import Controller
     from roadlang.api import Scene as SceneRecord
     from roadlang.commands import Handle
-    from roadlang_godot.agent_specs import Pose
     from roadlang_godot.live import HandEdit, LiveScene
     from roadlang_godot.session import Session
 
@@ -97,16 +97,6 @@ class CompiledEdit:
     """that compiling took"""
 
 
-@dataclass(frozen=True)
-class HeldAgent:
-    """An agent that is dragged: where it was when it was taken, and the text then."""
-
-    drag: int
-    name: str
-    pose: Pose
-    text: str
-
-
 class Watcher:
     """Looks after one file and one simulator. Edits are compiled beside the drive, which goes on.
 
@@ -125,7 +115,7 @@ class Watcher:
         self._compiler = ThreadPoolExecutor(1, "compiler")
         self._compiling: Future[CompiledEdit] | None = None
         self._is_previewed = self._is_moved = False
-        self._held: HeldAgent | None = None
+        self._held = NOBODY
 
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
@@ -184,7 +174,7 @@ class Watcher:
 
     def take(self, live: LiveScene, edit: HandEdit) -> None:
         """Apply changes made in the window to the text."""
-        self._hold(live, edit)
+        self._held = held_agent(self._held, edit, live, self._edited.text)
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
             echo(f"`{edit.handle.name}` is unchanged: {self._file} cannot express this edit")
         was_previewed, self._is_previewed = self._is_previewed, self._preview(live)
@@ -200,17 +190,6 @@ class Watcher:
         elif self._is_moved:
             self._compiled = ""
         self._is_moved = motion is not None
-
-    def _hold(self, live: LiveScene, edit: HandEdit) -> None:
-        """Remember where an agent is when a human takes it."""
-        if self._held is not None and self._held.drag == edit.drag:
-            return
-        self._held = None
-        if edit.what == "move" and edit.handle is not None and edit.handle.sort == "agent":
-            name = edit.handle.name
-            pose = live.pose(name)
-            if pose is not None:
-                self._held = HeldAgent(edit.drag, name, pose, self._edited.text)
 
     def _preview(self, live: LiveScene) -> bool:
         """Show what is dragged, where that needs no compiling; whether it does not."""
@@ -238,9 +217,8 @@ class Watcher:
             edit = compiling.result()
             began = time.monotonic()
             restarted = edited_starts(self._loaded.scenario, edit.loaded.scenario)
-            held = self._held
-            back = {} if held is None or held.text != edit.loaded.text else {held.name: held.pose}
-            count = live.change(edit.scene, edit.controllers, restarted, edit.handles, back)
+            poses = self._held.poses_in(edit.loaded.text)
+            count = live.change(edit.scene, edit.controllers, restarted, edit.handles, poses)
         except DiagnosticError as error:
             if self._compiled == self._edited.text:  # no moment of a drag
                 report(error.diagnostics)
