@@ -11,14 +11,6 @@ const Driver := preload("driver.gd")
 
 const NO_PATH := -1
 const ARRIVED := 0.5
-const PAINTS: Array[Color] = [
-	Color(0.62, 0.07, 0.06),
-	Color(0.1, 0.22, 0.42),
-	Color(0.75, 0.76, 0.78),
-	Color(0.12, 0.13, 0.14),
-	Color(0.62, 0.5, 0.16),
-	Color(0.16, 0.34, 0.24)
-]
 
 var agent_name := ""
 var path_id := NO_PATH
@@ -217,20 +209,20 @@ func _add_body(spec: Dictionary) -> void:
 		clampf(number(spec, "height", 1.45), 0.2, 6.0),
 		clampf(number(spec, "width", 1.8), 0.2, 6.0)
 	)
-	var given: Variant = spec.get("color")
-	var paint := PAINTS[id % PAINTS.size()]
-	if given is String:
-		paint = Color.from_string(given, paint).darkened(0.35)
+	var paint := Color.from_string(str(spec.get("color", "")), Color.DIM_GRAY).darkened(0.3)
+	var category := str(spec.get("category", "car"))
 	if spec.get("body", "vehicle") == "walker":
 		var walker := Walker.new()
-		walker.assemble(size.y, paint)
+		walker.assemble(size)
+		walker.dress(category, size, paint)
 		body = walker
 	else:
 		var vehicle := Vehicle.new()
 		var numbers: Variant = spec.get("vehicle", {})
 		var known: Dictionary = numbers if numbers is Dictionary else {}
 		var read := func(key: String, usual: float) -> float: return number(known, key, usual)
-		vehicle.assemble(size, read, paint)
+		vehicle.assemble(size, read)
+		vehicle.dress(category, paint, bool(spec.get("marked", false)))
 		vehicle.rest()
 		body = vehicle
 	add_child(body)

@@ -42,6 +42,7 @@ var _members: Array[Member] = []
 var _by_key: Dictionary = {}
 var _contacts := Contacts.new()
 var _traffic_signals: Array[TrafficSignals] = []
+var _weathers: Array[Weather] = []
 var _last_tick := 0
 var _every := 1
 var _stop_at_end := false
@@ -146,6 +147,9 @@ func _rest() -> void:
 func step(dt: float) -> void:
 	if mode == Mode.IDLE:
 		return
+	for weather in _weathers:
+		if is_instance_valid(weather):
+			weather.show_at(tick * dt)
 	for lights in _traffic_signals:
 		if is_instance_valid(lights):
 			lights.show_at(tick * dt)
@@ -228,6 +232,7 @@ func _gather() -> void:
 	_members.clear()
 	_by_key = {}
 	_traffic_signals.clear()
+	_weathers.clear()
 	var worlds: Array = _stages.keys()
 	worlds.sort()
 	for world: int in worlds:
@@ -239,6 +244,7 @@ func _gather() -> void:
 			_traffic_signals.append(lights as TrafficSignals)
 		for weather in stage.all(Protocol.WORLD):
 			friction = (weather as Weather).friction
+			_weathers.append(weather as Weather)
 		for one in agents:
 			var key := world << 16 | one.id
 			var member: Member = known.get(key)

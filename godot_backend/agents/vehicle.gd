@@ -5,8 +5,7 @@ extends RigidBody3D
 
 const Vehicle := preload("vehicle.gd")
 const Tires := preload("tires.gd")
-const Wheels := preload("wheels.gd")
-const CarBody := preload("car_body.gd")
+const VehicleLook := preload("../shapes/vehicle_look.gd")
 
 const GRAVITY := 9.81
 ## Of the four springs and dampers together, per kilogram: 1.4 Hz, half of the critical damping.
@@ -17,6 +16,8 @@ const SAG := GRAVITY / STIFFNESS
 ## Rays to the ground begin this far above the origin.
 const RAY_TOP := 0.5
 const CLEARANCE := 0.2
+## Deceleration that is wanted from which on the brake lights shine, m/s^2.
+const BRAKE_LIGHTS := 0.7
 const GROUND_LAYER := 1
 const BODY_LAYER := 2
 ## Share of the height of the center of mass at which sideways forces tip the body.
@@ -47,12 +48,12 @@ var _force := Vector3.ZERO
 var _torque := Vector3.ZERO
 ## How far above the ground forces across the body act.
 var _lift := 0.0
-var _looks: Wheels
+var _looks: VehicleLook
 var _headless := DisplayServer.get_name() == "headless"
 
 
 ## Length, height and width in meters; `numbers`: SI units, by the names of the client.
-func assemble(dimensions: Vector3, numbers: Callable, paint: Color) -> void:
+func assemble(dimensions: Vector3, numbers: Callable) -> void:
 	size = dimensions
 	mass = clampf(numbers.call("mass", 1500.0), 20.0, 60000.0)
 	wheelbase = clampf(numbers.call("wheelbase", 0.6 * size.x), 0.3, size.x)
@@ -70,17 +71,16 @@ func assemble(dimensions: Vector3, numbers: Callable, paint: Color) -> void:
 	_lift = _mass_height * (1.0 - ROLL if size.z > NARROW else 1.0)
 	_prepare()
 	_add_shape()
-	var radius := clampf(0.22 * size.y, 0.2, 0.5)
 	for along: float in [0.5, -0.5]:
 		for side: float in [0.5, -0.5]:
 			_mounts.append(Vector3(side * maxf(size.z - 0.25, 0.1), RAY_TOP, along * wheelbase))
-	var instance := MeshInstance3D.new()
-	instance.mesh = CarBody.mesh(size, paint)
-	add_child(instance)
-	if not _headless:
-		_looks = Wheels.new()
-		add_child(_looks)
-		_looks.assemble(_mounts, radius)
+
+
+## What it looks like; `is_marked`: told apart from all others by an arrow on the roof.
+func dress(category: String, paint: Color, is_marked: bool) -> void:
+	_looks = VehicleLook.new()
+	add_child(_looks)
+	_looks.assemble(category, size, _mounts, paint, is_marked)
 
 
 func set_friction(of_tires: float) -> void:
@@ -110,6 +110,7 @@ func command(steer: float, acceleration: float, dt: float) -> void:
 	apply_torque(_torque)
 	if not _headless:
 		_looks.roll(pace * dt, atan(_tangent))
+		_looks.brake(acceleration < -BRAKE_LIGHTS)
 
 
 func steer_angle() -> float:
@@ -171,6 +172,8 @@ func go_on(other: PhysicsBody3D) -> void:
 ## Moves it so that it is at a place after the next physics step, unless it is hit.
 func carry(at: Vector3, toward: float, dt: float) -> void:
 	gravity_scale = 0.0
+	if not _headless:
+		_looks.roll((at - global_position).dot(global_basis.z), 0.0)
 	linear_velocity = (at - global_position) / dt
 	angular_velocity = Vector3(0.0, angle_difference(heading(), toward) / dt, 0.0)
 

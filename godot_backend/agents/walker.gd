@@ -3,7 +3,7 @@ extends AnimatableBody3D
 ## as the walker gets, who slides to a stop and lies there.
 
 const Walker := preload("walker.gd")
-const Looks := preload("../build/looks.gd")
+const WalkerLook := preload("../shapes/walker_look.gd")
 
 const HEIGHT := 1.75
 const RADIUS := 0.25
@@ -29,9 +29,11 @@ var _is_struck := false
 var _thrown := Vector3.ZERO
 var _touched: Array[Array] = []
 var _feeler := Area3D.new()
+var _looks: WalkerLook
 
 
-func assemble(height: float, clothes: Color) -> void:
+func assemble(dimensions: Vector3) -> void:
+	var height := dimensions.y
 	_height = height
 	size.y = height
 	sync_to_physics = false
@@ -44,7 +46,13 @@ func assemble(height: float, clothes: Color) -> void:
 	_feeler.add_child(_capsule(height))
 	_feeler.body_shape_entered.connect(_on_touched)
 	add_child(_feeler)
-	_add_look(clothes)
+
+
+## What it looks like.
+func dress(category: String, dimensions: Vector3, paint: Color) -> void:
+	_looks = WalkerLook.new()
+	add_child(_looks)
+	_looks.assemble(category, dimensions, paint)
 
 
 ## Puts the walker somewhere, on their feet.
@@ -77,7 +85,9 @@ func go_on(other: PhysicsBody3D) -> void:
 
 ## Moves it to a place, in the time of one step.
 func carry(at: Vector3, toward: float, dt: float) -> void:
-	_put(at, toward, (at - global_position).slide(Vector3.UP).length() / dt)
+	var moved := (at - global_position).slide(Vector3.UP).length()
+	_looks.walk(moved)
+	_put(at, toward, moved / dt)
 
 
 func let_go() -> void:
@@ -106,6 +116,7 @@ func command(steer: float, acceleration: float, dt: float) -> void:
 	_speed = maxf(0.0, _speed + acceleration * dt)
 	var toward := _heading + _speed * tan(clampf(steer, -1.2, 1.2)) / wheelbase * dt
 	var step := Vector3(cos(toward), 0.0, -sin(toward)) * _speed * dt
+	_looks.walk(_speed * dt)
 	_put(global_position + step, toward, _speed)
 
 
@@ -192,31 +203,3 @@ func _ground_below(at: Vector3) -> float:
 	)
 	var hit := get_world_3d().direct_space_state.intersect_ray(ray)
 	return at.y if hit.is_empty() else float(hit["position"].y)
-
-
-func _add_look(clothes: Color) -> void:
-	var legs := _cylinder(0.13, 0.46 * _height, Looks.plain(Color(0.12, 0.14, 0.22)))
-	legs.position.y = 0.23 * _height
-	var trunk := _cylinder(0.2, 0.38 * _height, Looks.plain(clothes))
-	trunk.position.y = 0.64 * _height
-	var ball := SphereMesh.new()
-	ball.radius = 0.12
-	ball.height = 0.25
-	ball.material = Looks.plain(Color(0.78, 0.6, 0.48))
-	var head := MeshInstance3D.new()
-	head.mesh = ball
-	head.position.y = 0.92 * _height
-	add_child(head)
-
-
-func _cylinder(radius: float, height: float, look: Material) -> MeshInstance3D:
-	var cylinder := CylinderMesh.new()
-	cylinder.top_radius = radius
-	cylinder.bottom_radius = radius * 0.85
-	cylinder.height = height
-	cylinder.radial_segments = 12
-	cylinder.material = look
-	var instance := MeshInstance3D.new()
-	instance.mesh = cylinder
-	add_child(instance)
-	return instance

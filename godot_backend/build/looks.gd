@@ -20,6 +20,8 @@ const SURFACES: Array[Array] = [
 ]
 
 static var _materials: Dictionary = {}
+static var _wetness := 0.0
+static var _snow := 0.0
 
 
 ## A strip of lanes with the lines along its left and right border.
@@ -35,10 +37,9 @@ static func road(surface: int, left: int, right: int) -> ShaderMaterial:
 	return material
 
 
-## The upright side of a curb, lit as if it lay flat: it is too low for its own shade to matter.
+## The upright side of a curb.
 static func curb() -> StandardMaterial3D:
-	var material := plain(Color(0.55, 0.54, 0.51))
-	material.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	var material := plain(Color(0.5, 0.49, 0.47))
 	material.cull_mode = BaseMaterial3D.CULL_DISABLED
 	return material
 
@@ -67,22 +68,81 @@ static func plain(color: Color, roughness: float = 0.9) -> StandardMaterial3D:
 	return _materials[key]
 
 
+## What shines by itself, with this energy.
+static func glowing(color: Color, energy: float) -> StandardMaterial3D:
+	var key := "glowing %s %s" % [color.to_html(), energy]
+	if not _materials.has(key):
+		var material := StandardMaterial3D.new()
+		material.albedo_color = color
+		material.roughness = 0.3
+		material.emission_enabled = energy > 0.0
+		material.emission = color
+		material.emission_energy_multiplier = energy
+		_materials[key] = material
+	return _materials[key]
+
+
 static func glass() -> StandardMaterial3D:
 	var material := plain(Color(0.05, 0.07, 0.09), 0.1)
 	material.metallic = 0.4
 	return material
 
 
-## How wet the ground is, from 0 to 1.
-static func set_wetness(wetness: float) -> void:
+## Windows of houses: some are lit at night.
+static func window(is_lit: bool) -> StandardMaterial3D:
+	var name := "window lit" if is_lit else "window dark"
+	if not _materials.has(name):
+		var material := StandardMaterial3D.new()
+		material.albedo_color = Color(0.1, 0.13, 0.17)
+		material.roughness = 0.15
+		material.emission = Color(1.0, 0.74, 0.36)
+		material.emission_energy_multiplier = 0.9
+		_materials[name] = material
+	return _materials[name]
+
+
+## The glass of street lamps.
+static func lantern() -> StandardMaterial3D:
+	if not _materials.has("lantern"):
+		var material := StandardMaterial3D.new()
+		material.albedo_color = Color(0.85, 0.82, 0.72)
+		material.emission = Color(1.0, 0.8, 0.5)
+		material.emission_energy_multiplier = 3.5
+		_materials["lantern"] = material
+	return _materials["lantern"]
+
+
+## Glass to see through.
+static func clear_glass() -> StandardMaterial3D:
+	var material := plain(Color(0.6, 0.7, 0.75, 0.35), 0.1)
+	material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	return material
+
+
+## Lights windows and lamps at night.
+static func set_night(is_night: bool) -> void:
+	window(true).emission_enabled = is_night
+	lantern().emission_enabled = is_night
+
+
+## How wet the ground is, and how much snow lies on it, from 0 to 1.
+static func set_ground(wetness: float, snow: float) -> void:
+	_wetness = wetness
+	_snow = snow
 	for name: String in _materials:
 		if _materials[name] is ShaderMaterial:
-			(_materials[name] as ShaderMaterial).set_shader_parameter("wetness", wetness)
+			_set_ground_of(_materials[name])
+
+
+static func _set_ground_of(material: ShaderMaterial) -> void:
+	material.set_shader_parameter("wetness", _wetness)
+	material.set_shader_parameter("snow", _snow)
 
 
 static func _shared(name: String, shader: Shader) -> ShaderMaterial:
 	if not _materials.has(name):
 		var material := ShaderMaterial.new()
 		material.shader = shader
+		_set_ground_of(material)
 		_materials[name] = material
 	return _materials[name]

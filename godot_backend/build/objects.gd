@@ -3,7 +3,8 @@ extends "thing.gd"
 ## those so light that vehicles push them away.
 
 const Protocol := preload("../net/protocol.gd")
-const Props := preload("props.gd")
+const Props := preload("../shapes/props.gd")
+const Lamp := preload("../shapes/lamp.gd")
 const Instances := preload("instances.gd")
 
 const FIELDS := 7
@@ -16,7 +17,9 @@ const BODY_LAYER := 2
 
 var sort := ""
 
-var _multimesh: MultiMesh
+## Instances that look alike, and which of the things they are.
+var _drawn: Array[MultiMesh] = []
+var _numbers: Array[PackedInt32Array] = []
 ## Light things, and where each stands until it is struck.
 var _light: Array[RigidBody3D] = []
 var _homes: Array[Transform3D] = []
@@ -83,14 +86,51 @@ func content() -> PackedByteArray:
 
 
 func places() -> Array[Transform3D]:
-	return Instances.places_of(_multimesh) if _light.is_empty() else _homes
+	if not _light.is_empty():
+		return _homes
+	var out: Array[Transform3D] = []
+	for numbers in _numbers:
+		out.resize(out.size() + numbers.size())
+	for i in _drawn.size():
+		var drawn := Instances.places_of(_drawn[i])
+		for j in drawn.size():
+			out[_numbers[i][j]] = drawn[j]
+	return out
 
 
+## Things of one size and variant are instances of one mesh.
 func _add_instances(places_given: Array[Transform3D], color: String) -> void:
-	_multimesh = Instances.make(Props.mesh(sort, color), places_given)
-	var instance := MultiMeshInstance3D.new()
-	instance.multimesh = _multimesh
-	add_child(instance)
+	var groups := {}
+	for i in places_given.size():
+		var size := Props.drawn_size(sort, places_given[i].basis.get_scale())
+		var variant := _variant(places_given[i].origin) if color.is_empty() else 0
+		groups.get_or_add([size, variant], PackedInt32Array()).append(i)
+	for look: Array in groups:
+		var numbers: PackedInt32Array = groups[look]
+		var scaled: Array[Transform3D] = []
+		for number in numbers:
+			scaled.append(places_given[number].scaled_local(Vector3.ONE / (look[0] as Vector3)))
+		_drawn.append(Instances.make(Props.mesh(sort, color, look[0], look[1]), scaled, numbers))
+		_numbers.append(numbers)
+		var instance := MultiMeshInstance3D.new()
+		instance.multimesh = _drawn[-1]
+		add_child(instance)
+	if sort == "lamp":
+		for place in places_given:
+			_add_lamp(place)
+
+
+## Of the looks that a sort has: by where a thing stands, so that it looks the same in every run.
+func _variant(origin: Vector3) -> int:
+	var cell := Vector2i(roundi(origin.x), roundi(origin.z))
+	return posmod(cell.x * 7919 + cell.y * 104729 + (cell.x * cell.y) % 97, Props.variants(sort))
+
+
+func _add_lamp(place: Transform3D) -> void:
+	var lamp := Lamp.new()
+	lamp.position = place.origin + Vector3.UP * (place.basis.get_scale().y - 0.3)
+	lamp.aim(Vector3.DOWN, 26.0, 70.0, 14.0, Color(1.0, 0.84, 0.6))
+	add_child(lamp)
 
 
 func _add_light(place: Transform3D, color: String) -> void:
@@ -104,8 +144,9 @@ func _add_light(place: Transform3D, color: String) -> void:
 	collision.position.y = size.y * 0.5
 	body.add_child(collision)
 	var instance := MeshInstance3D.new()
-	instance.mesh = Props.mesh(sort, color)
-	instance.scale = size
+	var drawn := Props.drawn_size(sort, size)
+	instance.mesh = Props.mesh(sort, color, drawn, 0)
+	instance.scale = size / drawn
 	body.add_child(instance)
 	body.transform = Transform3D(place.basis.orthonormalized(), place.origin)
 	body.freeze = true

@@ -79,9 +79,14 @@ func _add_curb(edges: PackedVector3Array, side: int) -> void:
 		var top := edges[2 * i + side]
 		var foot := Vector3(top.x, 0.0, top.z)
 		face.append_array([foot, top] if side == 0 else [top, foot])
+	# Lit as if it lay flat: it is too low for its own shade to matter.
+	var normals := PackedVector3Array()
+	normals.resize(face.size())
+	normals.fill(Vector3.UP)
 	var arrays := []
 	arrays.resize(Mesh.ARRAY_MAX)
 	arrays[Mesh.ARRAY_VERTEX] = face
+	arrays[Mesh.ARRAY_NORMAL] = normals
 	arrays[Mesh.ARRAY_INDEX] = _strip(edges.size() / 2)
 	var mesh := ArrayMesh.new()
 	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)

@@ -63,9 +63,8 @@ func put(kind: int, thing_id: int, revision: int, reader: Reader) -> String:
 	add_child(made)
 	if made is Agent and old is Agent:
 		(made as Agent).go_on(old as Agent)
-	if made is Weather and (made as Weather).extent > extent:
-		extent = (made as Weather).extent
-		_ground.cover(extent)
+	if made is Weather:
+		_take_weather(made)
 	if old != null:
 		_drop(old)
 	builds += 1
@@ -160,6 +159,13 @@ func _make(kind: int) -> Thing:
 			return Labels.new()
 		_:
 			return Weather.new()
+
+
+func _take_weather(weather: Weather) -> void:
+	_ground.cut(weather.is_dark())
+	if weather.extent > extent:
+		extent = weather.extent
+		_ground.cover(extent)
 
 
 func _drop(old: Thing) -> void:

@@ -6,6 +6,7 @@ const Server := preload("../net/server.gd")
 const Agent := preload("../agents/agent.gd")
 const Objects := preload("../build/objects.gd")
 const Stage := preload("../build/stage.gd")
+const Surroundings := preload("../build/surroundings.gd")
 const Worlds := preload("../build/worlds.gd")
 const SensorCamera := preload("camera.gd")
 const Twins := preload("twins.gd")
@@ -70,6 +71,8 @@ func _draw(stage: Stage, cameras: Array[SensorCamera], around: Node) -> void:
 		around.propagate_call(&"force_update_transform")
 	for camera in cameras:
 		camera.aim(camera.pose(stage))
+	if not cameras.is_empty():
+		Surroundings.prepare(stage, cameras[0].pose(stage).origin)
 	RenderingServer.directional_shadow_atlas_set_size(SHADOW_PIXELS, true)
 	RenderingServer.force_draw(false)
 

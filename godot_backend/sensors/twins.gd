@@ -3,6 +3,7 @@ extends RefCounted
 
 const Thing := preload("../build/thing.gd")
 const Objects := preload("../build/objects.gd")
+const Falling := preload("../build/falling.gd")
 const Stage := preload("../build/stage.gd")
 const Labels := preload("labels.gd")
 const LabelShader := preload("labels.gdshader")
@@ -55,7 +56,7 @@ func _add_twins(node: Node, label: Vector3i, owner: Thing) -> void:
 	elif label.z != 0 and owner is Objects and node is RigidBody3D:
 		label.y += (owner as Objects).number_of(node, 0)
 	for child in node.get_children():
-		if not child.has_meta(META):
+		if not child.has_meta(META) and not child is Falling:
 			_add_twins(child, label, owner)
 	if node is MeshInstance3D or node is MultiMeshInstance3D:
 		_give_twin(node, label)

@@ -6,6 +6,7 @@ enum Kind { CHASE, TOP, FREE }
 const Worlds := preload("../build/worlds.gd")
 const Protocol := preload("../net/protocol.gd")
 const Agent := preload("../agents/agent.gd")
+const Surroundings := preload("../build/surroundings.gd")
 
 const CHASE_BACK := 7.5
 const CHASE_UP := 2.6
@@ -81,6 +82,13 @@ func aim(target: Camera3D) -> void:
 			_chase(target)
 
 
+## Prepares the world for a camera of this view.
+func surround(target: Camera3D) -> void:
+	var stage := _worlds.stage(0)
+	if stage != null:
+		Surroundings.prepare(stage, target.global_position, kind != Kind.TOP)
+
+
 func top_size() -> float:
 	return _top_size
 
@@ -124,8 +132,7 @@ func _process(dt: float) -> void:
 	if kind == Kind.FREE:
 		_fly(dt)
 	aim(camera)
-	for follower: Node3D in get_tree().get_nodes_in_group("follows_camera"):
-		follower.global_position = camera.global_position + Vector3.UP * 7.0
+	surround(camera)
 
 
 func _fly(dt: float) -> void:

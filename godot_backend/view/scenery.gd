@@ -3,21 +3,27 @@ extends Node3D
 
 const Worlds := preload("../build/worlds.gd")
 const Looks := preload("../build/looks.gd")
-const Props := preload("../build/props.gd")
 const Instances := preload("../build/instances.gd")
+const TreeShape := preload("../shapes/tree_shape.gd")
 
 const SPOKES := 128
-const RINGS := 14
+const RINGS := 24
 const REACH := 2600.0
-const HEIGHT := 95.0
-const TREES := 700
 ## What scenery is, for the labels of cameras.
 const GROUND := 1
 const PLANTS := 2
+const HEIGHT := 110.0
+const TREES := 2600
+## Rings of hills that have trees, and how far the trees begin within the flat ground, meters.
+const WOODED := 15
+const INSIDE := 100.0
+const MEADOW := Color(0.92, 0.97, 0.9)
+const FOREST := Color(0.5, 0.62, 0.5)
 
 var _worlds: Worlds
 var _extent := 0.0
 var _noise := FastNoiseLite.new()
+var _corners := PackedVector3Array()
 
 
 func _init(worlds: Worlds) -> void:
@@ -44,24 +50,31 @@ func rebuild() -> void:
 ## Height of the hills: flat where anything is built, rising beyond.
 func _height(place: Vector2) -> float:
 	var beyond := maxf(absf(place.x), absf(place.y)) - _extent
-	var rise := smoothstep(20.0, 900.0, beyond)
+	var rise := smoothstep(10.0, 900.0, beyond)
 	var swell := 0.5 + 0.9 * _noise.get_noise_2dv(place)
-	return rise * HEIGHT * maxf(swell, 0.02) - 0.06
+	return rise * HEIGHT * maxf(swell, 0.05) - 0.06
+
+
+## How wooded a place is, from 0 to 1.
+func _wood(place: Vector2) -> float:
+	return smoothstep(-0.15, 0.3, _noise.get_noise_2dv(place * 2.7 + Vector2(900, 400)))
 
 
 func _add_hills() -> void:
+	_corners.clear()
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)
 	for ring in RINGS + 1:
-		var out := _extent - 5.0 + REACH * pow(float(ring) / RINGS, 1.6)
+		var out := _extent - 5.0 + REACH * pow(float(ring) / RINGS, 1.8)
 		for spoke in SPOKES:
 			var place := _on_square(TAU * spoke / SPOKES) * out
-			tool.add_vertex(Vector3(place.x, _height(place), place.y))
+			_corners.append(Vector3(place.x, _height(place), place.y))
+			var far := smoothstep(0.0, 200.0, out - _extent)
+			tool.set_color(Color.WHITE.lerp(MEADOW.lerp(FOREST, _wood(place)), far))
+			tool.add_vertex(_corners[-1])
 	for ring in RINGS:
 		for spoke in SPOKES:
-			var a := ring * SPOKES + spoke
-			var b := ring * SPOKES + (spoke + 1) % SPOKES
-			for corner: int in [a, a + SPOKES, b, b, a + SPOKES, b + SPOKES]:
+			for corner in _cell(ring, spoke):
 				tool.add_index(corner)
 	tool.generate_normals()
 	tool.set_material(Looks.grass())
@@ -72,24 +85,53 @@ func _add_hills() -> void:
 	add_child(instance)
 
 
+## The corners of the two triangles between two rings and two spokes.
+func _cell(ring: int, spoke: int) -> Array[int]:
+	var a := ring * SPOKES + spoke
+	var b := ring * SPOKES + (spoke + 1) % SPOKES
+	return [a, a + SPOKES, b, b, a + SPOKES, b + SPOKES]
+
+
 func _add_trees() -> void:
 	var random := RandomNumberGenerator.new()
 	random.seed = 11
-	var places: Array[Transform3D] = []
+	var kinds: Array[Array] = [[], []]
 	for i in TREES:
-		var out := _extent + 30.0 + 900.0 * pow(random.randf(), 1.5)
-		var place := _on_square(random.randf() * TAU) * out
-		var tall := random.randf_range(7.0, 13.0)
+		var place := _place_on_hill(random)
+		var is_kept := random.randf() < 0.12 + 0.88 * _wood(Vector2(place.x, place.z))
+		var tall := random.randf_range(7.0, 14.0)
 		var turned := Basis(Vector3.UP, random.randf() * TAU)
-		var size := Vector3(0.5 * tall, tall, 0.5 * tall)
-		places.append(
-			Transform3D(turned.scaled_local(size), Vector3(place.x, _height(place), place.y))
-		)
-	var instance := MultiMeshInstance3D.new()
-	instance.multimesh = Instances.make(Props.mesh("tree", ""), places)
-	instance.set_meta("scenery", PLANTS)
-	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	add_child(instance)
+		var is_round := random.randf() < 0.4
+		if is_kept:
+			var size := Vector3(0.5 * tall, tall, 0.5 * tall)
+			kinds[1 if is_round else 0].append(Transform3D(turned.scaled_local(size), place))
+	for kind in 2:
+		var places: Array[Transform3D] = []
+		places.assign(kinds[kind])
+		var instance := MultiMeshInstance3D.new()
+		instance.multimesh = Instances.make(TreeShape.distant(kind == 1), places)
+		instance.set_meta("scenery", PLANTS)
+		instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+		add_child(instance)
+
+
+## A place on a triangle of the hills, or on the flat ground before them.
+func _place_on_hill(random: RandomNumberGenerator) -> Vector3:
+	var ring := int(pow(random.randf(), 1.3) * (WOODED + 2)) - 2
+	var spoke := random.randi() % SPOKES
+	var u := random.randf()
+	var v := random.randf()
+	if ring < 0:
+		var out := _on_square(TAU * (spoke + u) / SPOKES) * (_extent - INSIDE * (1.0 - v * v))
+		return Vector3(out.x, -0.06, out.y)
+	if u + v > 1.0:
+		u = 1.0 - u
+		v = 1.0 - v
+	var cell := (
+		_cell(ring, spoke).slice(0, 3) if random.randf() < 0.5 else _cell(ring, spoke).slice(3)
+	)
+	var foot := _corners[cell[0]]
+	return foot + (_corners[cell[1]] - foot) * u + (_corners[cell[2]] - foot) * v
 
 
 ## The point of the unit square's rim in a direction: the flat ground is a square.

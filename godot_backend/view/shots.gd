@@ -55,9 +55,7 @@ func _picture(wish: Dictionary) -> void:
 	_camera.make_current()
 	_cameras.aim(_camera)
 	_camera.force_update_transform()
-	for follower: Node3D in get_tree().get_nodes_in_group("follows_camera"):
-		follower.global_position = _camera.global_position + Vector3.UP * 7.0
-		follower.force_update_transform()
+	_cameras.surround(_camera)
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
 	RenderingServer.directional_shadow_atlas_set_size(_shadow_pixels, true)
 	RenderingServer.force_draw(false)

@@ -51,8 +51,8 @@ def agent_spec(
     lines: Mapping[str, RoadSamples],
     frame: SceneOrigin,
 ) -> dict[str, Any]:
-    """The specification of an agent; `docs/godot.md` lists what it holds. `paths`: the engine's
-    numbers of the lines that agents follow."""
+    """The specification of an agent but for its look; `docs/godot.md` lists what it holds. `paths`:
+    the engine's numbers of the lines that agents follow."""
     heading = math.remainder(actor.heading, math.tau)
     spec: dict[str, Any] = {
         "name": actor.name,
@@ -68,9 +68,6 @@ def agent_spec(
     }
     if not is_walker(actor):
         spec["vehicle"] = asdict(vehicle_parameters(actor, BODIES.get(plain_name(actor.kind))))
-    color = actor.options.get("color")
-    if isinstance(color, str):
-        spec["color"] = color
     name = _path_name(actor)
     if actor.route is not None:
         spec |= {"path": paths[name], "start": 0.0, "offset": 0.0, "direction": 1}

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import Code
 
+from .agent_looks import look_of, object_color
 from .agent_specs import AgentPose, agent_spec, followed_lines, kept_start
 from .drives import undriven_agents
 from .faults import fault
@@ -85,10 +86,9 @@ def layout_of(
         raise fault(Code.NO_ROAD_TO_BUILD, scene=scene.name)
     placed = [(actor.x, actor.y) for actor in (*scene.agents, *scene.objects)]
     places = np.array(placed, dtype=float).reshape(-1, 2)
-    everything = np.vstack([*(lines[name].points for name in built), places])
-    frame, extent, grown = _ground(everything, earlier)
-    tiled = road == "tiles"
-    parts = network_tiles(scene, frame) if tiled else _meshes(scene, lines, built, frame)
+    points = np.vstack([*(lines[name].points for name in built), places])
+    frame, extent, grown = _ground(points, earlier)
+    parts = network_tiles(scene, frame) if road == "tiles" else _meshes(scene, lines, built, frame)
     followed = followed_lines(scene, lines)
     paths = {name: i + 1 for i, name in enumerate(followed)}
     for name, number in paths.items():
@@ -99,6 +99,7 @@ def layout_of(
     driven = [replace(one, drive=()) if one.name in silent else one for one in scene.agents]
     specs = {one.name: agent_spec(one, scene, paths, followed, frame) for one in driven}
     specs = _kept_starts(scene, specs, earlier, restarted, poses or {})
+    specs = {one.name: specs[one.name] | look_of(one, agents[one.name]) for one in scene.agents}
     parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
@@ -260,7 +261,6 @@ def _arms(
 
 
 def _placed(actor: SceneActor) -> Placed:
-    color = actor.options.get("color", "")
     return Placed(
         sort=plain_name(actor.kind),
         x=actor.x,
@@ -269,7 +269,7 @@ def _placed(actor: SceneActor) -> Placed:
         length=actor.length,
         width=actor.width,
         height=actor.height,
-        color=color if isinstance(color, str) else "",
+        color=object_color(actor),
         name=actor.name,
         alone=actor.name == actor.group,
     )

@@ -13,11 +13,11 @@ STRONG_RAIN = 10e-3 / 3600
 """Meters a second: 10 mm/h, which looks two thirds as dense as a cloudburst."""
 _SUN = ("azimuth", "elevation")
 _WEATHER: dict[str, dict[str, float]] = {
-    "clear": {"cloud": 0.0, "rain": 0.0, "visibility": 6000.0},
-    "cloudy": {"cloud": 0.8, "rain": 0.0, "visibility": 2500.0},
-    "overcast": {"cloud": 1.0, "rain": 0.0, "visibility": 1800.0},
-    "rain": {"cloud": 0.9, "rain": 0.6, "visibility": 600.0, "friction": 0.6},
-    "snow": {"cloud": 1.0, "rain": 0.0, "visibility": 400.0, "friction": 0.3},
+    "clear": {"cloud": 0.0, "rain": 0.0, "snow": 0.0, "visibility": 20000.0},
+    "cloudy": {"cloud": 0.8, "rain": 0.0, "visibility": 12000.0},
+    "overcast": {"cloud": 1.0, "rain": 0.0, "visibility": 8000.0},
+    "rain": {"cloud": 0.9, "rain": 0.6, "visibility": 900.0, "friction": 0.6},
+    "snow": {"cloud": 1.0, "rain": 0.0, "snow": 0.9, "visibility": 500.0, "friction": 0.3},
     "fog": {"cloud": 0.8, "rain": 0.0, "visibility": 120.0},
 }
 
