@@ -9,6 +9,7 @@ from roadlang.api import hookimpl
 _KINDS = {
     "emit gltf": "emit_gltf:GltfBackend",
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
+    "emit openscenario": "emit_openscenario:OpenScenarioBackend",
     "read opendrive": "read_opendrive:OpenDriveMap",
     "read geojson": "read_geojson:GeoJson",
     "read osm": "read_osm:OpenStreetMap",

@@ -4,5 +4,4 @@ PLANNED = (
     "emit sumo",
     "emit scenic",
     "emit usd",
-    "emit openscenario",
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from xml.sax.saxutils import escape
 
 import click
 
@@ -12,6 +13,8 @@ from roadlang.commands import Code, DiagnosticError, diagnose, echo
 from .opening import opened
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from roadlang.api import Backend
 
 KINDS = {
@@ -24,6 +27,7 @@ KINDS = {
     ".scenic": "scenic",
 }
 """The kind of `emit` for each file name extension."""
+_QUOTES = {'"': "&quot;"}
 
 
 @click.command("convert")
@@ -45,9 +49,10 @@ def command(source: str, target: str, kind: str | None) -> None:
         ending: content if isinstance(content, bytes) else content.encode()
         for ending, content in _backend(scene.registry, kind).files(scene.record).items()
     }
+    stem = _stem(path.name, list(files))
+    files = _renamed(files, scene.record.stem, stem)
     from roadlang.commands import write_all
 
-    stem = _stem(path.name, list(files))
     for written in write_all(path.parent, {f"{stem}.{end}": files[end] for end in sorted(files)}):
         echo(f"{written}: {len(written.read_bytes()):,} bytes")
 
@@ -68,6 +73,17 @@ def _stem(name: str, endings: list[str]) -> str:
         extensions = " or ".join(f".{ending}" for ending in endings)
         raise _unknown(name, f"this format is written with the extension {extensions}")
     return name[: -len(max(fitting, key=len)) - 1]
+
+
+def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, bytes]:
+    """Files that name each other, with the names that they get (in XML)."""
+    names = {f"{before}.{ending}": f"{escape(after, _QUOTES)}.{ending}" for ending in files}
+    renamed = {}
+    for ending, content in files.items():
+        for old, new in names.items() if len(files) > 1 else ():
+            content = content.replace(old.encode(), new.encode())
+        renamed[ending] = content
+    return renamed
 
 
 def _unknown(name: str, help: str) -> DiagnosticError:

@@ -1,0 +1,1 @@
+"""Scenes and drives as ASAM OpenSCENARIO XML."""
