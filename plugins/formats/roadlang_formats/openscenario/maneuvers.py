@@ -11,7 +11,7 @@ from . import actions
 from .controllers import TRANSLATED, DrivenAgent
 from .entities import rear_axle
 from .positions import Place, Roads
-from .triggers import Groups, NotExpressibleError, Triggers, at_time
+from .triggers import Groups, NotExpressibleError, SceneTriggers, at_time
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, Trace
@@ -44,7 +44,7 @@ def maneuvers_of(scene: Scene, roads: Roads, actor: SceneActor) -> Maneuvers:
     """What an agent does as far as OpenSCENARIO has it: entities hold their lane and their speed
     unless an action says otherwise."""
     agent = DrivenAgent(scene, roads, actor)
-    triggers = Triggers(scene)
+    triggers = SceneTriggers(scene)
     events: list[Event] = []
     unexpressed: list[str] = []
     for number, call in enumerate(actor.drive, 1):

@@ -26,7 +26,7 @@ _STEPS = 3
 
 
 @dataclass(frozen=True)
-class LanePlace:
+class PlaceOnLane:
     """A place on a lane of the OpenDRIVE file: ids, arc length, and offset to the left."""
 
     road: int
@@ -43,7 +43,7 @@ class Place:
     x: float
     y: float
     heading: float
-    lane: LanePlace | None = None
+    lane: PlaceOnLane | None = None
 
     def put(self, parent: Element, turned: bool = True) -> None:
         """A `Position`. Without `turned` the heading is left out."""
@@ -90,7 +90,7 @@ class Roads:
         offset = float(part.section.offset(lane, at))
         x, y = x - offset * math.sin(heading), y + offset * math.cos(heading)
         id = part.numbers.ids[lane]
-        return Place(x, y, heading, LanePlace(part.id, id, _arc_length(part, at), 0.0))
+        return Place(x, y, heading, PlaceOnLane(part.id, id, _arc_length(part, at), 0.0))
 
 
 def _within(part: OpenDriveRoad, station: float) -> float:
@@ -98,7 +98,7 @@ def _within(part: OpenDriveRoad, station: float) -> float:
     return min(max(station, float(part.stations[0])), float(part.stations[-1]))
 
 
-def _on_part(part: OpenDriveRoad, x: float, y: float) -> LanePlace | None:
+def _on_part(part: OpenDriveRoad, x: float, y: float) -> PlaceOnLane | None:
     point = np.array([[x, y]])
     at = float(part.nearest(point)[0])
     along = left = 0.0
@@ -115,7 +115,7 @@ def _on_part(part: OpenDriveRoad, x: float, y: float) -> LanePlace | None:
     if lane == 0:
         return None
     offset = left - float(part.section.offset(lane, at))
-    return LanePlace(part.id, part.numbers.ids[lane], _arc_length(part, at), offset)
+    return PlaceOnLane(part.id, part.numbers.ids[lane], _arc_length(part, at), offset)
 
 
 def _arc_length(part: OpenDriveRoad, station: float) -> float:

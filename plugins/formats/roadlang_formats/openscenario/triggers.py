@@ -93,7 +93,7 @@ def _collision_time(name: str, other: str, value: float, sign: str) -> Condition
 
 
 @dataclass(frozen=True)
-class Triggers:
+class SceneTriggers:
     """Makes triggers of the conditions of a scene."""
 
     scene: Scene
