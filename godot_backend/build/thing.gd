@@ -8,6 +8,11 @@ var id := 0
 var revision := 0
 
 
+## What it is called where a human reads it.
+func kind_name() -> String:
+	return (get_script() as Script).resource_path.get_file().get_basename().capitalize()
+
+
 ## Builds from the message's body; returns "" or what is wrong with it.
 func build(_reader: Reader) -> String:
 	return "cannot be built"

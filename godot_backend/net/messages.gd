@@ -15,6 +15,7 @@ const Thing := preload("../build/thing.gd")
 const Simulation := preload("../agents/simulation.gd")
 const Agent := preload("../agents/agent.gd")
 const View := preload("../view/view.gd")
+const Exporter := preload("../export/exporter.gd")
 
 const RECORD_BYTES := 25
 const RECORDS_A_REPORT := 40
@@ -24,6 +25,7 @@ const PROBE_FROM := 200.0
 var _worlds: Worlds
 var _simulation: Simulation
 var _view: View
+var _exporter: Exporter
 var _server: Server
 
 
@@ -31,6 +33,7 @@ func _init(worlds: Worlds, simulation: Simulation, view: View, server: Server) -
 	_worlds = worlds
 	_simulation = simulation
 	_view = view
+	_exporter = Exporter.new(worlds, server)
 	_server = server
 
 
@@ -72,6 +75,9 @@ func handle(type: int, payload: PackedByteArray) -> String:
 		Protocol.VIEW, Protocol.SHOT, Protocol.NOTE, Protocol.LOOK:
 			var wish := reader.json()
 			return "bad view" if reader.failed else _view.take(type, wish)
+		Protocol.EXPORT:
+			var wish := reader.json()
+			return "bad export" if reader.failed else _exporter.take(wish)
 	return "a message that this engine does not know"
 
 

@@ -63,6 +63,10 @@ const NOTE := 0x44
 const LOOK := 0x45
 const FRAMES := 0x46
 
+## Files.
+const EXPORT := 0x48
+const EXPORTED := 0x49
+
 
 static func is_thing(type: int) -> bool:
 	return type >= SEGMENT and type <= LABELS and type != REMOVE

@@ -14,6 +14,7 @@ const SESSION_TIMEOUT_USEC := 60000000
 ## A client this long unheard gives way to another.
 const YIELD_USEC := 6000000
 const ACK_EVERY := 8
+const PART_BYTES := 7000
 const MAX_COMPLAINTS := 20
 
 ## Called with (type, payload); returns "" or what is wrong with the message.
@@ -54,6 +55,19 @@ func send(type: int, payload: PackedByteArray) -> void:
 
 func send_json(type: int, value: Dictionary) -> void:
 	send(type, JSON.stringify(value).to_ascii_buffer())
+
+
+## Sends bytes of any length in parts: u32 id, u16 part, u16 parts before the bytes of each.
+func send_parts(type: int, id: int, bytes: PackedByteArray) -> void:
+	var parts := ceili(float(bytes.size()) / PART_BYTES)
+	for part in parts:
+		var out := PackedByteArray()
+		out.resize(8)
+		out.encode_u32(0, id)
+		out.encode_u16(4, part)
+		out.encode_u16(6, parts)
+		out.append_array(bytes.slice(part * PART_BYTES, (part + 1) * PART_BYTES))
+		send(type, out)
 
 
 ## Sends a message that may be lost.

@@ -39,5 +39,5 @@ class Eyes:
         if not wanted:
             return ()
         wish = {"cameras": [self.cameras.index(camera) + 1 for camera in wanted]}
-        answer = session.drawn(Message.LOOK, wish, Message.FRAMES)
+        answer = session.fetch(Message.LOOK, wish, Message.FRAMES)
         return frames_of(answer, self.cameras, self._origin, time)

@@ -57,7 +57,7 @@ def render_picture(
         layout = build(session, scene, shot.road, decided)
         if moment > 0 and layout.agents:
             with LockStep(session) as lock:
-                _drive(lock, followed(scene, layout, decided), moment)
+                drive_for(lock, followed(scene, layout, decided), moment)
                 return take(session, layout, shot)
         return take(session, layout, shot)
 
@@ -85,12 +85,12 @@ def render_clip(
         layout = build(session, scene, shot.road, decided)
         with LockStep(session) as lock:
             driver = followed(scene, layout, decided)
-            _drive(lock, driver, start)
+            drive_for(lock, driver, start)
             while frames < round(duration * RATE / every):
                 picture = np.frombuffer(take(session, layout, shot), dtype=np.uint8)
                 out.write(cv2.imdecode(picture, cv2.IMREAD_COLOR))
                 frames += 1
-                _drive(lock, driver, every / RATE)
+                drive_for(lock, driver, every / RATE)
     out.release()
     return frames
 
@@ -100,7 +100,7 @@ def followed(scene: Scene, layout: Layout, decided: Controllers) -> FollowedScen
     return FollowedScene(scene, layout, EVERY / RATE, RATE, decided)
 
 
-def _drive(lock: LockStep, driver: FollowedScene, seconds: float) -> None:
+def drive_for(lock: LockStep, driver: FollowedScene, seconds: float) -> None:
     """Go on for some time; decisions hold for `EVERY` ticks."""
     last = lock.tick + round(seconds * RATE)
     while lock.tick < last:
@@ -126,7 +126,7 @@ def take(session: Session, layout: Layout, shot: Shot) -> bytes:
     session.send_json(Message.VIEW, view_of(layout, shot), "the view")
     session.flush()
     wish = {"width": shot.width, "height": shot.height, "format": shot.format}
-    return session.drawn(Message.SHOT, wish, Message.PICTURE)
+    return session.fetch(Message.SHOT, wish, Message.PICTURE)
 
 
 def meters_a_pixel(layout: Layout, shot: Shot) -> float:

@@ -66,6 +66,8 @@ class Message(IntEnum):
     NOTE = 0x44
     LOOK = 0x45
     FRAMES = 0x46
+    EXPORT = 0x48
+    EXPORTED = 0x49
 
 
 @dataclass(frozen=True, slots=True)

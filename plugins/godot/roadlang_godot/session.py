@@ -152,12 +152,12 @@ class Session:
             if answered == request:
                 return float(height) if hit else None
 
-    def drawn(self, type: Message, wish: Mapping[str, Any], answer: Message) -> bytes:
-        """An answer to a wish for pictures. Raises `EngineError` RL508 if there is no screen."""
-        if not self.welcome.get("pictures"):
+    def fetch(self, type: Message, wish: Mapping[str, Any], answer: Message) -> bytes:
+        """The bytes that answer a wish. Raises `EngineError` RL508 for pictures with no screen."""
+        if type != Message.EXPORT and not self.welcome.get("pictures"):
             raise fault(Code.RENDERING_UNAVAILABLE)
         request = self._next_request()
-        self.send_json(type, {**wish, "id": request}, "a picture")
+        self.send_json(type, {**wish, "id": request}, f"the message {type.name}")
         return self._parts(answer, request)
 
     # -- messages -------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""`roadlang render FILE -o PICTURE`: a scene as a picture or a clip, drawn by Godot."""
+"""`roadlang render FILE -o OUTPUT`: a scene as a picture, a clip or a 3D file, by Godot."""
 
 from __future__ import annotations
 
@@ -10,12 +10,17 @@ from roadlang.commands import Code, DiagnosticError, diagnose, echo, report
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
+EXPORTS = {".tscn": "tscn", ".glb": "glb"}
 
 
 @click.command("render")
 @click.argument("file")
 @click.option(
-    "-o", "--output", required=True, metavar="FILE", help="Output file: `.png`, `.jpg` or `.avi`."
+    "-o",
+    "--output",
+    required=True,
+    metavar="FILE",
+    help="Output file: `.png`, `.jpg`, `.avi`, `.glb` (glTF) or `.tscn` (Godot).",
 )
 @click.option(
     "--view",
@@ -65,41 +70,43 @@ def command(  # noqa: PLR0913 - one parameter per option
     seed: int,
     settings: tuple[str, ...],
 ) -> None:
-    """Render an image or a clip of a scene of FILE.
+    """Render a scene of FILE as an image, a clip, or a 3D file.
 
     A chase view follows an agent, the top view shows the whole scene from above with north up,
-    the free view looks from anywhere. Without a screen a virtual one is used.
+    the free view looks from anywhere. Without a screen a virtual one is used. A 3D file holds the
+    scene as Godot shows it, and opens without roadlang.
     """
     from roadlang import load
     from roadlang.commands import parse_overrides, python_controllers, write_file
+    from roadlang_godot.exported_scenes import export_scene
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
-    path = Path(output).absolute()
-    suffix = _suffix(path)
+    path, suffix = Path(output).absolute(), _suffix(output)
     loaded = load(file).with_params(parse_overrides(settings))
-    scenes = loaded.sample(index + 1, seed=seed)
-    report(scenes.diagnostics)
+    report((scenes := loaded.sample(index + 1, seed=seed)).diagnostics)
     scene = scenes[-1].record
-    width, height = _size(size)
+    controllers = python_controllers(scene, loaded.registry)
+    if suffix in EXPORTS:
+        write_file(path, export_scene(scene, EXPORTS[suffix], road, time or 0.0, controllers))
+        return
     pose = _numbers(camera) if camera else None
     view = view or ("chase" if scene.agents else "top")
-    shot = Shot(view, width, height, scale, agent, pose, PICTURES.get(suffix, "jpg"), road)
-    moment = time if time is not None else (0.0 if view == "top" else 4.0)
-    controllers = python_controllers(scene, loaded.registry)
+    shot = Shot(view, *_size(size), scale, agent, pose, PICTURES.get(suffix, "jpg"), road)
     if suffix in CLIPS:
         frames = render_clip(scene, shot, path, duration, fps, time or 0.0, controllers)
         echo(f"{output}: {frames} frames")
         return
+    moment = (0.0 if view == "top" else 4.0) if time is None else time
     write_file(path, render_picture(scene, shot, moment, controllers))
-    echo(f"{output}: {width} x {height}")
+    echo(f"{output}: {shot.width} x {shot.height}")
 
 
-def _suffix(path: Path) -> str:
-    suffix = path.suffix.lower()
-    if suffix not in PICTURES and suffix not in CLIPS:
-        help = "end its name in .png, .jpg or .avi"
+def _suffix(output: str) -> str:
+    suffix = Path(output).suffix.lower()
+    if suffix not in PICTURES and suffix not in CLIPS and suffix not in EXPORTS:
+        help = "end its name in .png, .jpg, .avi, .glb or .tscn"
         raise DiagnosticError(
-            diagnose(Code.UNKNOWN_CHOICE, what="picture format", name=suffix, help=help)
+            diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
         )
     return suffix
 

@@ -1,0 +1,61 @@
+"""Scenes as files that open without roadlang: scenes of Godot, and glTF with Godot's looks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from . import engine
+from .drives import decided_in_python
+from .driving import LockStep
+from .pictures import RATE, build, drive_for, followed
+from .protocol import Message
+
+_UNIQUE_ID = re.compile(rb" unique_id=\d+(?=[ \]])")
+_RESOURCE = re.compile(rb'(\[sub_resource type="(\w+)" id="|SubResource\(")(\w+)"')
+
+if TYPE_CHECKING:
+    from roadlang.api import Controller, Scene
+
+    from .session import Session
+
+
+def export_scene(
+    scene: Scene,
+    format: str,
+    road: str = "mesh",
+    moment: float = 0.0,
+    controllers: Mapping[str, Controller] | None = None,
+) -> bytes:
+    """The bytes of a file of a scene as it is after `moment` seconds of driving.
+
+    `format`: `tscn` or `glb`; `road`: `mesh` or `tiles`. Raises `EngineError`.
+    """
+    decided = decided_in_python(scene, controllers or {})
+    with engine.start(fixed_fps=RATE) as running, running.connect(scene.name) as session:
+        layout = build(session, scene, road, decided)
+        if moment > 0 and layout.agents:
+            with LockStep(session) as lock:
+                drive_for(lock, followed(scene, layout, decided), moment)
+                return exported(session, format)
+        return exported(session, format)
+
+
+def exported(session: Session, format: str) -> bytes:
+    """The bytes of a file of what is built now. Raises `EngineError` RL507."""
+    content = session.fetch(Message.EXPORT, {"format": format}, Message.EXPORTED)
+    return _with_numbered_ids(content) if format == "tscn" else content
+
+
+def _with_numbered_ids(content: bytes) -> bytes:
+    """A text scene of Godot with ids by their order: Godot draws them at random for each file."""
+    numbers: dict[bytes, bytes] = {}
+
+    def renamed(match: re.Match[bytes]) -> bytes:
+        before, kind, old = match.groups()
+        if kind is not None:
+            numbers[old] = b"%s_%d" % (kind, len(numbers) + 1)
+        return b'%s%s"' % (before, numbers.get(old, old))
+
+    return _RESOURCE.sub(renamed, _UNIQUE_ID.sub(b"", content))
