@@ -122,7 +122,9 @@ if TYPE_CHECKING:
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.control import Control, ControlBatch, Observation, ObservationBatch
+    from .ir.dataset import Dataset, DatasetFrame
     from .ir.encoding import scene_from_json, to_json
+    from .ir.frame_labels import CameraGeometry, FrameLabels, LabeledThing
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.placed_batch import PlacedBatch
     from .ir.road_bounds import RoadBounds
@@ -175,7 +177,9 @@ _LATER = {
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.placed_batch": "PlacedBatch",
     ".ir.control": "Control ControlBatch Observation ObservationBatch",
+    ".ir.dataset": "Dataset DatasetFrame",
     ".ir.encoding": "scene_from_json to_json",
+    ".ir.frame_labels": "CameraGeometry FrameLabels LabeledThing",
     ".ir.picture": "Extraction FoundObject Picture",
     ".ir.road_bounds": "RoadBounds",
     ".ir.scenario_contents": "ScenarioContents",

@@ -16,6 +16,7 @@ from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
     from .drive.controllers import python_controllers
+    from .files.staging import staged_set
     from .files.writing import replace_file, write_all, write_file
     from .handles.handle import Handle
     from .handles.handles import dragged, handles_of, inserted, removed
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from .syntax.moved_places import moved_places_of
 
 _LATER = {
+    ".files.staging": "staged_set",
     ".files.writing": "replace_file write_all write_file",
     ".drive.controllers": "python_controllers",
     ".ir.edited_starts": "edited_starts",
@@ -62,6 +64,7 @@ __all__ = [
     "removed",
     "replace_file",
     "report",
+    "staged_set",
     "style",
     "write_all",
     "write_file",

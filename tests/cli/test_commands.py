@@ -93,7 +93,9 @@ def test_plugins_lists_kinds_and_shows_options(tmp_path: Path) -> None:
     assert "wavelength: length (m); required; > 0m" in shown
 
 
-@pytest.mark.parametrize("name", ["scene", "manifest", "trace", "scenario", "sine"])
+@pytest.mark.parametrize(
+    "name", ["scene", "manifest", "trace", "scenario", "labels", "dataset", "sine"]
+)
 def test_schemas_are_json_schemas(name: str, tmp_path: Path) -> None:
     import jsonschema
 

@@ -13,16 +13,22 @@ from ..diagnostics import Code
 
 @click.command("schema")
 @click.argument(
-    "words", nargs=-1, required=True, metavar="scene|manifest|trace|scenario|[VERB] KIND"
+    "words",
+    nargs=-1,
+    required=True,
+    metavar="scene|manifest|trace|scenario|labels|dataset|[VERB] KIND",
 )
 def command(words: tuple[str, ...]) -> None:
     """Print a JSON Schema.
 
     `scene` is the format of `emit json`, `manifest` that of manifest.json, `trace` that of the
-    traces of `roadlang run`, and `scenario` that of `check --scenario`. The name of a kind gives
-    the schema of its options in SI units.
+    traces of `roadlang run`, and `scenario` that of `check --scenario`. `labels` and `dataset` are
+    those of `render --dataset`. The name of a kind gives the schema of its options in SI units.
     """
-    schemas = {"scene": _scene, "manifest": _manifest, "trace": _trace, "scenario": _scenario}
+    schemas = {
+        "scene": _scene, "manifest": _manifest, "trace": _trace, "scenario": _scenario,
+        "labels": _labels, "dataset": _dataset,
+    }  # fmt: skip
     named = schemas.get(words[0]) if len(words) == 1 else None
     found = named() if named is not None else _kind(words, schemas)
     click.echo(json.dumps(found, indent=2))
@@ -53,6 +59,20 @@ def _scenario() -> dict[str, Any]:
     from ..ir.scenario_json import scenario_schema
 
     return scenario_schema()
+
+
+def _labels() -> dict[str, Any]:
+    from ..ir.frame_labels import FrameLabels
+    from ..ir.schema import schema_of_dataclass
+
+    return schema_of_dataclass(FrameLabels)
+
+
+def _dataset() -> dict[str, Any]:
+    from ..ir.dataset import Dataset
+    from ..ir.schema import schema_of_dataclass
+
+    return schema_of_dataclass(Dataset)
 
 
 def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
