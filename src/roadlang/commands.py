@@ -15,6 +15,7 @@ from .cli.console import echo, note, report, style
 from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
+    from .cli.progress import ProgressBar
     from .drive.controllers import python_controllers
     from .files.staging import staged_set
     from .files.writing import replace_file, write_all, write_file
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 _LATER = {
     ".files.staging": "staged_set",
     ".files.writing": "replace_file write_all write_file",
+    ".cli.progress": "ProgressBar",
     ".drive.controllers": "python_controllers",
     ".ir.edited_starts": "edited_starts",
     ".judging.running_drives": "judge_so_far",
@@ -47,6 +49,7 @@ __all__ = [
     "Diagnostic",
     "DiagnosticError",
     "Handle",
+    "ProgressBar",
     "diagnose",
     "dragged",
     "echo",

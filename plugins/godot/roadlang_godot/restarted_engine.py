@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from roadlang.api import Code
 
@@ -12,7 +12,9 @@ from .faults import EngineError, fault
 from .session import Session
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, Trace
+    from roadlang.api import Scene
+
+T = TypeVar("T")
 
 MOST_LOSSES = 3
 """Number of engines that crash or stop answering in one scene before the scene counts as the
@@ -33,7 +35,7 @@ class RestartedEngine:
         self._engine: engine.Engine | None = None
         self._session: Session | None = None
 
-    def drive(self, scene: Scene, work: Callable[[Session], Trace]) -> Trace:
+    def drive(self, scene: Scene, work: Callable[[Session], T]) -> T:
         """What `work` makes of a scene; done again from its start where the engine is lost.
 
         Only engines that were lost at work count against the scene. Raises RL505 that names it

@@ -108,7 +108,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     else:
         drive = driving.run(session, settings.ticks, every=settings.every, stop_at_end=True)
         _record(drive, followed, len(layout.agents))
-    return followed.trace(_name(session))
+    return followed.trace(name_of(session))
 
 
 def drive_batch(session: Session, scenes: Sequence[Scene], settings: Settings) -> list[Trace]:
@@ -123,7 +123,7 @@ def drive_batch(session: Session, scenes: Sequence[Scene], settings: Settings) -
     for world, (layout, scene) in enumerate(zip(layouts, scenes, strict=True)):
         followed = FollowedScene(scene, layout, settings.every / settings.rate, settings.rate)
         _record(drive, followed, len(layout.agents), world)
-        traces.append(followed.trace(_name(session)))
+        traces.append(followed.trace(name_of(session)))
     return traces
 
 
@@ -152,9 +152,18 @@ def _record(
             break
 
 
-def _name(session: Session) -> str:
+def name_of(session: Session) -> str:
+    """The engine and its physics, as in traces."""
     welcome: Mapping[str, Any] = session.welcome
     return f"Godot {welcome.get('godot')} with {welcome.get('physics')}"
 
 
-__all__ = ["Controllers", "Settings", "drive_batch", "drive_in", "drive_scenes", "of_agent"]
+__all__ = [
+    "Controllers",
+    "Settings",
+    "drive_batch",
+    "drive_in",
+    "drive_scenes",
+    "name_of",
+    "of_agent",
+]

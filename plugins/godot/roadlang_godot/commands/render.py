@@ -1,12 +1,17 @@
-"""`roadlang render FILE -o OUTPUT`: a scene as a picture, a clip or a 3D file, by Godot."""
+"""`roadlang render FILE`: a scene as a picture, a clip, a 3D file or labeled pictures, by Godot."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from roadlang.commands import Code, DiagnosticError, diagnose, echo, report
+
+if TYPE_CHECKING:
+    from roadlang import LoadedScenario
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
@@ -18,9 +23,35 @@ EXPORTS = {".tscn": "tscn", ".glb": "glb"}
 @click.option(
     "-o",
     "--output",
-    required=True,
     metavar="FILE",
     help="Output file: `.png`, `.jpg`, `.avi`, `.glb` (glTF) or `.tscn` (Godot).",
+)
+@click.option(
+    "--dataset",
+    metavar="DIR",
+    help="Output folder of labeled pictures, taken by the cameras of the scene during its drive.",
+)
+@click.option(
+    "-n",
+    "count",
+    type=click.IntRange(1, 1_000_000),
+    default=50,
+    show_default=True,
+    help="Number of moments in the dataset.",
+)
+@click.option(
+    "--every",
+    type=click.FloatRange(min=0.01),
+    default=0.5,
+    show_default=True,
+    help="Seconds between two moments.",
+)
+@click.option(
+    "--scenes",
+    type=click.IntRange(1, 1_000_000),
+    default=1,
+    show_default=True,
+    help="Number of scenes among which the moments are divided.",
 )
 @click.option(
     "--view",
@@ -28,7 +59,9 @@ EXPORTS = {".tscn": "tscn", ".glb": "glb"}
     help="Camera; by default `chase`, or `top` if there is no agent.",
 )
 @click.option(
-    "--size", default="1280x720", show_default=True, metavar="WxH", help="Image size in pixels."
+    "--size",
+    metavar="WxH",
+    help="Image size in pixels; by default 1280x720, or 640x360 in a dataset.",
 )
 @click.option("--scale", type=float, help="Meters per pixel of the top view.")
 @click.option("--at", "time", type=float, help="Time in the drive at which to render, in seconds.")
@@ -54,46 +87,71 @@ EXPORTS = {".tscn": "tscn", ".glb": "glb"}
 @click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
-def command(  # noqa: PLR0913 - one parameter per option
+def command(
     file: str,
-    output: str,
-    view: str | None,
-    size: str,
-    scale: float | None,
-    time: float | None,
-    duration: float,
-    fps: int,
-    agent: str | None,
-    camera: str | None,
-    road: str,
-    index: int,
-    seed: int,
+    output: str | None,
+    dataset: str | None,
     settings: tuple[str, ...],
+    **options: Any,
 ) -> None:
-    """Render a scene of FILE as an image, a clip, or a 3D file.
+    """Render a scene of FILE as an image, a clip, a 3D file, or a set of labeled images.
 
     A chase view follows an agent, the top view shows the whole scene from above with north up,
     the free view looks from anywhere. Without a screen a virtual one is used. A 3D file holds the
     scene as Godot shows it, and opens without roadlang.
+
+    With --dataset, the cameras of the scene (`sense with camera`), or a front camera of `ego` if
+    there is none, take pictures during the drive: color, depth, classes and instances, each with
+    boxes of all agents and objects. Scenes whose drives end early are followed by more.
     """
     from roadlang import load
-    from roadlang.commands import parse_overrides, python_controllers, write_file
+    from roadlang.commands import parse_overrides
+
+    if output is not None and dataset is None:
+        _suffix(output)
+    elif output is not None or dataset is None:
+        raise click.UsageError("give either an output file with `-o`, or a folder with `--dataset`")
+    loaded = load(file).with_params(parse_overrides(settings))
+    if output is not None:
+        _render_file(loaded, output, options)
+    elif dataset is not None:
+        _render_dataset(loaded, dataset, options)
+
+
+def _render_dataset(loaded: LoadedScenario, folder: str, options: Mapping[str, Any]) -> None:
+    from roadlang_godot.commands.render_dataset import write_labeled
+    from roadlang_godot.labeled_frames import Sampling
+
+    size = _size(options["size"] or "640x360")
+    sampling = Sampling(options["time"] or 0.0, options["every"], size, options["road"])
+    moments, pictures = write_labeled(
+        loaded, Path(folder).absolute(), sampling, options["count"], options["scenes"],
+        options["seed"],
+    )  # fmt: skip
+    echo(f"{folder}: {moments} moments, {pictures} labeled pictures")
+
+
+def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]) -> None:
+    from roadlang.commands import python_controllers, write_file
     from roadlang_godot.exported_scenes import export_scene
     from roadlang_godot.pictures import Shot, render_clip, render_picture
 
     path, suffix = Path(output).absolute(), _suffix(output)
-    loaded = load(file).with_params(parse_overrides(settings))
-    report((scenes := loaded.sample(index + 1, seed=seed)).diagnostics)
-    scene = scenes[-1].record
+    scenes = loaded.sample(options["index"] + 1, seed=options["seed"])
+    report(scenes.diagnostics)
+    scene, road, time = scenes[-1].record, options["road"], options["time"]
     controllers = python_controllers(scene, loaded.registry)
     if suffix in EXPORTS:
         write_file(path, export_scene(scene, EXPORTS[suffix], road, time or 0.0, controllers))
         return
-    pose = _numbers(camera) if camera else None
-    view = view or ("chase" if scene.agents else "top")
-    shot = Shot(view, *_size(size), scale, agent, pose, PICTURES.get(suffix, "jpg"), road)
+    pose = _numbers(options["camera"]) if options["camera"] else None
+    view = options["view"] or ("chase" if scene.agents else "top")
+    shot = Shot(view, *_size(options["size"] or "1280x720"), options["scale"], options["agent"],
+                pose, PICTURES.get(suffix, "jpg"), road)  # fmt: skip
     if suffix in CLIPS:
-        frames = render_clip(scene, shot, path, duration, fps, time or 0.0, controllers)
+        frames = render_clip(
+            scene, shot, path, options["duration"], options["fps"], time or 0.0, controllers
+        )
         echo(f"{output}: {frames} frames")
         return
     moment = (0.0 if view == "top" else 4.0) if time is None else time
