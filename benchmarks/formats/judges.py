@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import subprocess
 from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
-
-from roadlang.ir.scene import Scene
 
 _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
 <Config><Param name="InputFile" value="{file}"/><CheckerBundle application="xodrBundle">
@@ -16,6 +15,12 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
 _SHARE = 0.005
 """By which a road of netconvert may differ in length."""
 _WALKED = {"sidewalk"}
+_OPTIONS = (
+    # The roads of a file end where the corners of its junctions begin: no more is to be cut off.
+    "--junctions.endpoint-shape",
+    *("--opendrive.curve-resolution", "0.5", "--precision", "6"),
+    "--output.original-names",
+)
 
 
 def checked(program: str, file: Path) -> tuple[int, Counter[str]]:
@@ -32,36 +37,52 @@ def checked(program: str, file: Path) -> tuple[int, Counter[str]]:
     return completed, Counter(str(issue.get("ruleUID")) for issue in root.iter("Issue"))
 
 
-def converted(program: str, file: Path, scene: Scene) -> list[str]:
-    """What netconvert misses of a scene: roads, turns, lengths; also its warnings."""
+def converted(program: str, file: Path) -> list[str]:
+    """What netconvert misses of a file: roads, turns, lengths; also that it fails."""
     net = file.with_suffix(".net.xml")
-    command = [program, "--opendrive-files", str(file), "-o", str(net)]
-    # The roads of a file end where the corners of its junctions begin: no more is to be cut off.
-    command += ["--default.junctions.radius", "0"]
-    command += ["--opendrive.curve-resolution", "0.5", "--precision", "6"]
+    command = [program, "--opendrive-files", str(file), "-o", str(net), *_OPTIONS]
     # 4 GB: a file that it cannot take has eaten all memory before now.
     done = subprocess.run(
         ["sh", "-c", 'ulimit -v 4000000; exec "$@"', "sh", *command], capture_output=True, text=True
     )
     if done.returncode:
         return [f"netconvert failed: {done.stderr.strip()[-200:]}"]
-    faults = [
-        line
-        for line in done.stderr.splitlines()
-        if line.startswith("Warning") and "SUMO_HOME" not in line and "turning radius" not in line
-    ]
-    root = ElementTree.parse(net).getroot()
+    root, read = ElementTree.parse(net).getroot(), ElementTree.parse(file).getroot()
     edges = {edge.get("id"): edge for edge in root.iter("edge") if edge.get("function") is None}
-    turns = sum(not str(link.get("from")).startswith(":") for link in root.iter("connection"))
-    wanted = sum(
-        len(junction.connections)
-        for network in scene.networks
-        for junction in network.junctions
-        if {arm.road for arm in junction.arms} <= {r.name for r in scene.roads if r.derived}
-    )
-    if turns < wanted:
-        faults.append(f"{turns} turns instead of {wanted}")
-    return faults + _lengths(ElementTree.parse(file).getroot(), edges)
+    return [*_turns(read, root), *_lengths(read, edges)]
+
+
+def _turns(file: ElementTree.Element, net: ElementTree.Element) -> list[str]:
+    """Connecting roads without a connection of the lanes that they link.
+
+    Of several lanes of a road that lead into one lane netconvert keeps one at least, but not all.
+    """
+    names: dict[str, list[str]] = {}
+    for lane in net.iter("lane"):
+        for param in lane.iterfind("param[@key='origId']"):
+            for name in str(param.get("value")).split():
+                names.setdefault(name, []).append(str(lane.get("id")))
+    found = {
+        (f"{link.get('from')}_{link.get('fromLane')}", f"{link.get('to')}_{link.get('toLane')}")
+        for link in net.iter("connection")
+    }
+    turns: dict[tuple[str, str], list[bool]] = {}
+    for road in file.iterfind("road"):
+        if road.get("junction") == "-1":
+            continue
+        ends = [
+            f"{road.find(f'link/{tag}').attrib['elementId']}"  # type: ignore[union-attr]
+            f"_{road.find(f'.//lane/link/{tag}').attrib['id']}"  # type: ignore[union-attr]
+            for tag in ("predecessor", "successor")
+        ]
+        pairs = itertools.product(*(names.get(end, []) for end in ends))
+        key = ends[0].partition("_")[0], ends[1]
+        turns.setdefault(key, []).append(any(pair in found for pair in pairs))
+    return [
+        f"no turn from road {source} to lane {target}"
+        for (source, target), lanes in turns.items()
+        if not any(lanes)
+    ]
 
 
 def _lengths(file: ElementTree.Element, edges: dict[str | None, ElementTree.Element]) -> list[str]:

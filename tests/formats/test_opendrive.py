@@ -13,6 +13,7 @@ import shapely
 from shapely import LineString, MultiLineString
 
 import roadlang
+from benchmarks.formats.corpus import random_scene
 from roadlang import testing
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_opendrive import OpenDriveBackend
@@ -276,3 +277,46 @@ def test_examples_keep_their_lanes_and_turns(name: str) -> None:
     assert read(scene).root.attrib == file.root.attrib
     lines = read_middles(file)
     assert max(farthest(points, lines) for points in middles_of(scene)) < CLOSE
+
+
+def test_a_single_lane_for_both_directions_is_two_roads_on_the_same_ground() -> None:
+    """No simulator drives one lane both ways."""
+    _, file = exported(ROADS["bend"].replace("] } }", "] }, lanes: 1, sidewalks: 2m }"))
+    there, back = file.roads.values()
+    assert [road.lane_ids() for road in (there, back)] == [[1, 0, -1, -2], [0, -1]]
+    assert there.lane(-1).attrib["type"] == back.lane(-1).attrib["type"] == "driving"
+    for share in (0.0, 0.3, 1.0):
+        one = there.middle(-1, share * there.length)
+        assert one == pytest.approx(back.middle(-1, (1.0 - share) * back.length), abs=CLOSE)
+
+
+def test_a_road_from_a_junction_to_itself_is_two() -> None:
+    """CARLA does not tell the ends of a road apart that are at one junction."""
+    scene = random_scene("loop", 1, 0)
+    file = read(scene)
+    loops = [
+        arm.road
+        for junction in scene.networks[0].junctions
+        for arm in junction.arms
+        if sum(other.road == arm.road for other in junction.arms) == 2
+    ]
+    for junction in file.root.iterfind("junction"):
+        ends = [
+            (road.element.attrib["id"], tag)
+            for road in file.roads.values()
+            for tag in ("predecessor", "successor")
+            for link in road.element.iterfind(f"link/{tag}")
+            if link.attrib["elementId"] == junction.attrib["id"]
+        ]
+        assert len({id for id, _ in ends}) == len(ends)
+    assert len(loops) == 2
+
+
+def test_an_arc_that_hardly_bends_is_a_cubic() -> None:
+    """CARLA finds the points of an arc from its center, in single precision."""
+    _, file = exported(
+        "road main { draw with segments { pieces: [straight(20m), clothoid(40m, 0.00002/m), "
+        "arc(500m, 0.4deg)] } }"
+    )
+    shapes = [piece[0] for road in file.roads.values() for piece in road.pieces()]
+    assert all(abs(number(arc, "curvature")) > 1e-5 for arc in shapes if arc.tag == "arc")

@@ -378,3 +378,19 @@ def test_a_lane_shorter_than_the_stations_are_apart_is_no_fault(tmp_path: Path) 
     scene = sampled(tmp_path, xodr(straight(1, 0, 0, lanes=lanes)))
     widths = {found.id: np.max(found.width) for found in scene.roads[0].lane_list}
     assert widths == pytest.approx({1: 3.5, -1: 3.5, -2: 0.0}, abs=1e-5)
+
+
+def test_roads_on_the_same_ground_become_one_for_both_directions_again(read: Read) -> None:
+    """`emit opendrive` writes a single lane for both directions as two roads."""
+    scene = testing.sample('''image plan from """
+...#...
+#######
+...#...
+""" { scale: 30m/px }
+network town from plan { lanes: 1 }''')[0].record
+    network = read(OpenDriveBackend().files(scene)["xodr"])
+    assert len(network.edges) == sum(road.derived for road in scene.roads) == 4
+    assert {lane.direction for edge in network.edges for lane in lanes_of(edge).lanes} == {"both"}
+    (junction,) = network.junctions or ()
+    assert len(junction.turns) == len(scene.networks[0].junctions[0].connections)
+    assert len(junction.arms) == 4

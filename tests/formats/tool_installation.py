@@ -129,9 +129,9 @@ def main() -> None:
     """Install all tools; say which ones are not available."""
     for name in tool_names():
         try:
-            print(f"{name}: {installed_tool(name)}", flush=True)  # noqa: T201
+            print(f"{name}: {installed_tool(name)}", flush=True)
         except ToolUnavailableError as error:
-            print(f"{name}: {error}", flush=True)  # noqa: T201
+            print(f"{name}: {error}", flush=True)
 
 
 if __name__ == "__main__":

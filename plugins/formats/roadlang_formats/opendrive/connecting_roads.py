@@ -11,7 +11,7 @@ import numpy as np
 from roadlang.geometry import poses_along
 
 from .elements import put
-from .pieces import ReferencePiece
+from .pieces import FLATTEST_ARC, ReferencePiece, cubic
 from .reference import put_elevation, put_plan_view
 
 if TYPE_CHECKING:
@@ -57,17 +57,21 @@ class ConnectingRoad:
 
 
 def pieces_of(connection: SceneConnection) -> tuple[ReferencePiece, ...]:
-    """Its lines and arcs; an arc that does not turn is a line, for readers divide by curvatures."""
+    """Its lines and arcs. An arc that does not turn is a line, because readers divide by
+    curvatures; one that hardly turns is a cubic."""
     found: list[ReferencePiece] = []
     s, pose = 0.0, np.array(connection.start)
     for length, curvature in _merged(connection):
         x, y, heading = pose.tolist()
+        after = poses_along(pose, (curvature, curvature), np.array([0.0, length]))[-1]
         if curvature == 0.0:
             found.append(ReferencePiece(s, x, y, heading, length, "line"))
+        elif abs(curvature) < FLATTEST_ARC:
+            numbers = cubic(pose, after, length)
+            found.append(ReferencePiece(s, x, y, heading, length, "paramPoly3", numbers))
         else:
             found.append(ReferencePiece(s, x, y, heading, length, "arc", (curvature,)))
-        ends = (curvature, curvature)
-        pose = poses_along(pose, ends, np.array([0.0, length]))[-1]
+        pose = after
         s += length
     return tuple(found)
 

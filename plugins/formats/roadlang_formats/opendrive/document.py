@@ -7,6 +7,8 @@ from xml.etree.ElementTree import Element, indent, tostring
 
 import numpy as np
 
+from roadlang_formats.opendrive_map.both_ways import REVERSE_OF
+
 from .connecting_roads import ConnectingRoad, put_connecting_road
 from .elements import linear_pieces, put
 from .junctions import end_roads, numbered_junctions, put_junction
@@ -33,7 +35,7 @@ def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -
     junctions = numbered_junctions(scene, parts)
     lights = signals(junctions)
     ends = end_roads(junctions)
-    things = objects_by_part(scene.objects, parts)
+    things = objects_by_part(scene.objects, [part for part in parts if part.reverse_of is None])
     root = Element("OpenDRIVE")
     _put_header(root, scene, parts, version, geo_reference)
     for part in parts:
@@ -46,6 +48,8 @@ def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -
         put_lanes(road, part, version)
         put_objects(road, part, things.get(part.id, ()))
         put_signals(road, part, lights, left_hand)
+        if part.reverse_of is not None:
+            put(road, "userData", code=REVERSE_OF, value=part.reverse_of)
     for junction in junctions:
         for connecting in junction.roads:
             put_connecting_road(root, connecting, rule, _speed(connecting))
@@ -97,13 +101,15 @@ def _name(part: OpenDriveRoad) -> str:
 
 def _put_links(road: Element, part: OpenDriveRoad, ends: dict[tuple[str, str], int]) -> None:
     link = put(road, "link")
-    if part.previous is not None and part.next is not None:
-        put(link, "predecessor", elementType="road", elementId=part.previous, contactPoint="end")
-        put(link, "successor", elementType="road", elementId=part.next, contactPoint="start")
-        return
-    for tag, end in (("predecessor", "start"), ("successor", "end")):
-        junction = ends.get((part.road.name, end))
-        if junction is not None:
+    for tag, end, other in (
+        ("predecessor", "start", part.previous),
+        ("successor", "end", part.next),
+    ):
+        contact = "end" if end == "start" else "start"
+        junction = ends.get((part.road.name, end if part.reverse_of is None else contact))
+        if other is not None:
+            put(link, tag, elementType="road", elementId=other, contactPoint=contact)
+        elif junction is not None:
             put(link, tag, elementType="junction", elementId=junction)
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 from .connecting_roads import ConnectingRoad, RoadEnd
 from .elements import put
+from .road_parts import PartEnds
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneJunction, SceneLaneEnd
@@ -34,7 +35,7 @@ def numbered_junctions(
     scene: Scene, parts: Sequence[OpenDriveRoad]
 ) -> tuple[NumberedJunction, ...]:
     """Junctions have numbers after those of all roads, so that none is the number of both."""
-    by_road: dict[str, OpenDriveRoad] = {part.road.name: part for part in parts}
+    ends = PartEnds.of(parts)
     lane = 1 if scene.world.get("traffic") == "left" else -1
     found: list[NumberedJunction] = []
     built = [
@@ -42,7 +43,7 @@ def numbered_junctions(
         for network in scene.networks
         for junction in network.junctions
         # Of a network that was perturbed on, only the last is built.
-        if junction.connections and {arm.road for arm in junction.arms} <= by_road.keys()
+        if junction.connections and all(ends.has(arm.road) for arm in junction.arms)
     ]
     number = len(parts)
     first = number + sum(len(junction.connections) for _, junction in built) + 1
@@ -50,16 +51,19 @@ def numbered_junctions(
         roads = []
         for connection in junction.connections:
             number += 1
-            source, target = (_end(at, by_road) for at in (connection.source, connection.target))
+            at = connection.source
+            source = _end(at, *ends.leaving(at.road, at.end))
+            at = connection.target
+            target = _end(at, *ends.entering(at.road, at.end))
             roads.append(ConnectingRoad(number, id, connection, source, target, lane))
         name = f"{network}/junction {junction.id}"
         found.append(NumberedJunction(id, name, junction, tuple(roads)))
     return tuple(found)
 
 
-def _end(at: SceneLaneEnd, by_road: Mapping[str, OpenDriveRoad]) -> RoadEnd:
-    part = by_road[at.road]
-    return RoadEnd(part, at.end, part.numbers.ids[at.lane])
+def _end(at: SceneLaneEnd, part: OpenDriveRoad, end: str) -> RoadEnd:
+    lane = part.road.lane_list[0].id if part.reverse_of is not None else at.lane
+    return RoadEnd(part, end, part.numbers.ids[lane])
 
 
 def put_junction(root: Element, junction: NumberedJunction, controllers: Sequence[int]) -> None:

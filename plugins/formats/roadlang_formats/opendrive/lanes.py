@@ -84,10 +84,12 @@ def _put_lane(group: Element, part: OpenDriveRoad, lane: Lane, version: str) -> 
     found = put(group, "lane", id=id, type=lane_type(lane), level="false")
     if version == "1.8" and lane.id in part.numbers.contrary:
         found.set("direction", "reversed")
-    if part.previous is not None and part.next is not None:
+    if part.previous is not None or part.next is not None:
         link = put(found, "link")
-        put(link, "predecessor", id=id)
-        put(link, "successor", id=id)
+        if part.previous is not None:
+            put(link, "predecessor", id=id)
+        if part.next is not None:
+            put(link, "successor", id=id)
     return found
 
 

@@ -10,6 +10,9 @@ import numpy as np
 
 from roadlang.geometry import Floats, poses_along
 
+FLATTEST_ARC = 5e-5
+"""1/m: arcs that bend less are written as cubics, because CARLA finds points of an arc in single
+precision from its center, and loses millimeters for each 10 km of radius."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from roadlang.geometry import Floats, poses_along
 
-from .pieces import ReferencePiece, along_cubic, cubic, cubic_length, pose_on
+from .pieces import FLATTEST_ARC, ReferencePiece, along_cubic, cubic, cubic_length, pose_on
 
 if TYPE_CHECKING:
     from roadlang.api import SceneRoad
@@ -150,6 +150,8 @@ def _is_clothoid(line: SampledLine, first: int, end: int) -> bool:
     poses = line.poses[first : end + 1]
     if before == after == 0.0:
         return _is_straight(poses)
+    if before == after and abs(before) < FLATTEST_ARC:
+        return False
     span = line.stations[first : end + 1] - line.stations[first]
     if abs(length / span[-1] - 1.0) > _STRETCHED:
         return False

@@ -1,8 +1,10 @@
-"""The roads of a scene as OpenDRIVE has them: cut at junctions, and loops in three parts."""
+"""The roads of a scene as OpenDRIVE has them: cut at junctions, and loops in parts."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -11,6 +13,7 @@ import numpy as np
 from roadlang.geometry import CrossSection, Curve, Floats
 
 from ..surfaces.built import built_roads
+from .both_ways import one_way, reversed_road, shared_lane
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import (
     ReferenceLine,
@@ -23,8 +26,10 @@ from .plan_view import (
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneRoad
 
-_PARTS = 3
-"""Of a loop: netconvert does not take a road that follows itself, or its own successor."""
+_LOOP_PARTS = 3
+"""netconvert does not take a road that follows itself, or its own successor."""
+_RETURNING_PARTS = 2
+"""Of a road whose ends are at one junction: CARLA does not tell its ends apart there."""
 _SAME = 1e-6
 """Meters between stations that are one."""
 
@@ -42,7 +47,10 @@ class OpenDriveRoad:
     numbers: LaneNumbers
     previous: int | None = None
     next: int | None = None
-    """ids of the parts of the same loop before and after it"""
+    """ids of the parts of the same road before and after it"""
+    reverse_of: int | None = None
+    """the part on the same ground whose lane this one has for the other direction; its `road` runs
+    that direction"""
 
     @property
     def arc_lengths(self) -> Floats:
@@ -62,34 +70,91 @@ class OpenDriveRoad:
 def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
     """All roads that are built, from the first number on; none that junctions have swallowed."""
     left_hand = scene.world.get("traffic") == "left"
+    junctions = [junction for network in scene.networks for junction in network.junctions]
+    returning = {
+        name
+        for junction in junctions
+        for name, ends in Counter(arm.road for arm in junction.arms).items()
+        if ends > 1
+    }
     parts: list[OpenDriveRoad] = []
     for road in built_roads(scene):
-        parts += _parts(road, len(parts) + 1, left_hand, tolerance)
+        count = _RETURNING_PARTS if road.name in returning else 1
+        if road.closed and road.trim == (0.0, 0.0):
+            count = _LOOP_PARTS
+        first = len(parts) + 1
+        found = _parts(road, count, first, left_hand, tolerance)
+        lane = shared_lane(road.cross_section())
+        if lane is not None:
+            back = reversed_road(road, lane)
+            turned = _parts(back, count, first + len(found), left_hand, tolerance)
+            ids = [part.id for part in reversed(found)]
+            found += [
+                replace(part, reverse_of=id) for part, id in zip(turned, ids, strict=True)
+            ]
+        parts += found
     return tuple(parts)
 
 
-def _parts(road: SceneRoad, first: int, left_hand: bool, tolerance: float) -> list[OpenDriveRoad]:
+def _parts(
+    road: SceneRoad, count: int, first: int, left_hand: bool, tolerance: float
+) -> list[OpenDriveRoad]:
+    """Of one direction where the road has a single lane for both."""
     points = np.column_stack((road.x, road.y))
     curve = Curve.hermite(points, road.heading, closed=road.closed)
     stations = whole_turns(road)[:, 0]
     section = road.cross_section()
+    shared = shared_lane(section)
+    if shared is not None:
+        section = one_way(section, shared)
     numbers = lane_numbers(section, left_hand)
-    before, after = road.trim
-    is_loop = road.closed and before == after == 0.0
-    cuts = np.linspace(before, road.length - after, (_PARTS if is_loop else 1) + 1)
+    cuts = np.linspace(road.trim[0], road.length - road.trim[1], count + 1)
+    spans = [_between(stations, start, stop) for start, stop in pairwise(cuts)]
     found: list[OpenDriveRoad] = []
-    for place, (start, stop) in enumerate(pairwise(cuts)):
-        at = _between(stations, start, stop)
+    for place, at in enumerate(spans):
         if at is None:
             continue
-        previous = following = None
-        if is_loop:
-            previous, following = (first + (place + step) % _PARTS for step in (-1, 1))
-        id = first + len(found)
+        id = first + place
+        before, after = id - 1 if place else None, id + 1 if place < count - 1 else None
+        if count == _LOOP_PARTS:
+            before, after = (first + (place + step) % count for step in (-1, 1))
         fitted = reference_line(SampledLine.of(road, at), tolerance)
-        part = OpenDriveRoad(id, road, at, curve, fitted, section, numbers, previous, following)
+        part = OpenDriveRoad(id, road, at, curve, fitted, section, numbers, before, after)
         found.append(part)
     return found
+
+
+@dataclass(frozen=True)
+class PartEnds:
+    """The parts at the ends of the roads of a scene."""
+
+    _ends: Mapping[tuple[str, str, bool], OpenDriveRoad]
+
+    @classmethod
+    def of(cls, parts: Sequence[OpenDriveRoad]) -> PartEnds:
+        """Of all parts of a scene, in order."""
+        found: dict[tuple[str, str, bool], OpenDriveRoad] = {}
+        for part in parts:
+            is_reverse = part.reverse_of is not None
+            found.setdefault((part.road.name, "start", is_reverse), part)
+            found[part.road.name, "end", is_reverse] = part
+        return cls(found)
+
+    def has(self, road: str) -> bool:
+        """Whether a road is written."""
+        return (road, "start", False) in self._ends
+
+    def leaving(self, road: str, end: str) -> tuple[OpenDriveRoad, str]:
+        """The part by which traffic leaves a road at this end, and which end of the part it is."""
+        if end == "start" and (road, "end", True) in self._ends:
+            return self._ends[road, "end", True], "end"
+        return self._ends[road, end, False], end
+
+    def entering(self, road: str, end: str) -> tuple[OpenDriveRoad, str]:
+        """The part by which traffic enters a road at this end, and which end of the part it is."""
+        if end == "end" and (road, "start", True) in self._ends:
+            return self._ends[road, "start", True], "start"
+        return self._ends[road, end, False], end
 
 
 def _between(stations: Floats, start: float, stop: float) -> Floats | None:

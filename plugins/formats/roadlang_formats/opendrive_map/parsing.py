@@ -10,6 +10,7 @@ from typing import Any
 
 from roadlang_formats.map_xml import MapElement, MapFile
 
+from .both_ways import REVERSE_OF, with_both_ways
 from .cubics import cubics
 from .lane_records import section_record
 from .records import (
@@ -55,7 +56,7 @@ def parsed_map(file: MapFile) -> OpenDriveRecord:
         if junction.id in junctions:
             raise file.fault(element, f"two junctions have the id `{junction.id}`")
         junctions[junction.id] = junction
-    return OpenDriveRecord(roads, junctions, _origin(file))
+    return with_both_ways(OpenDriveRecord(roads, junctions, _origin(file)))
 
 
 def _origin(file: MapFile) -> tuple[float, float] | None:
@@ -104,6 +105,14 @@ def _road(file: MapFile, element: MapElement) -> RoadRecord:
         cubics(file, element.all("lanes", "laneOffset"), "s"),
         sections,
         limit,
+        next(
+            (
+                child.attributes.get("value", "")
+                for child in element.all("userData")
+                if child.attributes.get("code") == REVERSE_OF
+            ),
+            "",
+        ),
     )
 
 

@@ -97,6 +97,9 @@ class RoadRecord:
     lane_offset: tuple[Cubic, ...]
     sections: tuple[SectionRecord, ...]
     speed: float | None
+    reverse_of: str = ""
+    """the id of a road on the same ground with a single lane, which this one has for the other
+    direction"""
 
     def link(self, end: Contact) -> RoadLink | None:
         """What it leads to at this end."""

@@ -69,18 +69,26 @@ class Roads:
     parts: tuple[OpenDriveRoad, ...]
 
     def place(self, x: float, y: float, heading: float, road: str | None = None) -> Place:
-        """Of a point. `road`: of the scene, on which it is looked for first."""
+        """Of a point. `road`: of the scene, on which it is looked for first. Of two roads on the
+        same ground, that which runs in its direction."""
+        pairs = {part.reverse_of: part for part in self.parts if part.reverse_of is not None}
         first = sorted(self.parts, key=lambda part: part.road.name != road)
         for part in first:
             found = _on_part(part, x, y)
-            if found is not None:
-                return Place(x, y, heading, found)
+            if found is None:
+                continue
+            at, back = part.line.pose(found.s)[2], pairs.get(part.id)
+            if back is not None and math.cos(heading - at) < 0.0:
+                found = _on_part(back, x, y) or found
+            return Place(x, y, heading, found)
         return Place(x, y, heading)
 
     def at(self, road: str, lane: int, station: float) -> Place | None:
         """The middle of a lane of a road of the scene; None where the file has no such place."""
         fitting = [
-            part for part in self.parts if part.road.name == road and lane in part.section.ids
+            part
+            for part in self.parts
+            if part.road.name == road and lane in part.section.ids and part.reverse_of is None
         ]
         if not fitting:
             return None

@@ -1,0 +1,64 @@
+"""The scenes whose files are checked: the examples, and networks of many kinds, made up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import ClassVar
+
+import roadlang
+from benchmarks.junctions.random_networks import KINDS, random_network
+from roadlang.api import Extraction, Extractor, Integer, Picture, String, option
+from roadlang.geometry import RoadNetwork
+from roadlang.ir.scene import Scene
+from roadlang.testing import sample
+
+_EXAMPLES = Path(__file__).parents[2] / "examples"
+_TEXT = """
+image plan from \"\"\"
+##
+\"\"\" {{ scale: 20m/px }}
+network town from plan {{
+  extract with made_up {{ kind: "{kind}", seed: {seed} }}
+  speed_limit: 50km/h{more}
+  perturb with sine {{ amplitude: 0m..2m, wavelength: 40m..90m }}
+}}
+"""
+_MORE = ("", ", sidewalks: 2m", "\n  control with signals", "\n  control with stop")
+
+
+@dataclass(frozen=True)
+class MadeUp(Extractor):
+    """A random network, whatever the picture."""
+
+    name: ClassVar[str] = "made_up"
+    kind: String = option("town", help="of the network")
+    seed: Integer = option(0, help="of the network")
+
+    def extract(self, picture: Picture) -> Extraction:
+        """The network alone."""
+        made = random_network(self.kind, int(self.seed))
+        edges = tuple(
+            replace(edge, cross_section=made.sections[edge.id]) for edge in made.network.edges
+        )
+        return Extraction(RoadNetwork(made.network.nodes, edges))
+
+
+def example_scenes(seed: int) -> Iterator[tuple[str, Scene]]:
+    """One scene of every example, with its name."""
+    for path in sorted(_EXAMPLES.glob("*.rl")):
+        yield path.stem, roadlang.load(path).sample(1, seed=seed)[0].record
+
+
+def random_scenes(count: int, seed: int) -> Iterator[tuple[str, Scene]]:
+    """`count` scenes of every kind of network, with their names."""
+    for number in range(count):
+        for place, kind in enumerate(KINDS):
+            yield f"{kind} {number}", random_scene(kind, seed * 1000 + number, number + place)
+
+
+def random_scene(kind: str, seed: int, turn: int) -> Scene:
+    """A scene of a kind of network. `turn`: sidewalks, or the rule of its junctions."""
+    text = _TEXT.format(kind=kind, seed=seed, more=_MORE[turn % len(_MORE)])
+    return sample(text, 1, kinds=[MadeUp], seed=seed)[0].record
