@@ -89,9 +89,7 @@ def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
             back = reversed_road(road, lane)
             turned = _parts(back, count, first + len(found), left_hand, tolerance)
             ids = [part.id for part in reversed(found)]
-            found += [
-                replace(part, reverse_of=id) for part, id in zip(turned, ids, strict=True)
-            ]
+            found += [replace(part, reverse_of=id) for part, id in zip(turned, ids, strict=True)]
         parts += found
     return tuple(parts)
 
