@@ -41,7 +41,8 @@ func rebuild() -> void:
 		return
 	_extent = extent
 	for child in get_children():
-		child.queue_free()
+		# At once: what is taken in this frame is not to show it.
+		child.free()
 	if extent > 0.0:
 		_add_hills()
 		_add_trees()

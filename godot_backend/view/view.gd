@@ -58,6 +58,7 @@ func setup(worlds: Worlds, server: Server, eyes: Eyes) -> void:
 func _ready() -> void:
 	if _eyes == Eyes.STILL and not _headless:
 		get_viewport().disable_3d = true
+		RenderingServer.render_loop_enabled = false
 
 
 ## Notes that something was built or removed.
