@@ -10,6 +10,7 @@ _KINDS = {
     "emit gltf": "emit_gltf:GltfBackend",
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "emit openscenario": "emit_openscenario:OpenScenarioBackend",
+    "emit scenic": "emit_scenic:ScenicBackend",
     "read opendrive": "read_opendrive:OpenDriveMap",
     "read geojson": "read_geojson:GeoJson",
     "read osm": "read_osm:OpenStreetMap",

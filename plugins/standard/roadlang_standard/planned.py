@@ -2,6 +2,5 @@
 
 PLANNED = (
     "emit sumo",
-    "emit scenic",
     "emit usd",
 )

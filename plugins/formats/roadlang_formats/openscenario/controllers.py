@@ -13,6 +13,7 @@ import numpy as np
 from roadlang_standard.recorded_poses import recording
 
 from ..opendrive.elements import put
+from ..target_speed import target_speed
 from . import actions
 from .entities import rear_axle, vehicle_class, wheelbase
 from .positions import Roads
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
 
     from roadlang.api import Call, Scene, SceneActor, SceneRoad
 
-_UNLIMITED = 50.0 / 3.6
-"""m/s where neither controller nor road says a speed."""
 _RATE = 2.0
 """m/s^2 where a controller does not say how it speeds up."""
 
@@ -63,22 +62,9 @@ def _drives(agent: DrivenAgent, call: Call) -> Actions:
 
 
 def _target_speed(agent: DrivenAgent, call: Call) -> float:
-    speed = call.options.get("speed")
-    if speed is None:
-        speed = _limit(agent) * float(call.options.get("speed_factor") or 1.0)
+    speed = target_speed(agent.scene, agent.actor, call)
     vehicle = vehicle_class(agent.actor)
-    return float(speed) if vehicle is None else min(float(speed), vehicle.speed)
-
-
-def _limit(agent: DrivenAgent) -> float:
-    """Of its lane or road where it begins."""
-    road, actor = agent.road, agent.actor
-    if road is None:
-        return _UNLIMITED
-    lanes = [lane.speed_limit for lane in road.lane_list if lane.id == actor.lane]
-    zones = [zone.speed_limit for zone in road.zones() if zone.start <= (actor.start or 0.0)]
-    limits = [limit for limit in (*lanes, *zones[-1:]) if limit is not None]
-    return limits[0] if limits else _UNLIMITED
+    return speed if vehicle is None else min(speed, vehicle.speed)
 
 
 def _brake(agent: DrivenAgent, call: Call) -> Actions:

@@ -1,0 +1,29 @@
+"""The speed at which a controller wants to drive."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from roadlang.api import LanePlace
+
+if TYPE_CHECKING:
+    from roadlang.api import Call, Scene, SceneActor
+
+
+def target_speed(scene: Scene, actor: SceneActor, call: Call) -> float:
+    """m/s: that of the controller, else the limit where the agent starts, times its factor."""
+    speed = call.options.get("speed")
+    if isinstance(speed, (int, float)):
+        return float(speed)
+    return _limit(scene, actor) * float(call.options.get("speed_factor") or 1.0)
+
+
+def _limit(scene: Scene, actor: SceneActor) -> float:
+    """Of its lane or road."""
+    road = next((road for road in scene.roads if road.name == actor.road), None)
+    if road is None:
+        return LanePlace.default_speed
+    lanes = [lane.speed_limit for lane in road.lane_list if lane.id == actor.lane]
+    zones = [zone.speed_limit for zone in road.zones() if zone.start <= (actor.start or 0.0)]
+    limits = [limit for limit in (*lanes, *zones[-1:]) if limit is not None]
+    return limits[0] if limits else LanePlace.default_speed
