@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roadlang.api import LanePlace
 from roadlang_standard.recorded_poses import recording
 
 from ..opendrive.elements import put
@@ -74,7 +75,10 @@ def _brake(agent: DrivenAgent, call: Call) -> Actions:
 
 def _stop_at(agent: DrivenAgent, call: Call) -> Actions:
     """It begins to brake where it must; or within the distance from where it takes over."""
-    rate, speed = float(call.options["deceleration"]), (agent.speed or [_UNLIMITED])[-1]
+    rate, speed = (
+        float(call.options["deceleration"]),
+        (agent.speed or [LanePlace.default_speed])[-1],
+    )
     station, distance = call.options.get("station"), call.options.get("distance")
     braking = speed * speed / (2.0 * rate)
     brake = actions.to_speed(0.0, "linear", "rate", rate)
