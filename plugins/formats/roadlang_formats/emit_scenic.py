@@ -34,10 +34,10 @@ class ScenicBackend(Backend):
             yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
-        from .scenic.program import Program
+        from .scenic.program import ScenicProgram
         from .scenic.road_map import road_map
 
         text, points = road_map(scene)
         name = f"{scene.stem}.{_MAP}"
-        program = Program(scene, self.model, self.behaviors, name, points)
+        program = ScenicProgram(scene, self.model, self.behaviors, name, points)
         return {"scenic": program.text(), _MAP: text}

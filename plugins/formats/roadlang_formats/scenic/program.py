@@ -39,7 +39,7 @@ _AVOIDS = frozenset(("car_follow", "traffic"))
 
 
 @dataclass(frozen=True)
-class Program:
+class ScenicProgram:
     """Writes the program of a scene. `map_file` is the name of its map, beside the program, and
     `points` into how many points Scenic cuts each piece of a reference line."""
 
