@@ -5,8 +5,10 @@ extends RefCounted
 const SkyShader := preload("shaders/sky.gdshader")
 
 ## Radians of the sun's height: night below the first, full day above the second.
-const NIGHT := -0.14
-const DAY := 0.22
+const NIGHT := -0.3
+const DAY := 0.2
+## Below this height of the sun the moon shines instead.
+const SUNSET := -0.1
 ## Of the moon, which shines from one place all night.
 const MOON := Vector3(0.45, 0.75, 0.5)
 const MOONLIGHT := Color(0.62, 0.72, 1.0)
@@ -32,7 +34,7 @@ func prepare() -> void:
 
 ## Where the sun is, or the moon.
 func direction() -> Vector3:
-	if elevation < NIGHT:
+	if elevation < SUNSET:
 		return MOON.normalized()
 	var above := maxf(elevation, 0.05)
 	return Vector3(cos(azimuth) * cos(above), sin(above), -sin(azimuth) * cos(above))
@@ -42,8 +44,10 @@ func set_sun(sun: DirectionalLight3D) -> void:
 	sun.basis = Basis.looking_at(-direction(), Vector3.UP)
 	var warmth := smoothstep(0.02, 0.6, elevation)
 	var daylight := Color(1.0, 0.62, 0.36).lerp(Color(1.0, 0.96, 0.9), warmth)
-	sun.light_color = MOONLIGHT if elevation < NIGHT else daylight
-	var clear := 0.16 if elevation < NIGHT else lerpf(0.12, 0.92, day)
+	sun.light_color = MOONLIGHT if elevation < SUNSET else daylight
+	var clear := (
+		0.3 if elevation < SUNSET else lerpf(0.15, 0.92, smoothstep(SUNSET, DAY, elevation))
+	)
 	sun.light_energy = clear * lerpf(1.0, 0.22, cloud)
 	sun.shadow_enabled = cloud < 0.9
 	sun.shadow_normal_bias = 3.0
@@ -60,7 +64,7 @@ func set_air(environment: Environment) -> void:
 	environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	var ambient := Color(0.66, 0.72, 0.82).lerp(Color(0.72, 0.73, 0.75), cloud)
 	environment.ambient_light_color = NIGHT_AMBIENT.lerp(ambient, day)
-	environment.ambient_light_energy = lerpf(0.6, lerpf(0.5, 0.72, cloud), day) + 0.12 * snow
+	environment.ambient_light_energy = lerpf(0.9, lerpf(0.5, 0.72, cloud), day) + 0.12 * snow
 	environment.tonemap_mode = Environment.TONE_MAPPER_FILMIC
 	environment.tonemap_white = 1.8
 	environment.glow_enabled = is_dark()

@@ -2,6 +2,7 @@ extends RefCounted
 ## The numbers of the wire protocol. `docs/godot.md` describes every message.
 
 const VERSION := 2
+const USUAL_PORT := 4242
 const HEADER_BYTES := 20
 ## Largest datagram taken or sent; what a client sends in bulk stays far below.
 const MAX_DATAGRAM := 8192

@@ -43,6 +43,11 @@ func connected() -> bool:
 	return _session != 0
 
 
+## Where it listens.
+func port() -> int:
+	return _link.call("port")
+
+
 func backlog() -> int:
 	return _channel.backlog()
 

@@ -12,6 +12,8 @@ const CHASE_BACK := 7.5
 const CHASE_UP := 2.6
 const TOP_HEIGHT := 400.0
 const FLY_SPEED := 25.0
+## Meters of flat ground around what is built.
+const GROUND_BESIDE := 150.0
 
 var kind := Kind.CHASE
 var camera := Camera3D.new()
@@ -23,6 +25,8 @@ var _top_size := 200.0
 var _yaw := 0.6
 var _pitch := -0.35
 var _place := Vector3(0.0, 30.0, 60.0)
+## The scene for which the free camera was put where it sees all of it.
+var _framed := ""
 var _field := 60.0
 
 
@@ -54,6 +58,8 @@ func take(wish: Dictionary) -> void:
 	_yaw = Agent.number(wish, "yaw", _yaw)
 	_pitch = Agent.number(wish, "pitch", _pitch)
 	_field = clampf(Agent.number(wish, "field", _field), 10.0, 120.0)
+	if kind != Kind.CHASE and not _worlds.stage(0) == null:
+		_framed = _worlds.stage(0).scene_name
 	if kind == Kind.FREE:
 		_place = Vector3(_center.x, Agent.number(wish, "z", _place.y), -_center.y)
 	aim(camera)
@@ -89,8 +95,22 @@ func surround(target: Camera3D) -> void:
 		Surroundings.prepare(stage, target.global_position, kind != Kind.TOP)
 
 
-func top_size() -> float:
-	return _top_size
+func has_no_scene() -> bool:
+	return _worlds.stage(0) == null
+
+
+## Puts the cameras that look from above where they see all of a scene that no client has aimed at.
+func _frame() -> void:
+	var stage := _worlds.stage(0)
+	if stage == null or stage.scene_name == _framed:
+		return
+	_framed = stage.scene_name
+	var reach := maxf(stage.extent - GROUND_BESIDE, 20.0)
+	_center = Vector2.ZERO
+	_top_size = 2.1 * reach
+	_yaw = PI / 4
+	_pitch = -0.45
+	_place = Vector3(-0.8 * reach, 0.65 * reach + 5.0, 0.8 * reach)
 
 
 ## The agent with the number that was asked for, else the first.
@@ -158,11 +178,13 @@ func _unhandled_input(event: InputEvent) -> void:
 				kind = Kind.CHASE
 			KEY_2:
 				kind = Kind.TOP
+				_frame()
 			KEY_3:
 				kind = Kind.FREE
+				_frame()
 			KEY_TAB:
 				_agent += 1
-				if _followed().id != _agent:
+				if _followed() == null or _followed().id != _agent:
 					_agent = 0
 	if event is InputEventMouseButton and event.is_pressed():
 		match (event as InputEventMouseButton).button_index:

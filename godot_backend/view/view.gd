@@ -95,6 +95,7 @@ func draw_waiting() -> void:
 func _process(_dt: float) -> void:
 	if not _headless and _eyes == Eyes.WINDOW:
 		_refresh()
+		_overlay.welcome(_server.port(), cameras.has_no_scene())
 
 
 func _refresh() -> void:

@@ -9,9 +9,12 @@ from dataclasses import replace
 import click
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from roadlang.api import Scene
 from roadlang_godot.commands.render import _numbers, _size
+from roadlang_godot.framing import FIELD, free_pose
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of, polyline
 from roadlang_godot.messages import as_json, text_of
@@ -68,18 +71,22 @@ def test_a_closed_road_goes_on_to_its_start() -> None:
     assert (ring.s[-1], ring.points[-1].tolist()) == (120.0, ring.points[0].tolist())
 
 
+COORDINATE = st.floats(-2000, 2000)
+
+
 def straight_scene() -> Scene:
     main = road("main", pieces(straight(100), start=(200.0, 50.0)))
     return scene(main, agents=[car("ego", main, 5.0), car("other", main, 50.0)])
 
 
 def test_a_top_view_shows_all_of_the_scene_with_a_margin() -> None:
-    """25 m around; of 720 pixels the height."""
+    """A road of 100 m, 7 m wide: 5 m around."""
     layout = layout_of(straight_scene())
-    shot = Shot("top", 1280, 720)
-    assert meters_a_pixel(layout, shot) == pytest.approx(2 * (layout.extent + 25) / 720)
-    assert meters_a_pixel(layout, Shot("top", 300, 720)) == pytest.approx(
-        2 * (layout.extent + 25) / 300
+    assert meters_a_pixel(layout, Shot("top", 1280, 720)) == pytest.approx(
+        (100 * 720 / 1280 + 10) / 720
+    )
+    assert meters_a_pixel(layout, Shot("top", 300, 3000)) == pytest.approx(
+        (1000 + 2 * 0.03 * 1000) / 3000
     )
     assert view_of(layout, Shot("top", 1280, 720, scale=0.5)) == {
         "camera": "top", "agent": min(layout.agents.values()), "x": 0.0, "y": 0.0, "size": 360.0
@@ -97,13 +104,26 @@ def test_a_free_camera_stands_where_it_is_put() -> None:
     }  # fmt: skip
 
 
-def test_a_free_camera_without_a_place_looks_from_the_south_west() -> None:
-    layout = layout_of(straight_scene())
-    view = view_of(layout, Shot("free"))
-    away = 0.9 * layout.extent + 20.0
-    assert (view["x"], view["y"]) == pytest.approx((-away, -away))
-    assert view["z"] == pytest.approx(0.55 * layout.extent + 15.0)
-    assert (view["yaw"], view["pitch"]) == pytest.approx((math.radians(45), math.radians(-24)))
+@settings(max_examples=30)
+@given(
+    st.lists(st.tuples(COORDINATE, COORDINATE), min_size=1, max_size=8),
+    st.sampled_from([0.5, 1.0, 16 / 9]),
+)
+def test_a_free_camera_sees_every_place_and_stands_no_farther_than_it_must(
+    points: list[tuple[float, float]], aspect: float
+) -> None:
+    places = np.array(points)
+    pose = free_pose(places, aspect)
+    turn = np.array([math.cos(pose.yaw), math.sin(pose.yaw)])
+    level = (places - (pose.x, pose.y)) @ turn
+    ahead = math.cos(pose.pitch) * level - math.sin(pose.pitch) * pose.z
+    up = -math.sin(pose.pitch) * level - math.cos(pose.pitch) * pose.z
+    aside = (places - (pose.x, pose.y)) @ (turn[1], -turn[0])
+    half = math.tan(FIELD / 2)
+    assert (ahead > 0).all()
+    shares = np.array([np.abs(aside) / (half * aspect), np.abs(up) / half]) / ahead
+    assert shares.max() < 1.0
+    assert pose.z == pytest.approx(8.0) or shares.max() > 0.7
 
 
 def test_an_unknown_agent_is_not_followed() -> None:

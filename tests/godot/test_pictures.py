@@ -12,7 +12,7 @@ from roadlang.api import Scene
 from roadlang.cli import main as cli
 from roadlang_godot.engine import Engine
 from roadlang_godot.line import line_of
-from roadlang_godot.pictures import Shot, build, meters_a_pixel, take
+from roadlang_godot.pictures import Shot, build, meters_a_pixel, take, view_of
 from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight
 
 pytestmark = pytest.mark.godot
@@ -34,15 +34,16 @@ def test_a_top_view_shows_the_road_where_it_is(drawing_engine: Engine) -> None:
     shot = Shot("top", 640, 640)
     picture, layout = drawn(drawing_engine, shot)
     scale = meters_a_pixel(layout, shot)  # type: ignore[arg-type]
-    frame = layout.frame  # type: ignore[attr-defined]
+    frame, view = layout.frame, view_of(layout, shot)  # type: ignore[attr-defined, arg-type]
+    middle = (frame.x + view["x"], frame.y + view["y"])
     line = line_of(curved().roads[0])
     s = np.linspace(2, line.length - 2, 60)
     points, heading, _ = line.at(s)
     side = np.stack([-np.sin(heading), np.cos(heading)], axis=-1)
 
     def colors(at: np.ndarray) -> np.ndarray:
-        column = np.round((at[:, 0] - frame.x) / scale + 319.5).astype(int)
-        row = np.round((frame.y - at[:, 1]) / scale + 319.5).astype(int)
+        column = np.round((at[:, 0] - middle[0]) / scale + 319.5).astype(int)
+        row = np.round((middle[1] - at[:, 1]) / scale + 319.5).astype(int)
         return np.asarray(picture[row, column], int)
 
     asphalt = colors(points + 1.5 * side)

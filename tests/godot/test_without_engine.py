@@ -13,7 +13,7 @@ from roadlang_godot.frame import frame_around
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
 from roadlang_godot.names import plain_name
-from roadlang_godot.pictures import MARGIN, Shot, meters_a_pixel
+from roadlang_godot.pictures import Shot, meters_a_pixel
 from roadlang_godot.sky import world_settings
 from tests.godot.godot_scenes import pieces, road, scene, straight
 
@@ -25,9 +25,10 @@ def test_a_top_view_shows_all_of_the_scene(width: int, height: int) -> None:
     made = scene(road("main", pieces(straight(400.0))))
     layout = layout_of(made)
     scale = meters_a_pixel(layout, Shot("top", width, height))
-    assert width * scale >= 400.0 + MARGIN
-    assert height * scale >= 400.0 + MARGIN
-    assert min(width, height) * scale == pytest.approx(400.0 + 2 * MARGIN, abs=15.0)
+    # At least 5 m around 400 m by 7 m; no more than 3 % where that is more.
+    assert width * scale >= 400.0 + 10.0
+    assert height * scale >= 7.0 + 10.0
+    assert width * scale <= 400.0 + 0.06 * max(400.0, height * scale) + 10.0
     assert meters_a_pixel(layout, Shot("top", width, height, scale=0.3)) == 0.3
 
 
@@ -80,3 +81,20 @@ def test_a_kind_of_a_stranger_keeps_its_plugin(kind: str, name: str) -> None:
 def test_rain_brings_clouds_and_takes_none_away() -> None:
     assert world_settings({"weather": "overcast", "rain": 0.1e-3 / 3600})["cloud"] == 1.0
     assert world_settings({"weather": "clear", "rain": 10e-3 / 3600})["cloud"] == pytest.approx(0.9)
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--view", "chase"], "the scene has no agent to follow: choose `top` or `free`"),
+        (["--view", "chase", "--agent", "ego"], "the scene has no agent to follow"),
+    ],
+)
+def test_a_chase_view_needs_an_agent(
+    options: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "scene.rl").write_text(ROAD)
+    picture = tmp_path / "picture.png"
+    assert run(["render", str(tmp_path / "scene.rl"), "-o", str(picture), *options]) == 2
+    assert said in capsys.readouterr().err
+    assert not picture.exists()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ from .drives import decided_in_python
 from .driving import LockStep
 from .faults import fault
 from .followed_scene import FollowedScene
+from .framing import FreePose, TopFrame, built_places, free_pose, top_frame
 from .layout import Layout, layout_of
 from .protocol import Message
 from .session import Session
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 RATE = 60
 EVERY = 3
 """Physics ticks for which a decision of Python holds."""
-MARGIN = 25.0
-"""Meters around the roads in a top view."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,9 +130,14 @@ def take(session: Session, layout: Layout, shot: Shot) -> bytes:
 
 def meters_a_pixel(layout: Layout, shot: Shot) -> float:
     """The scale of a top view; by default all of the scene is in it."""
+    return _top_frame(layout, shot).size / shot.height
+
+
+def _top_frame(layout: Layout, shot: Shot) -> TopFrame:
+    """With a scale of its own, around the origin."""
     if shot.scale is not None:
-        return shot.scale
-    return 2 * (layout.extent + MARGIN) / min(shot.width, shot.height)
+        return TopFrame(0.0, 0.0, shot.scale * shot.height)
+    return top_frame(built_places(layout.parts), shot.width / shot.height)
 
 
 def view_of(layout: Layout, shot: Shot) -> dict[str, Any]:
@@ -144,21 +148,15 @@ def view_of(layout: Layout, shot: Shot) -> dict[str, Any]:
     elif layout.agents:
         view["agent"] = min(layout.agents.values())
     if shot.view == "top":
-        view |= {"x": 0.0, "y": 0.0, "size": shot.height * meters_a_pixel(layout, shot)}
+        view |= asdict(_top_frame(layout, shot))
     elif shot.view == "free":
-        x, y, z, yaw, pitch = shot.pose or _above(layout)
-        view |= {
-            "x": x - layout.frame.x,
-            "y": y - layout.frame.y,
-            "z": z,
-            "yaw": math.radians(yaw),
-            "pitch": math.radians(pitch),
-        }
+        view |= asdict(_free_pose(layout, shot))
     return view
 
 
-def _above(layout: Layout) -> tuple[float, ...]:
-    """A place from which the whole scene is seen, from the south-west."""
-    extent = layout.extent
-    x, y = layout.frame.x - 0.9 * extent - 20.0, layout.frame.y - 0.9 * extent - 20.0
-    return (x, y, 0.55 * extent + 15.0, 45.0, -24.0)
+def _free_pose(layout: Layout, shot: Shot) -> FreePose:
+    if shot.pose is None:
+        return free_pose(built_places(layout.parts), shot.width / shot.height)
+    x, y, z, yaw, pitch = shot.pose
+    turn = math.radians(yaw), math.radians(pitch)
+    return FreePose(x - layout.frame.x, y - layout.frame.y, z, *turn)

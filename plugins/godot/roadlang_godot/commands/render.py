@@ -146,6 +146,7 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
         return
     pose = _numbers(options["camera"]) if options["camera"] else None
     view = options["view"] or ("chase" if scene.agents else "top")
+    _expect_agent(view, options["agent"], [one.name for one in scene.agents])
     shot = Shot(view, *_size(options["size"] or "1280x720"), options["scale"], options["agent"],
                 pose, PICTURES.get(suffix, "jpg"), road)  # fmt: skip
     if suffix in CLIPS:
@@ -167,6 +168,18 @@ def _suffix(output: str) -> str:
             diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
         )
     return suffix
+
+
+def _expect_agent(view: str, wanted: str | None, names: list[str]) -> None:
+    """A chase view follows an agent of the scene."""
+    if view != "chase":
+        return
+    if not names:
+        message = "the scene has no agent to follow: choose `top` or `free`"
+        raise click.BadParameter(message, param_hint="--view")
+    if wanted is not None and wanted not in names:
+        help = f"agents of this scene: {', '.join(names[:12])}"
+        raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="agent", name=wanted, help=help))
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -1,0 +1,117 @@
+"""Where a camera stands that sees all of a scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from roadlang.geometry import Floats
+
+from .protocol import Message
+from .scene_part import ScenePart
+
+FIELD = math.radians(60)
+"""Vertical field of view of the free camera."""
+PITCH = math.radians(-25)
+_YAWS = tuple(math.radians(yaw) for yaw in (45, 135, 90, 65, 115))
+"""From the south, where the sun is: what the camera sees is lit."""
+_ROOM_ABOVE, _ROOM_BELOW, _ROOM_ASIDE = 0.8, 0.9, 0.93
+_MARGIN_SHARE, _LEAST_MARGIN = 0.03, 5.0
+_NEAR_ROADS = 40.0
+"""Meters from the roads up to which objects are in the frame."""
+_LEAST_HEIGHT = 8.0
+
+
+@dataclass(frozen=True, slots=True)
+class TopFrame:
+    """A view from above: its middle, east and north of the origin, and meters from its upper to its
+    lower edge."""
+
+    x: float
+    y: float
+    size: float
+
+
+@dataclass(frozen=True, slots=True)
+class FreePose:
+    """A camera: meters from the origin, radians counter-clockwise from east and upward."""
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+    pitch: float
+
+
+def built_places(parts: Iterable[ScenePart]) -> Floats:
+    """(n, 2) places east and north of the origin that a picture should show: the corners of roads,
+    and objects near them."""
+    roads, objects = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    for part in parts:
+        if part.kind == Message.SEGMENT:
+            roads.append(np.frombuffer(part.content, dtype="<f4").reshape(-1, 3))
+        elif part.kind == Message.PATCH:
+            corners = int.from_bytes(part.body[:2], "little")
+            roads.append(np.frombuffer(part.body, "<f4", 3 * corners, 4).reshape(-1, 3))
+        elif part.kind == Message.TILES:
+            roads.append(_cells(part))
+        elif part.kind == Message.OBJECTS:
+            objects.append(np.frombuffer(part.content, dtype="<f4").reshape(-1, 3))
+    places = np.concatenate(roads)[:, [0, 2]] * (1.0, -1.0)
+    beside = np.concatenate(objects)[:, [0, 2]] * (1.0, -1.0)
+    if not len(places):
+        return beside if len(beside) else np.zeros((1, 2))
+    low, high = places.min(axis=0) - _NEAR_ROADS, places.max(axis=0) + _NEAR_ROADS
+    return np.concatenate([places, beside[((beside >= low) & (beside <= high)).all(axis=1)]])
+
+
+def top_frame(places: Floats, aspect: float) -> TopFrame:
+    """The narrowest view from above, with a margin, of (n, 2) places; `aspect`: width by height."""
+    low, high = places.min(axis=0), places.max(axis=0)
+    across, along = high - low
+    size = max(along, across / aspect)
+    size += 2.0 * max(_LEAST_MARGIN, _MARGIN_SHARE * size)
+    middle = 0.5 * (low + high)
+    return TopFrame(float(middle[0]), float(middle[1]), float(size))
+
+
+def free_pose(places: Floats, aspect: float) -> FreePose:
+    """The camera nearest to (n, 2) places that sees them all."""
+    poses = [_fitted(places, yaw, aspect) for yaw in _YAWS]
+    return min(poses, key=lambda pose: pose.z)
+
+
+def _fitted(places: Floats, yaw: float, aspect: float) -> FreePose:
+    """The camera in this direction: in its own axes, each border of the picture leaves a half-space
+    in which it may stand, and the farthest forward of all is taken."""
+    ahead = np.array([math.cos(yaw) * math.cos(PITCH), math.sin(yaw) * math.cos(PITCH),
+                      math.sin(PITCH)])  # fmt: skip
+    right = np.array([math.sin(yaw), -math.cos(yaw), 0.0])
+    up = np.cross(right, ahead)
+    points = np.column_stack([places, np.zeros(len(places))])
+    a, b, c = points @ right, points @ up, points @ ahead
+    tall = math.tan(0.5 * FIELD)
+    wide, above, below = _ROOM_ASIDE * tall * aspect, _ROOM_ABOVE * tall, _ROOM_BELOW * tall
+    left_most, right_most = float((a + wide * c).min()), float((a - wide * c).max())
+    lowest, highest = float((b + below * c).min()), float((b - above * c).max())
+    forward = min((left_most - right_most) / (2.0 * wide), (lowest - highest) / (above + below))
+    aside = 0.5 * (left_most + right_most)
+    upward = 0.5 * (highest + above * forward + lowest - below * forward)
+    place = aside * right + upward * up + forward * ahead
+    if place[2] < _LEAST_HEIGHT:
+        place += (_LEAST_HEIGHT - place[2]) / ahead[2] * ahead
+    return FreePose(float(place[0]), float(place[1]), float(place[2]), yaw, PITCH)
+
+
+def _cells(part: ScenePart) -> Floats:
+    """Opposite corners of the tiles of a thing."""
+    cell, x, z = np.frombuffer(part.body, "<f4", 3)
+    rows = np.frombuffer(part.body[14:], np.dtype([("x", "<i2"), ("z", "<i2"), ("mask", "u1")]))
+    corners = np.zeros((2 * len(rows), 3))
+    for i in (0, 1):
+        corners[i::2, 0] = (rows["x"] + i) * cell + x
+        corners[i::2, 2] = (rows["z"] + i) * cell + z
+    return corners
