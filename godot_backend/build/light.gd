@@ -64,7 +64,10 @@ func set_air(environment: Environment) -> void:
 	environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	var ambient := Color(0.66, 0.72, 0.82).lerp(Color(0.72, 0.73, 0.75), cloud)
 	environment.ambient_light_color = NIGHT_AMBIENT.lerp(ambient, day)
-	environment.ambient_light_energy = lerpf(0.9, lerpf(0.5, 0.72, cloud), day) + 0.12 * snow
+	var twilight := 1.0 - absf(2.0 * day - 1.0)
+	environment.ambient_light_energy = (
+		0.45 * twilight + lerpf(0.9, lerpf(0.5, 0.72, cloud), day) + 0.12 * snow
+	)
 	environment.tonemap_mode = Environment.TONE_MAPPER_FILMIC
 	environment.tonemap_white = 1.8
 	environment.glow_enabled = is_dark()

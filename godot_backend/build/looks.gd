@@ -10,11 +10,11 @@ const GrassShader := preload("shaders/grass.gdshader")
 const MARKED := 0
 const PLAIN := 1
 const SURFACES: Array[Array] = [
-	[Color(0.19, 0.19, 0.2), 0.0, false],
-	[Color(0.19, 0.19, 0.2), 0.0, false],
+	[Color(0.25, 0.25, 0.26), 0.0, false],
+	[Color(0.25, 0.25, 0.26), 0.0, false],
 	[Color(0.24, 0.2, 0.19), 0.0, false],
 	[Color(0.33, 0.15, 0.13), 0.0, false],
-	[Color(0.23, 0.23, 0.24), 5.5, true],
+	[Color(0.28, 0.28, 0.29), 5.5, true],
 	[Color(0.46, 0.45, 0.43), 1.5, false],
 	[Color(0.2, 0.3, 0.12), 0.0, false],
 ]

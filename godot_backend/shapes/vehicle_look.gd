@@ -6,10 +6,10 @@ const VehicleShapes := preload("vehicle_shapes.gd")
 const Lamp := preload("lamp.gd")
 
 ## Share of the way down at which headlamps point.
-const DIP := 0.15
+const DIP := 0.17
 ## Meters that the light comes from above the lamps: else the road, which it meets at a small angle,
 ## would stay darker than all that stands on it.
-const RAISED := 1.3
+const RAISED := 2.0
 
 var _radius := 0.32
 var _hubs: Array[Node3D] = []
@@ -42,7 +42,7 @@ func assemble(
 	_headlight = Lamp.new()
 	var place := VehicleShapes.lamp_place(category, size, true) * Vector3(0, 1, 1)
 	_headlight.position = place + Vector3(0, RAISED, 0.1)
-	_headlight.aim(Vector3(0, -DIP, 1), 45.0, 36.0, 11.0, VehicleShapes.HEADLIGHT)
+	_headlight.aim(Vector3(0, -DIP, 1), 48.0, 36.0, 15.0, VehicleShapes.HEADLIGHT)
 	_headlight.darkened = _be_dark
 	add_child(_headlight)
 	_show_lamps()

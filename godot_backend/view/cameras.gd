@@ -81,7 +81,8 @@ func aim(target: Camera3D) -> void:
 			)
 		Kind.FREE:
 			target.projection = Camera3D.PROJECTION_PERSPECTIVE
-			target.near = 0.1
+			# Depth is finest where the nearest that is seen is far away.
+			target.near = clampf(0.05 * _place.y, 0.1, 10.0)
 			var turned := Basis(Vector3.UP, _yaw - PI / 2) * Basis(Vector3.RIGHT, _pitch)
 			target.transform = Transform3D(turned, _place)
 		Kind.CHASE:
@@ -137,7 +138,7 @@ func _without_fog() -> Environment:
 
 func _chase(target: Camera3D) -> void:
 	target.projection = Camera3D.PROJECTION_PERSPECTIVE
-	target.near = 0.1
+	target.near = 0.3
 	var agent := _followed()
 	if agent == null:
 		return

@@ -28,7 +28,9 @@ func _ready() -> void:
 ## Shows what to do while there is no scene.
 func welcome(port: int, is_empty: bool) -> void:
 	_welcome.visible = is_empty
-	_welcome.text = "roadlang is waiting on port %d\n\nroadlang watch scene.rl --host 127.0.0.1" % port
+	_welcome.text = (
+		"roadlang is waiting on port %d\n\nroadlang watch scene.rl --host 127.0.0.1" % port
+	)
 	if port != Protocol.USUAL_PORT:
 		_welcome.text += " --port %d" % port
 

@@ -15,9 +15,10 @@ from .scene_part import ScenePart
 
 FIELD = math.radians(60)
 """Vertical field of view of the free camera."""
-PITCH = math.radians(-25)
-_YAWS = tuple(math.radians(yaw) for yaw in (45, 135, 90, 65, 115))
-"""From the south, where the sun is: what the camera sees is lit."""
+_PITCHES = {-26: 1.0, -32: 0.95, -38: 0.88}
+"""Degrees, and how much each is liked: the flatter, the more of the sky is seen."""
+_YAWS = (45, 135, 65, 115)
+"""Degrees: from the south, where the sun is, so that what the camera sees is lit."""
 _ROOM_ABOVE, _ROOM_BELOW, _ROOM_ASIDE = 0.8, 0.9, 0.93
 _MARGIN_SHARE, _LEAST_MARGIN = 0.03, 5.0
 _NEAR_ROADS = 40.0
@@ -79,31 +80,53 @@ def top_frame(places: Floats, aspect: float) -> TopFrame:
 
 
 def free_pose(places: Floats, aspect: float) -> FreePose:
-    """The camera nearest to (n, 2) places that sees them all."""
-    poses = [_fitted(places, yaw, aspect) for yaw in _YAWS]
-    return min(poses, key=lambda pose: pose.z)
+    """The camera that sees (n, 2) places, in the direction in which they fill the picture best."""
+    best, most = None, -1.0
+    for pitch, liked in _PITCHES.items():
+        for yaw in _YAWS:
+            axes = _axes(math.radians(yaw), math.radians(pitch))
+            place = _nearest(places, axes, aspect)
+            share = liked * _filled(places, axes, place)
+            if share > most:
+                pose = (*map(float, place), math.radians(yaw), math.radians(pitch))
+                best, most = FreePose(*pose), share
+    assert best is not None
+    return best
 
 
-def _fitted(places: Floats, yaw: float, aspect: float) -> FreePose:
-    """The camera in this direction: in its own axes, each border of the picture leaves a half-space
-    in which it may stand, and the farthest forward of all is taken."""
-    ahead = np.array([math.cos(yaw) * math.cos(PITCH), math.sin(yaw) * math.cos(PITCH),
-                      math.sin(PITCH)])  # fmt: skip
+def _axes(yaw: float, pitch: float) -> Floats:
+    """(3, 3): where right, up and ahead of a camera point to."""
+    ahead = np.array([math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch),
+                      math.sin(pitch)])  # fmt: skip
     right = np.array([math.sin(yaw), -math.cos(yaw), 0.0])
-    up = np.cross(right, ahead)
-    points = np.column_stack([places, np.zeros(len(places))])
-    a, b, c = points @ right, points @ up, points @ ahead
+    return np.stack([right, np.cross(right, ahead), ahead])
+
+
+def _nearest(places: Floats, axes: Floats, aspect: float) -> Floats:
+    """The place of the nearest camera in this direction.
+
+    In its own axes, each border of the picture leaves a half-space in which it may stand; the
+    farthest forward of all such places is taken.
+    """
+    a, b, c = axes[:, :2] @ places.T
     tall = math.tan(0.5 * FIELD)
     wide, above, below = _ROOM_ASIDE * tall * aspect, _ROOM_ABOVE * tall, _ROOM_BELOW * tall
-    left_most, right_most = float((a + wide * c).min()), float((a - wide * c).max())
-    lowest, highest = float((b + below * c).min()), float((b - above * c).max())
+    left_most, right_most = (a + wide * c).min(), (a - wide * c).max()
+    lowest, highest = (b + below * c).min(), (b - above * c).max()
     forward = min((left_most - right_most) / (2.0 * wide), (lowest - highest) / (above + below))
     aside = 0.5 * (left_most + right_most)
     upward = 0.5 * (highest + above * forward + lowest - below * forward)
-    place = aside * right + upward * up + forward * ahead
+    place = np.array([aside, upward, forward]) @ axes
     if place[2] < _LEAST_HEIGHT:
-        place += (_LEAST_HEIGHT - place[2]) / ahead[2] * ahead
-    return FreePose(float(place[0]), float(place[1]), float(place[2]), yaw, PITCH)
+        place += (_LEAST_HEIGHT - place[2]) / axes[2, 2] * axes[2]
+    return np.asarray(place)
+
+
+def _filled(places: Floats, axes: Floats, place: Floats) -> float:
+    """The area in the picture of the rectangle around all places."""
+    points = np.column_stack([places, np.zeros(len(places))]) - place
+    a, b, c = axes @ points.T
+    return float(np.ptp(a / c) * np.ptp(b / c))
 
 
 def _cells(part: ScenePart) -> Floats:

@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 from roadlang.api import CURB_HEIGHT
 from roadlang.geometry import Floats
 
+from .dash_pattern import UNCUT, DashPattern, dashes_between
 from .frame import SceneOrigin
 from .lane_strips import LaneStrip, lane_strips
 from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart
+from .unfolded_border import unfolded
 
 PIECE = 100.0
 """Longest piece, meters: the unit of live edits."""
@@ -54,27 +56,35 @@ def segments(
     strips: Sequence[LaneStrip],
     first_id: int,
     frame: SceneOrigin,
+    dashes: DashPattern = UNCUT,
 ) -> list[ScenePart]:
     """The piece of a road with these stations: a thing for each strip of lanes."""
     edges = line.beside(s, line.cross_section.border_offsets(s))
+    ahead = line.at(0.5 * (s[:-1] + s[1:]))[1]
+    edges = np.stack([unfolded(border, ahead) for border in edges])
     parts = []
     for id, look in enumerate(strips, start=first_id):
         strip = np.empty((len(s), 2, 3), dtype="<f4")
         strip[:, 0] = frame.ground(edges[look.first])
         strip[:, 1] = frame.ground(edges[look.last])
         strip[..., 1] += CURB_HEIGHT if look.raised else 0.0
-        parts.append(strip_part(line.name, strip, s, look, id))
+        parts.append(strip_part(line.name, strip, s, look, id, dashes))
     return parts
 
 
 def strip_part(
-    name: str, strip: NDArray[np.float32], s: Floats, look: LaneStrip, id: int
+    name: str,
+    strip: NDArray[np.float32],
+    s: Floats,
+    look: LaneStrip,
+    id: int,
+    dashes: DashPattern = UNCUT,
 ) -> ScenePart:
     """A segment of (n, 2, 3) left and right edge points in engine coordinates."""
-    spacing = float(s[1] - s[0])
+    first, second = dashes.at(float(s[0])), dashes.at(float(s[1]))
     vertices = strip.tobytes()
     marks = (look.surface, look.left, look.right, int(look.raised))
-    head = SEGMENT_HEAD.pack(min(look.lanes, 255), *marks, len(s), float(s[0]), spacing)
+    head = SEGMENT_HEAD.pack(min(look.lanes, 255), *marks, len(s), first, second - first)
     label = f"{name} from {s[0]:.0f} m to {s[-1]:.0f} m"
     return ScenePart(Message.SEGMENT, id, head + vertices, vertices, label)
 
@@ -91,6 +101,8 @@ def road_parts(
     finish = float(line.s[-1]) if end is None else end
     parts: list[ScenePart] = []
     strips = tuple(lane_strips(line.cross_section))
+    is_cut = begin > line.s[0] + 0.1 or finish < line.s[-1] - 0.1
+    dashes = dashes_between(begin, finish) if is_cut else UNCUT
     for s in stations(line, begin, finish):
-        parts += segments(line, s, strips, first_id + len(parts), frame)
+        parts += segments(line, s, strips, first_id + len(parts), frame, dashes)
     return parts

@@ -1,0 +1,75 @@
+"""Lines and borders of built roads: no folds, no cut dashes, no gaps at junctions."""
+
+from __future__ import annotations
+
+import struct
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from roadlang.api import SceneArm, SceneJunction
+from roadlang_godot.dash_pattern import PERIOD, dashes_between
+from roadlang_godot.frame import SceneOrigin
+from roadlang_godot.junction_edges import INSET, edge_line_rings
+from roadlang_godot.line import line_of
+from roadlang_godot.road_mesh import road_parts
+from roadlang_godot.unfolded_border import unfolded
+from tests.godot.godot_scenes import bend, pieces, road, scene, straight
+
+
+@settings(max_examples=40)
+@given(st.floats(1.5, 3.2), st.floats(40.0, 130.0), st.booleans())
+def test_borders_in_tight_bends_do_not_fold(radius: float, degrees: float, is_left: bool) -> None:
+    """A road 7 m wide: the inner border, 3.5 m off, would run back."""
+    tight = road(
+        "main", pieces(straight(15), bend(radius if is_left else -radius, degrees), straight(15))
+    )
+    line = line_of(tight)
+    s = np.linspace(0.0, line.length, 200)
+    ahead = line.at(0.5 * (s[:-1] + s[1:]))[1]
+    direction = np.stack([np.cos(ahead), np.sin(ahead)], axis=-1)
+    folded = 0
+    for border in line.edges(s):
+        free = unfolded(border, ahead)
+        runs = (np.diff(free, axis=0) * direction).sum(axis=1)
+        assert runs.min() > -1e-6
+        assert np.array_equal(free[[0, -1]], border[[0, -1]])
+        folded += not np.array_equal(free, border)
+    assert folded == 1
+
+
+@given(st.floats(0.1, 500.0), st.floats(-100.0, 100.0))
+def test_no_dash_is_cut_where_a_road_ends_at_a_junction(length: float, start: float) -> None:
+    """Dashes of 3 m lie in the middle of their periods."""
+    dashes = dashes_between(start, start + length)
+    for station in (start, start + length):
+        away = dashes.at(station) / PERIOD
+        assert abs(away - round(away)) < 0.01
+
+
+def test_the_dashes_of_a_road_with_open_ends_are_not_stretched() -> None:
+    part = road_parts(line_of(road("main", pieces(straight(95)))), 1, SceneOrigin())[0]
+    first, step = struct.unpack_from("<ff", part.body, 7)
+    assert (first, step) == pytest.approx((0.0, 2.5))
+
+
+def test_the_side_opposite_the_mouth_of_a_t_has_its_edge_line() -> None:
+    """Three roads 8 m wide meet at the origin, from the west, the east and the north."""
+    ends = {"west": (-40.0, 0.0), "east": (40.0, 0.0), "north": (0.0, 40.0)}
+    roads = [road(name, np.linspace((0.0, 0.0), end, 81), width=8.0) for name, end in ends.items()]
+    area = ((-8, -4), (0, -4), (8, -4), (8, 4), (4, 8), (-4, 8), (-8, 4))
+    arms = (
+        SceneArm("west", "start", 8.0, left=0, right=6),
+        SceneArm("east", "start", 8.0, left=3, right=2),
+        SceneArm("north", "start", 8.0, left=5, right=4),
+    )
+    junction = SceneJunction(0, (0,), "junction", area, arms, ())
+    made = scene(*roads)
+    quads = np.array(list(edge_line_rings(made, [junction])))
+    south = quads[(quads[:, :, 1] < -3.0).all(axis=1)]
+    assert south[:, :, 0].min() == -8.0
+    assert south[:, :, 0].max() == 8.0
+    assert south[:, :, 1].mean() == pytest.approx(-4.0 + INSET)
+    assert len(quads) == 2 + 2
