@@ -14,6 +14,9 @@ const MOON := Vector3(0.45, 0.75, 0.5)
 const MOONLIGHT := Color(0.62, 0.72, 1.0)
 const NIGHT_AMBIENT := Color(0.3, 0.36, 0.52)
 
+## A copy without a file, so that it becomes part of a scene that is exported.
+static var _own_shader: Shader
+
 ## 0 at night, 1 by day.
 var day := 1.0
 var elevation := 0.6
@@ -90,7 +93,9 @@ func _horizon() -> Color:
 
 func _sky(horizon: Color) -> Sky:
 	var material := ShaderMaterial.new()
-	material.shader = SkyShader
+	if _own_shader == null:
+		_own_shader = SkyShader.duplicate()
+	material.shader = _own_shader
 	var zenith := Color(0.16, 0.36, 0.68).lerp(Color(0.46, 0.5, 0.55), cloud)
 	var evening := Color(0.2, 0.27, 0.5).lerp(zenith, smoothstep(0.0, 0.4, elevation))
 	material.set_shader_parameter("zenith", Color(0.025, 0.035, 0.08).lerp(evening, day))
