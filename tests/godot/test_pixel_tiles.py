@@ -19,11 +19,15 @@ from roadlang_godot.protocol import Message
 from roadlang_godot.road_tiles import (
     EAST,
     NORTH,
+    NORTH_EAST,
     SOUTH,
+    SOUTH_EAST,
+    SOUTH_WEST,
     WEST,
     coarsened,
     neighbor_masks,
     tile_parts,
+    with_corners_joined,
 )
 from tests.godot.godot_scenes import pieces, road, scene, straight, town
 
@@ -46,6 +50,29 @@ def test_neighbors_agree_about_each_other(pixels: np.ndarray) -> None:
     joined_east = (masks[:, :-1] & EAST > 0) & pixels[:, :-1]
     joined_west = (masks[:, 1:] & WEST > 0) & pixels[:, :-1] & pixels[:, 1:]
     assert np.array_equal(joined_east, joined_west)
+
+
+@given(maps)
+def test_cells_that_touch_are_joined_by_sides(pixels: np.ndarray) -> None:
+    """The tiles have as many parts as the pixels, where corners count."""
+    filled = with_corners_joined(pixels)
+    assert (filled >= pixels).all()
+    by_sides = cv2.connectedComponents(filled.astype(np.uint8), connectivity=4)[0]
+    by_corners = cv2.connectedComponents(pixels.astype(np.uint8), connectivity=8)[0]
+    assert by_sides == by_corners
+
+
+def test_a_diagonal_road_becomes_a_stair_without_side_branches() -> None:
+    masks = neighbor_masks(with_corners_joined(np.eye(6, dtype=bool)))
+    joined = (masks[..., None] >> np.arange(4) & 1).sum(axis=-1)
+    assert joined.max() == 2
+    assert (joined == 1).sum() == 2
+
+
+def test_a_road_of_two_pixels_is_one_surface() -> None:
+    masks = neighbor_masks(np.ones((2, 5), bool))
+    assert masks[0, 2] == EAST | SOUTH | WEST | SOUTH_EAST | SOUTH_WEST
+    assert masks[1, 0] == NORTH | EAST | NORTH_EAST
 
 
 @given(maps)

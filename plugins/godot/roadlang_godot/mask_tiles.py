@@ -11,7 +11,7 @@ from roadlang.api import Code
 
 from .faults import fault
 from .frame import SceneOrigin
-from .road_tiles import coarsened, tile_parts
+from .road_tiles import coarsened, tile_parts, with_corners_joined
 from .scene_part import ScenePart
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def network_tiles(scene: Scene, frame: SceneOrigin) -> list[ScenePart]:
         packed = np.frombuffer(base64.b64decode(network.mask), dtype=np.uint8)
         pixels = np.asarray(cv2.imdecode(packed, cv2.IMREAD_GRAYSCALE))
         factor = max(1, round(SMALLEST_CELL / network.mask_scale))
-        cells = coarsened(pixels > 0, factor)
+        cells = with_corners_joined(coarsened(pixels > 0, factor))
         size = network.mask_scale * factor
         parts += tile_parts(cells, size, network.mask_origin, len(parts) + 1, frame)
     if not parts:

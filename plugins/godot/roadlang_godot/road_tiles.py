@@ -12,21 +12,46 @@ from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart
 
 NORTH, EAST, SOUTH, WEST = 1, 2, 4, 8
+NORTH_EAST, SOUTH_EAST, SOUTH_WEST, NORTH_WEST = 16, 32, 64, 128
 
 _HEAD = struct.Struct("<fffH")
 _MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - _HEAD.size) // 5
 
 
 def neighbor_masks(road: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """(rows, columns) bits of the neighbors that are road; row 0 is the northernmost."""
+    """(rows, columns) bits of the neighbors that are road; row 0 is the northernmost.
+
+    A diagonal one counts where both sides between are road too: all four are one wide road.
+    """
     padded = np.pad(road, 1)
-    masks = (
-        padded[:-2, 1:-1] * NORTH
-        + padded[1:-1, 2:] * EAST
-        + padded[2:, 1:-1] * SOUTH
-        + padded[1:-1, :-2] * WEST
-    )
+    north, south = padded[:-2, 1:-1], padded[2:, 1:-1]
+    east, west = padded[1:-1, 2:], padded[1:-1, :-2]
+    masks = north * NORTH + east * EAST + south * SOUTH + west * WEST
+    masks = masks + (north & east & padded[:-2, 2:]) * NORTH_EAST
+    masks = masks + (south & east & padded[2:, 2:]) * SOUTH_EAST
+    masks = masks + (south & west & padded[2:, :-2]) * SOUTH_WEST
+    masks = masks + (north & west & padded[:-2, :-2]) * NORTH_WEST
     return np.asarray(masks, np.uint8)
+
+
+def with_corners_joined(road: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Cells that touch by their corners alone get a cell beside them that joins them by sides.
+
+    Roads and networks join such cells too. Of the two cells beside them the one with fewer road
+    neighbors is filled, else the one in the upper row.
+    """
+    filled = road.copy()
+    rows, columns = np.nonzero(
+        (road[:-1, :-1] & road[1:, 1:] & ~road[:-1, 1:] & ~road[1:, :-1])
+        | (road[:-1, 1:] & road[1:, :-1] & ~road[:-1, :-1] & ~road[1:, 1:])
+    )
+    sides = (neighbor_masks(road)[..., None] >> np.arange(4) & 1).sum(axis=-1)
+    for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
+        upper = (row, column + int(road[row, column]))
+        lower = (row + 1, column + int(road[row + 1, column]))
+        if not (filled[upper] or filled[lower]):
+            filled[min(upper, lower, key=lambda cell: int(sides[cell]))] = True
+    return filled
 
 
 def coarsened(road: NDArray[np.bool_], factor: int) -> NDArray[np.bool_]:

@@ -19,8 +19,8 @@ class Pixel(Extractor):
     thickness: Pixels | None = option(
         None,
         above=0,
-        help="road width; by default the drawn width, or in a text image and where roads are drawn "
-        "one pixel wide that of the lanes, at most one cell",
+        help="road width; by default the drawn width, or where all roads are drawn one cell wide "
+        "that of the lanes, at most one cell",
     )
 
     def extract(self, picture: Picture) -> Extraction:

@@ -5,22 +5,20 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .cell_links import Place, is_square, joined_places
 from .found_network import FoundNetwork, FoundRoad
-
-Cell = tuple[int, int]
-_SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
-_CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
 
 
 def roads_of_cells(road: NDArray[np.bool_], thickness: float | None = None) -> FoundNetwork:
-    """The network of a boolean grid (h, w): neighbors join by sides, else by corners.
+    """The network of a boolean grid (h, w) whose roads are one or two cells wide.
 
-    Without a `thickness` roads are as wide as a cell, which says nothing of their width.
+    Without a `thickness` roads are as wide as they are drawn; where all are drawn one cell wide,
+    that says nothing of their width.
     """
-    links = _links(road)
+    links = joined_places(road)
     ends = {cell for cell, near in links.items() if len(near) != 2}
     roads = []
-    used: set[tuple[Cell, Cell]] = set()
+    used: set[tuple[Place, Place]] = set()
     for start in sorted(ends):
         for step in links[start]:
             if (start, step) not in used:
@@ -31,34 +29,23 @@ def roads_of_cells(road: NDArray[np.bool_], thickness: float | None = None) -> F
             path = _follow(start, links[start][0], links, {start}, used)
             touched |= set(path)
             roads.append(path)
-    index: dict[Cell, int] = {}
+    index: dict[Place, int] = {}
     for path in roads:
         for cell in (path[0], path[-1]):
             index.setdefault(cell, len(index))
-    nodes = np.array([(x, y) for y, x in index], float).reshape(-1, 2)
-    width = 1.0 if thickness is None else thickness
-    found = tuple(_road(path, index, width) for path in roads)
-    return FoundNetwork(nodes, found, road, "cells", has_widths=thickness is not None)
-
-
-def _links(road: NDArray[np.bool_]) -> dict[Cell, list[Cell]]:
-    cells = {(int(y), int(x)) for y, x in np.argwhere(road)}
-    links: dict[Cell, list[Cell]] = {cell: [] for cell in sorted(cells)}
-    for y, x in links:
-        links[y, x] += [(y + dy, x + dx) for dy, dx in _SIDES if (y + dy, x + dx) in cells]
-        for dy, dx in _CORNERS:
-            if (y + dy, x + dx) in cells and (y + dy, x) not in cells and (y, x + dx) not in cells:
-                links[y, x].append((y + dy, x + dx))
-    return links
+    nodes = np.array([(x, y) for y, x in index], float).reshape(-1, 2) / 2
+    found = tuple(_road(path, index, thickness) for path in roads)
+    drawn = any(is_square(place) for place in links)
+    return FoundNetwork(nodes, found, road, "cells", has_widths=thickness is not None or drawn)
 
 
 def _follow(
-    start: Cell,
-    step: Cell,
-    links: dict[Cell, list[Cell]],
-    ends: set[Cell],
-    used: set[tuple[Cell, Cell]],
-) -> list[Cell]:
+    start: Place,
+    step: Place,
+    links: dict[Place, list[Place]],
+    ends: set[Place],
+    used: set[tuple[Place, Place]],
+) -> list[Place]:
     path = [start, step]
     used |= {(start, step), (step, start)}
     while path[-1] not in ends:
@@ -68,6 +55,9 @@ def _follow(
     return path
 
 
-def _road(path: list[Cell], index: dict[Cell, int], width: float) -> FoundRoad:
-    points = np.array([(x, y) for y, x in path], float)
-    return FoundRoad(index[path[0]], index[path[-1]], points, np.full(len(points), width))
+def _road(path: list[Place], index: dict[Place, int], thickness: float | None) -> FoundRoad:
+    points = np.array([(x, y) for y, x in path], float) / 2
+    widths = np.array([2.0 if y % 2 or x % 2 else 1.0 for y, x in path])
+    if thickness is not None:
+        widths[:] = thickness
+    return FoundRoad(index[path[0]], index[path[-1]], points, widths)

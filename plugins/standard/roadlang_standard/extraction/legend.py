@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from .cell_links import is_wide
 from .colors import bgr
 from .found_network import FoundNetwork
 from .grid import roads_of_cells
@@ -24,6 +25,8 @@ DIRECTIONS = {
 }
 """Directions of one-way roads, in pixels: y runs down."""
 ROADS = (ROAD, *DIRECTIONS)
+_FINER = 8
+"""Pixels of the picture in which the surface of a typed road is seen, for each character."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,16 @@ def read_text(
         if str(cells[y, x]) in kinds
     )
     directions = _directions({name: np.isin(cells, _keys(kinds, name)) for name in DIRECTIONS})
-    return replace(roads_of_cells(road, thickness), directions=directions), objects
+    found = _wide_roads(road, thickness) if is_wide(road) else roads_of_cells(road, thickness)
+    return replace(found, directions=directions), objects
+
+
+def _wide_roads(road: NDArray[np.bool_], thickness: float | None) -> FoundNetwork:
+    """The roads of a grid that are more than two cells wide, by their surface."""
+    surface = np.kron(road, np.ones((_FINER, _FINER))).astype(np.float32)
+    width = None if thickness is None else thickness * _FINER
+    found = roads_of_surface(surface, "legend", width=width, specks=2)
+    return found.scaled(1 / _FINER, (road.shape[0], road.shape[1]))
 
 
 def _keys(legend: Mapping[str, str], kind: str) -> list[str]:
@@ -75,7 +87,8 @@ def read_colors(
 ) -> tuple[FoundNetwork, tuple[LegendObject, ...]]:
     """Roads and things of a drawing (h, w, 3): each pixel belongs to the legend's nearest color.
 
-    A color that is far from all of the legend's is nothing. One-pixel roads are read cell by cell.
+    A color that is far from all of the legend's is nothing. Roads of one or two pixels are read
+    cell by cell.
     """
     names = list(legend)
     palette = np.array([bgr(name) for name in names], float)
@@ -92,8 +105,7 @@ def read_colors(
         name: np.isin(label, [i for i, key in enumerate(names) if legend[key] == name])
         for name in DIRECTIONS
     })  # fmt: skip
-    inner = cv2.distanceTransform(np.pad(road.astype(np.uint8), 1), cv2.DIST_L2, 5)
-    if inner.max() <= 1.5:
+    if not is_wide(road):
         return replace(roads_of_cells(road, thickness), directions=directions), objects
     found = roads_of_surface(road.astype(np.float32), "legend", width=thickness, specks=2)
     return replace(found, directions=directions), objects

@@ -11,6 +11,7 @@ import numpy as np
 
 from roadlang.geometry import Floats
 
+from .cell_links import is_square, joined_places
 from .directions import runs_forward
 from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
@@ -105,21 +106,20 @@ def _object(picture: Picture, drawn: LegendObject) -> FoundObject:
 
 
 def _lone_cells(picture: Picture, found: FoundNetwork) -> list[str]:
-    """That a cell of road without a neighbor is no road, with the places of at most five."""
+    """That what is no longer than wide is no road, with the places of at most five."""
     if found.method != "cells":
         return []
-    padded = np.pad(np.asarray(found.mask, dtype=bool), 1)
-    rows, columns = (slice(1, size - 1) for size in padded.shape)
-    around = sum(
-        np.roll(padded, (down, right), (0, 1))[rows, columns].astype(int)
-        for down in (-1, 0, 1)
-        for right in (-1, 0, 1)
-    )
-    row, column = np.nonzero(padded[rows, columns] & (around == 1))
-    places = picture.to_world(np.column_stack([column, row]).astype(np.float64))
+    lone = [place for place, near in joined_places(found.mask).items() if not near][:5]
+    if not lone:
+        return []
+    where = picture.to_world(np.array([(column, row) for row, column in lone]) / 2)
     return [
-        f"the road cell at ({x:.4g} m, {y:.4g} m) has no neighbor: a road has at least two cells"
-        for x, y in places[:5]
+        f"the four road cells around ({x:.4g} m, {y:.4g} m) have no neighbor: a road is longer "
+        "than it is wide"
+        if is_square(place)
+        else f"the road cell at ({x:.4g} m, {y:.4g} m) has no neighbor: a road has at least two "
+        "cells"
+        for place, (x, y) in zip(lone, where, strict=True)
     ]
 
 
