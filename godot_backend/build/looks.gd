@@ -2,7 +2,6 @@ extends RefCounted
 ## The materials and meshes that the built things share.
 
 const RoadShader := preload("shaders/road.gdshader")
-const TileShader := preload("shaders/tile.gdshader")
 const GrassShader := preload("shaders/grass.gdshader")
 
 ## Surfaces of lanes, by number: color, meters between joints or stall lines across (0 for none),
@@ -46,16 +45,6 @@ static func curb() -> StandardMaterial3D:
 
 static func grass() -> ShaderMaterial:
 	return _shared("grass", GrassShader)
-
-
-## The unit square of a tile whose neighbors are `mask`, north at -z.
-static func tile(mask: int) -> Mesh:
-	var material := _shared("tile %d" % mask, TileShader)
-	material.set_shader_parameter("mask", mask)
-	var plane := PlaneMesh.new()
-	plane.size = Vector2.ONE
-	plane.material = material
-	return plane
 
 
 static func plain(color: Color, roughness: float = 0.9) -> StandardMaterial3D:

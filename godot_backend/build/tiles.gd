@@ -1,25 +1,19 @@
 extends "thing.gd"
-## Square cells of a pixel road: the four neighbors of a cell choose its shape and its turn.
+## Square cells of a pixel road: the neighbors of a cell choose its shape and its turn.
 
 const Protocol := preload("../net/protocol.gd")
-const Looks := preload("looks.gd")
 const Cells := preload("cells.gd")
 const Instances := preload("instances.gd")
-
-## Neighbors as bits, clockwise from north.
-const NORTH := 1
-const EAST := 2
-const SOUTH := 4
-const WEST := 8
-
-## Dot, end, straight, corner, tee and cross, each as the mask that it has before it is turned.
-const SHAPES: Array[int] = [0, NORTH, NORTH | SOUTH, NORTH | EAST, NORTH | EAST | SOUTH, 15]
+const TileMesh := preload("tile_mesh.gd")
 
 const CELL_BYTES := 5
 
+static var _made: Dictionary = {}
+
 var _cell := 1.0
 var _shift := Vector2.ZERO
-var _meshes: Array[MultiMesh] = []
+## By the mask of a shape before it is turned.
+var _meshes: Dictionary = {}
 
 
 func build(reader: Reader) -> String:
@@ -34,14 +28,14 @@ func build(reader: Reader) -> String:
 	for i in count:
 		var cell := Vector2i(raw.decode_s16(i * CELL_BYTES), raw.decode_s16(i * CELL_BYTES + 2))
 		var mask := raw[i * CELL_BYTES + 4]
-		if mask > 15 or cells.has(cell):
-			return "a tile has a mask of 0 to 15, and a cell has one tile"
+		if not is_mask(mask) or cells.has(cell):
+			return "a corner counts between two sides that do, and a cell has one tile"
 		cells[cell] = true
 		var turned := shape_of(mask)
 		var alike: Array[Transform3D] = places.get_or_add(turned.x, [] as Array[Transform3D])
 		alike.append(_place(cell, turned.y))
-	for shape in SHAPES.size():
-		_add_shape(shape, places.get(shape, [] as Array[Transform3D]))
+	for shape: int in places:
+		_add_shape(shape, places[shape])
 	add_body(Cells.faces(cells, _cell, _shift))
 	return ""
 
@@ -49,7 +43,7 @@ func build(reader: Reader) -> String:
 ## Cells and masks as the instances in the scene have them, in order.
 func content() -> PackedByteArray:
 	var found := PackedStringArray()
-	for shape in _meshes.size():
+	for shape: int in _meshes:
 		for place in Instances.places_of(_meshes[shape]):
 			found.append(_cell_of(place, shape).hex_encode())
 	found.sort()
@@ -59,18 +53,30 @@ func content() -> PackedByteArray:
 	return out
 
 
-## Shape and clockwise quarter turns of a mask.
+## Whether a byte says of sides and corners what can be: a corner joins two sides.
+static func is_mask(mask: int) -> bool:
+	var sides := mask & 15
+	return (mask >> 4) & ~(sides & ((sides >> 1) | (sides << 3))) == 0
+
+
+## The least mask that can be turned into this one, and by how many clockwise quarters.
 static func shape_of(mask: int) -> Vector2i:
-	for shape in SHAPES.size():
-		for turns in 4:
-			if turn(SHAPES[shape], turns) == mask:
-				return Vector2i(shape, turns)
-	return Vector2i.ZERO
+	var best := Vector2i(256, 0)
+	for turns in 4:
+		var shape := turn(mask, 4 - turns)
+		if shape < best.x:
+			best = Vector2i(shape, turns)
+	return best
 
 
 ## A mask turned clockwise by quarters.
 static func turn(mask: int, turns: int) -> int:
-	return ((mask << turns) | (mask >> (4 - turns))) & 15
+	var sides := mask & 15
+	var corners := mask >> 4
+	turns &= 3
+	sides = ((sides << turns) | (sides >> (4 - turns))) & 15
+	corners = ((corners << turns) | (corners >> (4 - turns))) & 15
+	return sides | corners << 4
 
 
 func _place(cell: Vector2i, turns: int) -> Transform3D:
@@ -87,13 +93,15 @@ func _cell_of(place: Transform3D, shape: int) -> PackedByteArray:
 	bytes.resize(CELL_BYTES)
 	bytes.encode_s16(0, x)
 	bytes.encode_s16(2, z)
-	bytes.encode_u8(4, turn(SHAPES[shape], turns))
+	bytes.encode_u8(4, turn(shape, turns))
 	return bytes
 
 
 func _add_shape(shape: int, places: Array[Transform3D]) -> void:
-	var multimesh := Instances.make(Looks.tile(SHAPES[shape]), places)
-	_meshes.append(multimesh)
+	if not _made.has(shape):
+		_made[shape] = TileMesh.make(shape)
+	var multimesh := Instances.make(_made[shape], places)
+	_meshes[shape] = multimesh
 	var instance := MultiMeshInstance3D.new()
 	instance.multimesh = multimesh
 	instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
