@@ -127,6 +127,7 @@ if TYPE_CHECKING:
     from .ir.frame_labels import CameraGeometry, FrameLabels, LabeledThing
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.placed_batch import PlacedBatch
+    from .ir.readings import Reading, SensedBatch
     from .ir.road_bounds import RoadBounds
     from .ir.scenario_contents import ScenarioContents
     from .ir.scene import (
@@ -170,6 +171,7 @@ if TYPE_CHECKING:
     from .simulation.mirroring import Mirror
     from .simulation.observation_vector import ObservationVector
     from .simulation.route_lines import route_points
+    from .simulation.sensing import DueReading
     from .simulation.simulating import EngineSettings, simulate_scenes
 
 _LATER = {
@@ -181,6 +183,7 @@ _LATER = {
     ".ir.encoding": "scene_from_json to_json",
     ".ir.frame_labels": "CameraGeometry FrameLabels LabeledThing",
     ".ir.picture": "Extraction FoundObject Picture",
+    ".ir.readings": "Reading SensedBatch",
     ".ir.road_bounds": "RoadBounds",
     ".ir.scenario_contents": "ScenarioContents",
     ".ir.scene": (
@@ -209,6 +212,7 @@ _LATER = {
     ".simulation.mirroring": "Mirror",
     ".simulation.observation_vector": "ObservationVector",
     ".simulation.route_lines": "route_points",
+    ".simulation.sensing": "DueReading",
     ".simulation.simulating": "EngineSettings simulate_scenes",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
@@ -221,20 +225,20 @@ __all__ = [
     "CameraGeometry", "Code", "Condition", "ConstraintNames", "Contact", "Control", "ControlBatch",
     "Controller", "Curvature", "Dataset", "DatasetFrame", "Decision", "Diagnostic",
     "DiagnosticError", "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal",
-    "Duration", "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
-    "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
-    "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval",
-    "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind",
-    "Observation", "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape",
-    "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point",
-    "PointInSpace", "Position", "Profile", "Provenance", "Reader", "ReadingArray", "RightOfWay",
-    "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep",
-    "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor", "SceneArm",
-    "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
+    "DueReading", "Duration", "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag",
+    "FoundObject", "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl",
+    "Kind", "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length",
+    "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
+    "Number", "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "OptionError",
+    "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point",
+    "PointInSpace", "Position", "Profile", "Provenance", "Reader", "Reading", "ReadingArray",
+    "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace",
+    "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor",
+    "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
     "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
-    "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector", "Sensor", "Signal",
-    "SignalHead", "SignalPhase", "Simulator", "Source", "Span", "Speed", "Standing", "String",
-    "Trace", "Verdict", "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean",
+    "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector", "SensedBatch", "Sensor",
+    "Signal", "SignalHead", "SignalPhase", "Simulator", "Source", "Span", "Speed", "Standing",
+    "String", "Trace", "Verdict", "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean",
     "geometry", "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of",
     "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input",
     "record_of", "route_points", "scene_from_json", "signal_heads", "simulate_scenes", "to_json",

@@ -11,7 +11,7 @@ from roadlang.api import Duration, Simulator, option
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
-    from roadlang.api import Controller, EngineSettings, Scene, Trace
+    from roadlang.api import Controller, EngineSettings, Scene, Sensor, Trace
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,9 @@ class Builtin(Simulator):
         "default to its end; expectations of other forms are never violated for certain before it",
         example="2s",
     )
+
+    def offers(self, sensor: type[Sensor]) -> bool:
+        return sensor.is_computed()
 
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ..ir.scene import Call, Scene, SceneActor
+from ..ir.scene import Call, Scene, SceneActor, SceneSensor
 from ..plugins.finding import entry_of, find_entry
 from ..plugins.guard import plugin_guard
-from ..plugins.kinds import Controller, implements
+from ..plugins.kinds import Controller, Sensor, implements
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from ..simulation.controllers import Driver, GuardedController
+from ..simulation.sensors import GuardedSensor
 
 
 def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller]:
@@ -27,15 +28,24 @@ def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller
 def _driver(
     actor: SceneActor, registry: Registry, expected: Mapping[str, KindEntry]
 ) -> Driver | None:
+    sensors = [_sensor(sensor, registry) for sensor in actor.sensors]
     each = {place: _controller(call, registry) for place, call in enumerate(actor.drive)}
     steady = [
         place for place, call in enumerate(actor.drive) if call.when is None and call.during is None
     ]
-    if all(controller is None for controller in each.values()) or (
-        steady and each[steady[-1]] is None
-    ):
+    undriven = all(controller is None for controller in each.values())
+    if (undriven and not sensors) or (steady and each[steady[-1]] is None):
         return None
-    return Driver(each, steady, {**expected, **_signals(actor, registry)})
+    return Driver(each, steady, {**expected, **_signals(actor, registry)}, sensors)
+
+
+def _sensor(sensor: SceneSensor, registry: Registry) -> GuardedSensor:
+    """Raises RL930 for a kind that is not installed."""
+    entry = entry_of(registry, "sense", sensor.kind)
+    with plugin_guard(entry, None):
+        kind = entry.load()
+    assert issubclass(kind, Sensor)
+    return GuardedSensor(sensor, kind, entry)
 
 
 def _expected_signals(scene: Scene, registry: Registry) -> dict[str, KindEntry]:

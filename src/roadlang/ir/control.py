@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..diagnostics.renamed_names import OldName
 from .read_only import Frozen
+from .readings import Reading, batch_of_one
 from .surroundings import (
     LaneChoice,
     LanePlace,
@@ -94,6 +95,8 @@ class Observation(Frozen):
     there, infinite for nobody, and its speed; politeness and aggression are from 0 to 1"""
     nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
     """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
+    sensors: Mapping[str, Reading] = field(default_factory=dict)
+    """the readings of the sensors of the agent, by name: `sensors["front"].rgb`"""
 
     @property
     def lane(self) -> int:
@@ -190,6 +193,8 @@ class ObservationBatch:
     """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
     nearest: Callable[[int], tuple[Floats, Floats, Floats, Floats]]
     """`nearest(n)`: (N, n) x, y, heading and speed of the nearest others; NaN: no more of them"""
+    sensors: Mapping[str, Reading] = field(default_factory=dict)
+    """the readings of sensors that all N agents have, by name; arrays have a leading axis N"""
     of_one = OldName("of_single")
     """deprecated: now `of_single`"""
 
@@ -253,6 +258,7 @@ class ObservationBatch:
             nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
+            sensors={name: batch_of_one(reading) for name, reading in seen.sensors.items()},
         )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from .controllers import Driver, GuardedController
+from .option_columns import columns_of, options_of, words_of
 from .triggers import PlacedCall
 from .world import World
 
@@ -90,9 +90,12 @@ class Group:
 
 
 def grouped(
-    world: World, controllers: Sequence[Mapping[str, Controller]]
+    world: World,
+    controllers: Sequence[Mapping[str, Controller]],
+    layouts: Mapping[int, Any],
 ) -> tuple[list[Group], list[PlacedCall]]:
-    """Groups by place in the list, kind, and options that are no numbers; all calls."""
+    """Groups by place in the list, kind, options that are no numbers and the `layouts` of what
+    agents sense; all calls."""
     members: dict[Any, list[tuple[int, GuardedController]]] = {}
     calls = []
     for row, actor in enumerate(world.actors):
@@ -104,7 +107,7 @@ def grouped(
                 found = diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine)
                 raise DiagnosticError(found)
             calls.append((place, row, call))
-            key = (place, controller.kind, _words(controller.options))
+            key = (place, controller.kind, words_of(controller.options), layouts.get(row))
             members.setdefault(key, []).append((row, controller))
     groups = [_group(place, found) for (place, *_), found in members.items()]
     return sorted(groups, key=lambda group: group.place), calls
@@ -116,43 +119,10 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
     if not first.in_batches:
         singles = [controller for _, controller in members]
         return Group(place, first, rows, {}, None, singles, *_never_decided(len(rows)))
-    columns = {
-        name: value
-        if _shape(value) is None
-        else np.array([controller.options[name] for _, controller in members], dtype=np.float64)
-        for name, value in first.options.items()
-    }
+    columns = columns_of([controller.options for _, controller in members])
     state = first.first_state(first.built(columns), len(rows))
     return Group(place, first, rows, columns, state, [], *_never_decided(len(rows)))
 
 
 def _never_decided(count: int) -> tuple[Floats, Floats]:
     return np.full(count, -math.inf), np.full((len(HELD), count), math.nan)
-
-
-def _words(options: Mapping[str, Any]) -> str:
-    """The options that are not numbers, as one text; of numbers their shape."""
-    shapes = {name: _shape(value) for name, value in options.items()}
-    words = {
-        name: options[name] if shape is None else shape
-        for name, shape in shapes.items()
-        if shape != ()
-    }
-    return json.dumps(words, sort_keys=True) if words else ""
-
-
-def _shape(value: Any) -> tuple[int, ...] | None:
-    """() of a number, (2,) of a pair, (3, 2) of three pairs; None of what is not numbers alone."""
-    if isinstance(value, list | tuple):
-        parts = {_shape(item) for item in value}
-        part = parts.pop() if len(parts) == 1 else None
-        return None if part is None else (len(value), *part)
-    return () if isinstance(value, int | float) and not isinstance(value, bool) else None
-
-
-def options_of(columns: Mapping[str, Any], rows: Integers) -> dict[str, Any]:
-    """The options of some agents of a group."""
-    return {
-        name: value[rows] if isinstance(value, np.ndarray) else value
-        for name, value in columns.items()
-    }

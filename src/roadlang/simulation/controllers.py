@@ -15,6 +15,7 @@ from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, implements
 from ..plugins.registry import KindEntry
 from ..plugins.results import real_numbers
+from .sensors import GuardedSensor
 
 UNDRIVEN_BRAKING = 4.0
 """m/s^2: what nobody drives brakes."""
@@ -158,14 +159,17 @@ def _only(batch: ControlBatch) -> Control:
 class Driver(Controller):
     """What drives one agent: its controllers by their place in `SceneActor.drive`, None for those
     that are not written in Python; `steady` are the places of those without a condition;
-    `signals`: the kinds of drive signals that their conditions name."""
+    `signals`: the kinds of drive signals that their conditions name; `sensors`: those of the
+    agent."""
 
     def __init__(
         self,
         each: Mapping[int, GuardedController | None],
         steady: Sequence[int],
         signals: Mapping[str, KindEntry] | None = None,
+        sensors: Sequence[GuardedSensor] = (),
     ) -> None:
+        self.sensors = tuple(sensors)
         self.each = each
         self.signals = dict(signals or {})
         self._steady = [each[place] for place in reversed(steady)]

@@ -13,12 +13,14 @@ from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
 from .carried_state import Continued
-from .controller_groups import Group, grouped, options_of
+from .controller_groups import Group, grouped
 from .controllers import Driver
 from .decision import Decision
 from .line_steering import line_steering
 from .observing import Surroundings, View
+from .option_columns import options_of
 from .poses import Poses
+from .sensing import Sensing
 from .single_agents import OthersSeen, observations
 from .triggers import Triggers
 from .world import World
@@ -36,18 +38,30 @@ class DriverGroup:
         self._step = step
         self._surroundings = Surroundings(world)
         self._slots = world.slots
-        self._groups, calls = grouped(world, controllers)
+        self.sensing = Sensing.of(world, controllers, step)
+        layouts = {} if self.sensing is None else self.sensing.layouts
+        self._groups, calls = grouped(world, controllers, layouts)
         self._triggers = Triggers(world, calls, signals_of(controllers))
         self._in_charge = np.zeros(0, dtype=np.int64)
         self._chosen: list[Integers] = []
         """of each group who is in charge, by the last `in_charge`"""
 
     def view(self, world: World, poses: Poses) -> View:
-        """What the agents see."""
+        """What the agents see, with what they sensed last."""
+        return View(world, poses, self._step, self._surroundings, self.sensing)
+
+    def sense(self, world: World, poses: Poses) -> None:
+        """Measure what is due, unless that has been done at this time."""
+        if self.sensing is not None:
+            self.sensing.sense(self.truth(world, poses))
+
+    def truth(self, world: World, poses: Poses) -> View:
+        """What sensors measure."""
         return View(world, poses, self._step, self._surroundings)
 
     def decide(self, world: World, poses: Poses) -> Decision:
         """What all agents are to do until the next step. Moves the lines that they follow."""
+        self.sense(world, poses)
         view = self.view(world, poses)
         in_charge = self._triggers.in_charge(world, poses)
         if in_charge is not self._in_charge:
@@ -70,6 +84,8 @@ class DriverGroup:
         """Some agents are back at the start. Conditions are not: none of theirs may have any."""
         for group in self._groups:
             group.restart(agents)
+        if self.sensing is not None:
+            self.sensing.restart(agents)
 
     def carry_on(self, before: DriverGroup, rows: Continued, same_network: bool) -> None:
         """Controllers and conditions of the agents that go on after an edit remember what they did
@@ -105,6 +121,8 @@ class DriverGroup:
         for group in self._groups:
             group.take(place)
         self._triggers.take(place, agents)
+        if self.sensing is not None:
+            self.sensing.take(agents, count, self._slots)
         self._surroundings.take(agents, count, self._slots)
 
     def _ask_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:

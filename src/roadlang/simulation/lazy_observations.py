@@ -43,6 +43,9 @@ class LazyObservations(ObservationBatch):
                 value = _DERIVED[name](self)
             else:
                 raise AttributeError(f"an observation has no member `{name}`")
+            if self.view.sensing is not None and name in self.view.replaced:
+                column = self.view.replaced[name][self.rows]
+                value = np.where(np.isnan(column), value, column)
             object.__setattr__(self, name, value)
             return value
 
@@ -106,6 +109,7 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     "offset_of_lane": _lane("middles"),
     "direction_of_lane": _lane("direction"),
     "speed_limit_ahead": lambda seen: lambda *at: seen.view.speed_limit_ahead(seen.chosen, *at),
+    "sensors": lambda seen: seen.view.readings(seen.chosen),
     "stop_ahead": lambda seen: lambda: seen.view.right_of_way(seen.chosen)[0],
     "right_of_way": lambda seen: lambda *temper: seen.view.right_of_way(seen.chosen, temper),
     "nearby": lambda seen: lambda distance: seen.view.nearby(seen.chosen, distance),

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import Control, ControlBatch, Observation
@@ -19,6 +20,7 @@ from .controllers import Driver
 from .decision import Decision
 from .driving import DriverGroup
 from .recording import Recorder
+from .sensing import DueReading
 from .single_agents import OthersSeen, observations
 from .world_building import world_of
 
@@ -109,6 +111,18 @@ class Mirror:
     def trace(self, engine: str) -> Trace:
         """What was recorded, driven by an engine of this name."""
         return replace(self._recorder.traces()[0], engine=engine)
+
+    def due_readings(self) -> list[DueReading]:
+        """What the engine has to measure now, and `deliver` before the next `decide`: the readings
+        of sensors whose kinds do not compute them."""
+        if self._drivers.sensing is None:
+            return []
+        return self._drivers.sensing.due(self._drivers.truth(self._world, self._world.poses))
+
+    def deliver(self, agent: str, sensor: str, arrays: Mapping[str, ArrayLike]) -> None:
+        """What the engine has measured now. Raises RL474 for arrays of another shape."""
+        assert self._drivers.sensing is not None, "it was due"
+        self._drivers.sensing.deliver(self._names.index(agent), sensor, arrays)
 
     def decide(self) -> Decision:
         """What all agents are to do until the next step; that of those that are not `driven`

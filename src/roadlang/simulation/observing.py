@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import ObservationBatch
+from ..ir.readings import Reading
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
@@ -19,10 +21,12 @@ from .neighbors import Nearby, StandingObjects
 from .obstacles import Obstacles
 from .poses import Poses, line_frames
 from .road_lanes import LanesHere, RoadLanes, lane_values
+from .sensing import Sensing
 from .speed_zones import has_limit
 from .traffic.right_of_way import RightOfWayGrants
 from .world import World
 
+_NOTHING: Mapping[str, Floats] = {}
 PROBE = 0.1
 """Meters along a route to each side, to see in which direction of the road it goes."""
 
@@ -113,6 +117,8 @@ class View:
     poses: Poses
     step: float
     surroundings: Surroundings
+    sensing: Sensing | None = None
+    """what agents have sensed; None: they see the truth"""
     _ahead: Leaders | None = field(default=None)
     _lanes: LanesHere | None = field(default=None)
     _nearby: Nearby | None = field(default=None)
@@ -126,6 +132,8 @@ class View:
     ) -> tuple[Floats, Floats, Floats, Floats]:
         """(N,) x, y, heading and curvature of the lines to follow, a distance on."""
         world = self.world
+        if self.sensing is not None:
+            distance = distance + self._lead(rows)
         track = world.track.of_rows(rows)
         along = track.wrapped(world.motion.along[rows] + distance)
         x, y, heading, curvature, _ = line_frames(track, along)
@@ -141,19 +149,35 @@ class View:
     def path_ahead(self, rows: Any, distances: Floats) -> tuple[Floats, Floats]:
         """(K, N) x and y of the lines to follow, some distances (K,) on. The same points as those
         of `line_ahead`, but for rounding and `(curvature * cell)^2 / 8` of the offset."""
-        world = self.world
+        world, distances = self.world, distances[:, None]
+        if self.sensing is not None:
+            distances = distances + self._lead(rows)
         track = world.track.of_rows(rows)
-        along = track.wrapped(world.motion.along[rows] + distances[:, None])
+        along = track.wrapped(world.motion.along[rows] + distances)
         cell, rest = track.cell(along)
         found = track.lines.table.take(cell, axis=0)[:, :, :5]
         x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
         bend = curvature * rest
         bulge = 0.5 * bend * (rest - track.spacing)
-        left = world.lateral.ahead(rows, distances[:, None], world.motion.speed[rows])[0]
+        left = world.lateral.ahead(rows, distances, world.motion.speed[rows])[0]
         # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
         ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
         across = bulge + left
         return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
+
+    @property
+    def replaced(self) -> Mapping[str, Floats]:
+        """(N,) by name: columns that agents see in place of the true ones, where they are not
+        NaN."""
+        return _NOTHING if self.sensing is None else self.sensing.replaced
+
+    def _lead(self, rows: Any) -> Floats | float:
+        """(N,) how far ahead of where they are agents see themselves along their lines."""
+        seen = self.replaced.get("traveled")
+        if seen is None:
+            return 0.0
+        lead = seen[rows] - self.world.traveled[rows]
+        return np.where(np.isnan(lead), 0.0, lead)
 
     def vehicle_ahead(self, rows: Any) -> tuple[Floats, Floats]:
         """(N,) gap to the next agent in the lane, and its speed along it."""
@@ -222,6 +246,10 @@ class View:
         lanes = self._current_lanes().take(rows)
         index = lanes.choose(which, self.world.motion.offset[rows])
         return lane_values(getattr(lanes, quantity), index)
+
+    def readings(self, rows: Integers) -> Mapping[str, Reading]:
+        """What some agents have got from their sensors."""
+        return {} if self.sensing is None else self.sensing.readings(rows)
 
     def nearby(self, rows: Integers, distance: float) -> Neighbors:
         """Who and what is within a distance of agents."""

@@ -10,9 +10,11 @@ import numpy as np
 from ..geometry.arrays import Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
 from ..ir.read_only import ReadOnlyMapping
+from ..ir.readings import Reading
 from ..ir.surroundings import LaneChoice, LanePlace, Neighbor
 from .observing import View
 
+_NOTHING: Mapping[str, Reading] = {}
 _NOBODY: Mapping[str, Observation] = {}
 
 
@@ -49,6 +51,12 @@ class _SingleAgent:
     @cached_property
     def _seen(self) -> ObservationBatch:
         return self._view.of(self._rows)
+
+    @property
+    def sensors(self) -> Mapping[str, Reading]:
+        if self._view.sensing is None:
+            return _NOTHING
+        return {name: reading.single(0) for name, reading in self._seen.sensors.items()}
 
     def line_ahead(self, distance: float) -> tuple[float, float, float, float]:
         x, y, heading, curvature = self._view.line_ahead(self._rows, distance)
@@ -121,6 +129,7 @@ def observations(
                 stop_ahead=single.stop_ahead,
                 right_of_way=single.right_of_way,
                 nearby=single.nearby,
+                sensors=single.sensors,
             )
         )
     return out

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from .base import Kind
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ...ir.readings import SensedBatch
 
 
 @dataclass(frozen=True)
@@ -26,10 +31,40 @@ class ReadingArray:
 
 
 class Sensor(Kind):
-    """`sense with`: a sensor of an agent. Its readings reach the controllers of the agent."""
+    """`sense with`: a sensor of an agent. Its readings reach the controllers of the agent.
+
+    A kind that implements `readings` works in every engine that offers such sensors, the embedded
+    one and Godot among them. One without it, such as a camera, is for engines that measure it
+    themselves. When to measure, delays and lost readings (`every`, `delay`, `dropout`) are not the
+    business of the kind.
+    """
 
     verb: ClassVar[str] = "sense"
+    replaces: ClassVar[tuple[str, ...]] = ()
+    """names of its arrays that are columns of `ObservationBatch` too: controllers of the agent get
+    these in place of the true ones"""
 
     def arrays(self) -> Mapping[str, ReadingArray]:
         """What a reading holds, by name: `{"distances": ReadingArray((72,), unit="m")}`."""
         return {}
+
+    @classmethod
+    def is_computed(cls) -> bool:
+        """Whether the kind itself measures: what `Simulator.offers` is about in engines that decide
+        in Python."""
+        return cls.readings is not Sensor.readings
+
+    def readings(self, sensed: SensedBatch, state: Any) -> Mapping[str, NDArray[Any]]:
+        """Measure at N agents: arrays (N, ...) by name, as `arrays` describes them.
+
+        Options that are numbers are columns (N,) here, points (N, 2) or (N, 3); integers, words and
+        flags are the same for all N agents. What is measured for an agent depends on its row
+        alone. `state` has a row for each agent, as `start` made it; the method changes it in place.
+        Anything else than these arrays, of real numbers that are not NaN, is RL474.
+        """
+        raise NotImplementedError
+
+    def start(self, count: int) -> NDArray[Any] | None:
+        """What `readings` remembers of `count` agents from one measurement to the next: an array
+        (count, ...) for the start of a drive. By default nothing."""
+        return None

@@ -1,0 +1,98 @@
+"""What sensors measure and what controllers get of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .read_only import ReadOnlyMapping
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..geometry.arrays import Floats
+    from .batch import BatchRandom
+    from .control import ObservationBatch
+
+
+class Reading(ReadOnlyMapping[str, Any]):
+    """A reading of a sensor: named arrays, `reading.distances` or `reading["distances"]`.
+
+    Of one agent an array has the shape that the sensor states, and is a `float` where that is ();
+    in a batch it has a leading axis of N agents. `time`: when it was measured, in seconds as the
+    `time` of observations.
+    """
+
+    __slots__ = ("_arrays", "time")
+
+    def __init__(self, time: Any, arrays: Mapping[str, Any]) -> None:
+        self.time = time
+        self._arrays = arrays
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._arrays:
+            known = ", ".join(self._arrays) if not name.startswith("_") else ""
+            raise AttributeError(f"a reading has no array `{name}`; it has {known}")
+        return self._arrays[name]
+
+    def __getitem__(self, name: str) -> Any:
+        return self._arrays[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._arrays)
+
+    def __len__(self) -> int:
+        return len(self._arrays)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Reading, (self.time, dict(self._arrays))
+
+    def single(self, row: int) -> Reading:
+        """That of one agent of a batch."""
+        arrays = {name: array[row] for name, array in self._arrays.items()}
+        numbers = {name: a.item() if a.ndim == 0 else a for name, a in arrays.items()}
+        return Reading(float(self.time[row]), numbers)
+
+
+def batch_of_one(reading: Reading) -> Reading:
+    """The reading of one agent as that of a batch."""
+    import numpy as np
+
+    arrays = {name: np.asarray(array)[None] for name, array in reading.items()}
+    return Reading(np.array([reading.time]), arrays)
+
+
+CastRays = Callable[["ArrayLike", "ArrayLike", "ArrayLike", "ArrayLike"], "Floats"]
+
+
+@dataclass(frozen=True, slots=True)
+class SensedBatch:
+    """N agents at the moment of a measurement, exactly as they are. Columns are (N,)."""
+
+    seen: ObservationBatch
+    """the agents; nothing in it is noisy or late"""
+    interval: Floats
+    """seconds since the measurement before, 0 at the first"""
+    random: BatchRandom
+    """random numbers for each agent, others in each measurement: a function of the seed, the scene,
+    the agent, the sensor and the number of the measurement"""
+    cast_rays: CastRays
+    """`cast_rays(at, angles, elevations, range)`: (N, R) meters along rays to the first agent or
+    object, or the ground; infinite beyond `range`, (N,) or a number. `at`: (3,) or (N, 3) meters
+    ahead of the center, to the left of it, and above the ground. `angles`: (R,) or (N, R) to the
+    left of the heading; `elevations` likewise, upward"""
+
+
+@dataclass(frozen=True, slots=True)
+class SensorRecord:
+    """The readings of one sensor in a drive, in the order of their measurement."""
+
+    agent: str
+    sensor: str
+    time: Floats
+    """(K,) seconds, of the measurements"""
+    arrival: Floats
+    """(K,) seconds, when controllers got them"""
+    arrays: Mapping[str, NDArray[Any]]
+    """each (K, ...)"""

@@ -1,0 +1,132 @@
+"""Sensors of agents, guarded: one that fails is named with its plugin, in whatever engine."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..diagnostics import DiagnosticError
+from ..ir.readings import SensedBatch, SensorRecord
+from ..ir.scene import SceneSensor
+from ..plugins.guard import plugin_guard, wrong_result
+from ..plugins.kinds import ReadingArray, Sensor
+from ..plugins.option_types import QuantityType
+from ..plugins.options import schema_of
+from ..plugins.registry import KindEntry
+from .option_columns import words_of
+
+Arrays = Mapping[str, NDArray[Any]]
+
+
+@dataclass
+class SensorRecorder:
+    """The readings of one sensor in a drive, as they are measured."""
+
+    times: list[float] = field(default_factory=list)
+    arrivals: list[float] = field(default_factory=list)
+    readings: list[Arrays] = field(default_factory=list)
+
+    def add(self, time: float, arrival: float, arrays: Arrays) -> None:
+        """One more, of which nobody changes the arrays."""
+        self.times.append(time)
+        self.arrivals.append(arrival)
+        self.readings.append(arrays)
+
+
+class GuardedSensor:
+    """A sensor of a scene with its kind. `recorder`: where its readings are to be kept."""
+
+    def __init__(self, sensor: SceneSensor, kind: type[Sensor], entry: KindEntry) -> None:
+        self.sensor = sensor
+        self.kind = kind
+        self.entry = entry
+        self.recorder: SensorRecorder | None = None
+        schema = schema_of(kind)
+        names = [option.name for option in schema]
+        self.options = {name: sensor.options[name] for name in names if name in sensor.options}
+        integers = {
+            option.name
+            for option in schema
+            if isinstance(option.type, QuantityType) and option.type.is_integer
+        }
+        self.integers = {name: int(value) for name, value in self.options.items()
+                         if name in integers and value is not None}  # fmt: skip
+        """what every agent of a group has alike"""
+        single = self.built(self.options | self.integers)
+        with plugin_guard(entry, None):
+            self.arrays: Mapping[str, ReadingArray] = dict(single.arrays())
+        unknown = set(kind.replaces) - self.arrays.keys()
+        if unknown:
+            fault = f"replaces `{min(unknown)}`, which is none of its arrays"
+            raise wrong_result(entry, None, fault)
+
+    @property
+    def is_computed(self) -> bool:
+        """Whether Python measures, rather than the engine that draws."""
+        return self.kind.is_computed()
+
+    @property
+    def layout(self) -> tuple[Any, ...]:
+        """What agents have to have in common so that their readings fit into one array."""
+        arrays = ((name, array.shape, array.dtype) for name, array in self.arrays.items())
+        integers = tuple(sorted(self.integers.items()))
+        return (self.sensor.name, self.kind, integers, words_of(self.options), *arrays)
+
+    def built(self, options: Mapping[str, Any]) -> Sensor:
+        """The sensor with other options, which may be columns. Raises RL470."""
+        with plugin_guard(self.entry, None):
+            return self.kind(**options)
+
+    def first_state(self, sensor: Sensor, count: int) -> Any:
+        """The state of `count` agents at the start. Raises RL470, RL474."""
+        with plugin_guard(self.entry, None):
+            state = sensor.start(count)
+        if state is not None and (not isinstance(state, np.ndarray) or len(state) != count):
+            raise wrong_result(self.entry, None, f"gave a state that is no array of {count} rows")
+        return state
+
+    def measure(self, sensor: Sensor, sensed: SensedBatch, state: Any) -> Arrays:
+        """What it measures at N agents. Raises RL470, RL474."""
+        with plugin_guard(self.entry, None):
+            found: object = sensor.readings(sensed, state)
+        return self.checked(found, (len(sensed.interval),))
+
+    def checked(self, found: object, leading: tuple[int, ...]) -> Arrays:
+        """Arrays with these leading axes, as the sensor describes them. Raises RL474."""
+        if not isinstance(found, Mapping) or found.keys() != self.arrays.keys():
+            names = sorted(map(str, found)) if isinstance(found, Mapping) else type(found).__name__
+            raise self._fault(f"gave {names} as arrays, not {sorted(self.arrays)}")
+        return {name: self._array(found[name], name, leading) for name in self.arrays}
+
+    def _array(self, value: Any, name: str, leading: tuple[int, ...]) -> NDArray[Any]:
+        stated = self.arrays[name]
+        with plugin_guard(self.entry, None):
+            array = np.asarray(value)
+            fits = array.dtype.kind in "fiub" and not np.isnan(array).any()
+        if not fits:
+            raise self._fault(f"gave `{name}` with values that are no real numbers")
+        shape = (*leading, *stated.shape)
+        if array.shape != shape:
+            raise self._fault(f"gave `{name}` of shape {array.shape}, not {shape}")
+        return array.astype(stated.dtype, copy=False)
+
+    def _fault(self, text: str) -> DiagnosticError:
+        return wrong_result(self.entry, None, text)
+
+
+def record_of(agent: str, guarded: GuardedSensor) -> SensorRecord | None:
+    """What was recorded of a sensor, if anything was to be."""
+    recorder = guarded.recorder
+    if recorder is None:
+        return None
+    arrays = {
+        name: np.array([reading[name] for reading in recorder.readings], dtype=stated.dtype)
+        .reshape(-1, *stated.shape)
+        for name, stated in guarded.arrays.items()
+    }  # fmt: skip
+    times, arrivals = np.array(recorder.times), np.array(recorder.arrivals)
+    return SensorRecord(agent, guarded.sensor.name, times, arrivals, arrays)
