@@ -30,9 +30,11 @@ def is_walker(actor: SceneActor) -> bool:
 
 
 def drives_alone(scene: Scene) -> bool:
-    """Whether the engine has all that the agents of a scene are driven by."""
+    """Whether the engine has all that the agents of a scene are driven by: no routes, no
+    controllers and no sensors of Python."""
     return all(
-        actor.route is None and all(map(is_in_engine, actor.drive)) for actor in scene.agents
+        actor.route is None and not actor.sensors and all(map(is_in_engine, actor.drive))
+        for actor in scene.agents
     )
 
 

@@ -10,7 +10,7 @@ from roadlang.api import Duration, Flag, Simulator, Word, option
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
-    from roadlang.api import Controller, Scene, Trace
+    from roadlang.api import Controller, Scene, Sensor, Trace
 
 
 @dataclass(frozen=True)
@@ -28,6 +28,10 @@ class GodotSimulator(Simulator):
         words=("mesh", "tiles"),
         help="build the road as a mesh along the curve, or as pixel tiles",
     )
+
+    def offers(self, sensor: type[Sensor]) -> bool:
+        """What Python measures."""
+        return sensor.is_computed()
 
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]

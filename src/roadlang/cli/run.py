@@ -181,7 +181,7 @@ class RunBatch:
     def _task(self, registry: Any) -> DriveTask:
         from ..drive.batches import DriveTask
 
-        return DriveTask(registry, self._engine, self._options)
+        return DriveTask(registry, self._engine, self._options, record_sensors=True)
 
     def _drive(
         self,

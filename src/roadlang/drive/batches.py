@@ -18,10 +18,17 @@ class DriveTask:
     registry: Registry
     engine: str | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
+    record_sensors: bool = False
 
     def drive(self, scenes: Sequence[Scene]) -> tuple[Driven, ...]:
         """Drive some scenes."""
-        return drive_scenes(scenes, self.registry, self.engine, self.options)
+        return drive_scenes(
+            scenes,
+            self.registry,
+            self.engine,
+            self.options,
+            record_sensors=self.record_sensors,
+        )
 
     def parts(self, scenes: Sequence[Scene], workers: int) -> list[range]:
         """The places of scenes in parts, each of which a worker drives together."""

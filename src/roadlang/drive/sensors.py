@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..ir.scene import Scene
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Sensor, Simulator, implements
+from ..plugins.kinds import Controller, Sensor, Simulator, implements
 from ..plugins.registry import KindEntry, Registry
+from ..simulation.controllers import Driver
+from ..simulation.sensors import SensorRecorder
 
 
 def refused_sensor(
@@ -48,6 +50,16 @@ def refuse_sensors(
         refused = refused_sensor(entry_of(registry, "sense", kind), name, simulator, registry)
         if refused is not None:
             raise DiagnosticError(refused)
+
+
+def sensor_recorders(controllers: Mapping[str, Controller]) -> list[SensorRecorder]:
+    """What will hold the readings of all sensors of a scene when it is driven."""
+    found = []
+    for agent, driver in controllers.items():
+        for guarded in driver.sensors if isinstance(driver, Driver) else ():
+            guarded.recorder = SensorRecorder(agent, guarded.sensor.name, guarded.arrays)
+            found.append(guarded.recorder)
+    return found
 
 
 def _may_offer(entry: KindEntry, sensor: KindEntry, span: Span | None) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..ir.readings import SensorRecord
 from ..ir.scene import Call, Scene
 from ..ir.trace import Trace
 from ..judging.drives import Judgement, judge
@@ -17,7 +18,7 @@ from ..plugins.kinds import Simulator
 from ..plugins.registry import KindEntry, Registry
 from ..simulation.simulating import EngineSettings
 from .controllers import python_controllers
-from .sensors import refuse_sensors
+from .sensors import refuse_sensors, sensor_recorders
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,8 @@ class Driven:
     scene: Scene
     trace: Trace
     judgement: Judgement
+    readings: tuple[SensorRecord, ...] = ()
+    """of the sensors, where they were to be recorded"""
 
 
 def simulator_of(
@@ -75,12 +78,18 @@ def engine_settings(registry: Registry) -> EngineSettings:
 
 
 def drive_scenes(
-    scenes: Sequence[Scene], registry: Registry, engine: str | None, options: Mapping[str, Any]
+    scenes: Sequence[Scene],
+    registry: Registry,
+    engine: str | None,
+    options: Mapping[str, Any],
+    *,
+    record_sensors: bool = False,
 ) -> tuple[Driven, ...]:
     """Drive each scene, all with one engine, and judge its expectations."""
     entry, simulator = simulator_of(scenes[0], registry, engine, options)
     controllers = [python_controllers(scene, registry) for scene in scenes]
     refuse_sensors(scenes, (entry, simulator), registry)
+    recorders = [sensor_recorders(of_scene) if record_sensors else [] for of_scene in controllers]
     with plugin_guard(entry, None):
         traces = list(simulator.drive_all(scenes, controllers))
     for trace in traces:
@@ -94,6 +103,6 @@ def drive_scenes(
             fault = f"gave a trace of `{scene.name}` without the agent `{missing[0]}`"
             raise wrong_result(entry, None, fault)
     return tuple(
-        Driven(scene, trace, judge(scene, trace, registry))
-        for scene, trace in zip(scenes, traces, strict=True)
+        Driven(scene, trace, judge(scene, trace, registry), tuple(kept.record for kept in of_scene))
+        for scene, trace, of_scene in zip(scenes, traces, recorders, strict=True)
     )

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from ..diagnostics import Diagnostic, Span
     from ..geometry.arrays import Floats
+    from ..ir.readings import SensorRecord
     from ..ir.scene import Verdict
     from ..ir.trace import Trace
     from ..plugins.registry import Registry
@@ -41,7 +42,9 @@ def drive(
 ) -> DriveSet:
     """Drive scenes, all with one engine. `places`: where each expectation is declared."""
     records = [scene.record for scene in scenes]
-    driven = drive_scenes(records, registry, engine, options) if records else ()
+    driven = (
+        drive_scenes(records, registry, engine, options, record_sensors=True) if records else ()
+    )
     return DriveSet(
         Drive(scene, found, places or {}) for scene, found in zip(scenes, driven, strict=True)
     )
@@ -70,6 +73,8 @@ class Drive:
     def __init__(self, scene: Scene, driven: Driven, places: Mapping[str, Span | None]) -> None:
         self.scene = scene
         self.trace: Trace = driven.trace
+        self.readings: tuple[SensorRecord, ...] = driven.readings
+        """what the sensors of the agents measured; none of a drive of a search"""
         self._verdicts = driven.judgement.verdicts
         self._faults = driven.judgement.faults
         self._places = places

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..drive.reading_files import reading_ending, reading_files
 from ..falsification.descriptors import measures, protagonist
 from ..files.journal import JOURNAL_FILE, JournalFile
 from ..files.writing import write_all, write_file
@@ -64,6 +65,7 @@ class RunFolder:
             contents = *traces, verdicts_json(drive), drive.svg()
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
             files |= {output.path: output.content for output in found}
+            files |= {f"{stem}.{end}": data for end, data in reading_files(drive.readings).items()}
             for ending in FINDINGS:  # of an earlier drive
                 (self._folder / (stem + ending)).unlink(missing_ok=True)
         write_all(self._folder, files)
@@ -72,7 +74,7 @@ class RunFolder:
                 "row": row,
                 "record": record_of(drive),
                 "measures": _measures(drive),
-                "files": [output.path for output in found],
+                "files": [output.path for output in found] + _reading_paths(drive),
             }
             for row, drive, found in zip(drives.rows(), drives, outputs, strict=True)
         ]
@@ -91,6 +93,11 @@ class RunFolder:
         stem = file_stem(entry["row"]["scene"])
         paths = [*(stem + end for end in _ENDINGS), *entry.get("files", ())]
         return all((self._folder / path).is_file() for path in paths)
+
+
+def _reading_paths(drive: Drive) -> list[str]:
+    stem = drive.scene.record.stem
+    return [f"{stem}.{reading_ending(record)}" for record in drive.readings]
 
 
 def record_of(drive: Drive) -> dict[str, Any]:

@@ -26,6 +26,9 @@ Arrays = Mapping[str, NDArray[Any]]
 class SensorRecorder:
     """The readings of one sensor in a drive, as they are measured."""
 
+    agent: str
+    sensor: str
+    stated: Mapping[str, ReadingArray]
     times: list[float] = field(default_factory=list)
     arrivals: list[float] = field(default_factory=list)
     readings: list[Arrays] = field(default_factory=list)
@@ -35,6 +38,18 @@ class SensorRecorder:
         self.times.append(time)
         self.arrivals.append(arrival)
         self.readings.append(arrays)
+
+    @property
+    def record(self) -> SensorRecord:
+        """All of them."""
+        arrays = {
+            name: np.array([reading[name] for reading in self.readings], dtype=array.dtype).reshape(
+                -1, *array.shape
+            )
+            for name, array in self.stated.items()
+        }
+        times, arrivals = np.array(self.times), np.array(self.arrivals)
+        return SensorRecord(self.agent, self.sensor, times, arrivals, arrays)
 
 
 class GuardedSensor:
@@ -59,6 +74,9 @@ class GuardedSensor:
         single = self.built(self.options | self.integers)
         with plugin_guard(entry, None):
             self.arrays: Mapping[str, ReadingArray] = dict(single.arrays())
+        reserved = {"time", "arrival"} & self.arrays.keys()
+        if reserved:
+            raise self._fault(f"has an array `{min(reserved)}`, which every reading has")
         unknown = set(kind.replaces) - self.arrays.keys()
         if unknown:
             fault = f"replaces `{min(unknown)}`, which is none of its arrays"
@@ -116,17 +134,3 @@ class GuardedSensor:
 
     def _fault(self, text: str) -> DiagnosticError:
         return wrong_result(self.entry, None, text)
-
-
-def record_of(agent: str, guarded: GuardedSensor) -> SensorRecord | None:
-    """What was recorded of a sensor, if anything was to be."""
-    recorder = guarded.recorder
-    if recorder is None:
-        return None
-    arrays = {
-        name: np.array([reading[name] for reading in recorder.readings], dtype=stated.dtype)
-        .reshape(-1, *stated.shape)
-        for name, stated in guarded.arrays.items()
-    }  # fmt: skip
-    times, arrivals = np.array(recorder.times), np.array(recorder.arrivals)
-    return SensorRecord(agent, guarded.sensor.name, times, arrivals, arrays)
