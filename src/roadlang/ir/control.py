@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..diagnostics.renamed_names import OldName
 from .read_only import Frozen
-from .readings import Reading, batch_of_one
+from .readings import Reading, Readings, batch_of_one
 from .surroundings import (
     LaneChoice,
     LanePlace,
@@ -258,7 +258,7 @@ class ObservationBatch:
             nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
-            sensors={name: batch_of_one(reading) for name, reading in seen.sensors.items()},
+            sensors=Readings({name: batch_of_one(one) for name, one in seen.sensors.items()}),
         )
 
 

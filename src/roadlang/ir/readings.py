@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -53,6 +53,31 @@ class Reading(ReadOnlyMapping[str, Any]):
         arrays = {name: array[row] for name, array in self._arrays.items()}
         numbers = {name: a.item() if a.ndim == 0 else a for name, a in arrays.items()}
         return Reading(float(self.time[row]), numbers)
+
+
+class Readings(ReadOnlyMapping[str, Reading]):
+    """Readings by the names of sensors; the error for another name says which there are."""
+
+    __slots__ = ("_known",)
+
+    def __init__(self, known: Mapping[str, Reading]) -> None:
+        self._known = known
+
+    def __getitem__(self, name: str) -> Reading:
+        if name not in self._known:
+            raise KeyError(no_such_sensor(name, self))
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._known)
+
+    def __len__(self) -> int:
+        return len(self._known)
+
+
+def no_such_sensor(name: str, known: Iterable[str]) -> str:
+    """What is wrong with asking for a sensor that agents do not have."""
+    return f"there is no sensor `{name}`; the agent has {', '.join(known) or 'none'}"
 
 
 def batch_of_one(reading: Reading) -> Reading:

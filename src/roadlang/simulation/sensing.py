@@ -11,7 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats, Integers, inverse_index
 from ..ir.read_only import ReadOnlyMapping
-from ..ir.readings import Reading
+from ..ir.readings import Reading, no_such_sensor
 from ..ir.scene import SceneSensor
 from ..plugins.kinds import Controller
 from .controllers import Driver
@@ -151,8 +151,7 @@ class _Readings(ReadOnlyMapping[str, Reading]):
         if name not in self._known:
             found = self._group(name)
             if found is None:
-                known = ", ".join(self) or "none"
-                raise KeyError(f"no sensor `{name}`: the agents have {known}")
+                raise KeyError(no_such_sensor(name, self))
             group, places = found
             everyone = len(places) == len(group.rows) and bool(
                 (places == np.arange(len(places))).all()

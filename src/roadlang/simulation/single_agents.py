@@ -10,11 +10,11 @@ import numpy as np
 from ..geometry.arrays import Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
 from ..ir.read_only import ReadOnlyMapping
-from ..ir.readings import Reading
+from ..ir.readings import Reading, Readings
 from ..ir.surroundings import LaneChoice, LanePlace, Neighbor
 from .observing import View
 
-_NOTHING: Mapping[str, Reading] = {}
+_NOTHING = Readings({})
 _NOBODY: Mapping[str, Observation] = {}
 
 
@@ -56,7 +56,8 @@ class _SingleAgent:
     def sensors(self) -> Mapping[str, Reading]:
         if self._view.sensing is None:
             return _NOTHING
-        return {name: reading.single(0) for name, reading in self._seen.sensors.items()}
+        found = self._seen.sensors
+        return Readings({name: reading.single(0) for name, reading in found.items()})
 
     def line_ahead(self, distance: float) -> tuple[float, float, float, float]:
         x, y, heading, curvature = self._view.line_ahead(self._rows, distance)
