@@ -127,7 +127,7 @@ if TYPE_CHECKING:
     from .ir.frame_labels import CameraGeometry, FrameLabels, LabeledThing
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.placed_batch import PlacedBatch
-    from .ir.readings import Reading, SensedBatch
+    from .ir.readings import Reading
     from .ir.road_bounds import RoadBounds
     from .ir.scenario_contents import ScenarioContents
     from .ir.scene import (
@@ -157,6 +157,7 @@ if TYPE_CHECKING:
     )
     from .ir.scene_lane import SceneLane
     from .ir.scene_route import RouteStep, RouteTurn, SceneRoute
+    from .ir.sensed_batch import SensedBatch
     from .ir.surroundings import LanePlace, LanePlaces, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
@@ -183,7 +184,7 @@ _LATER = {
     ".ir.encoding": "scene_from_json to_json",
     ".ir.frame_labels": "CameraGeometry FrameLabels LabeledThing",
     ".ir.picture": "Extraction FoundObject Picture",
-    ".ir.readings": "Reading SensedBatch",
+    ".ir.readings": "Reading",
     ".ir.road_bounds": "RoadBounds",
     ".ir.scenario_contents": "ScenarioContents",
     ".ir.scene": (
@@ -197,6 +198,7 @@ _LATER = {
         "SceneArm SceneConflict SceneConnection SceneControl SceneJunction SceneLaneEnd"
         " SceneRefusal SignalPhase"
     ),
+    ".ir.sensed_batch": "SensedBatch",
     ".ir.surroundings": "LanePlace LanePlaces Neighbor Neighbors",
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",

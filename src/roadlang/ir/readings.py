@@ -1,19 +1,17 @@
-"""What sensors measure and what controllers get of it."""
+"""Readings of sensors, as controllers get them and as files keep them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .read_only import ReadOnlyMapping
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
 
     from ..geometry.arrays import Floats
-    from .batch import BatchRandom
-    from .control import ObservationBatch
 
 
 class Reading(ReadOnlyMapping[str, Any]):
@@ -86,27 +84,6 @@ def batch_of_one(reading: Reading) -> Reading:
 
     arrays = {name: np.asarray(array)[None] for name, array in reading.items()}
     return Reading(np.array([reading.time]), arrays)
-
-
-CastRays = Callable[["ArrayLike", "ArrayLike", "ArrayLike", "ArrayLike"], "Floats"]
-
-
-@dataclass(frozen=True, slots=True)
-class SensedBatch:
-    """N agents at the moment of a measurement, exactly as they are. Columns are (N,)."""
-
-    seen: ObservationBatch
-    """the agents; nothing in it is noisy or late"""
-    interval: Floats
-    """seconds since the measurement before, 0 at the first"""
-    random: BatchRandom
-    """random numbers for each agent, others in each measurement: a function of the seed, the scene,
-    the agent, the sensor and the number of the measurement"""
-    cast_rays: CastRays
-    """`cast_rays(at, angles, elevations, range)`: (N, R) meters along rays to the first agent or
-    object, or the ground; infinite beyond `range`, (N,) or a number. `at`: (3,) or (N, 3) meters
-    ahead of the center, to the left of it, and above the ground. `angles`: (R,) or (N, R) to the
-    left of the heading; `elevations` likewise, upward"""
 
 
 @dataclass(frozen=True, slots=True)

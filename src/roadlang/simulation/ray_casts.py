@@ -9,13 +9,14 @@ and among others.
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..geometry.arrays import Floats, Integers
-from ..ir.readings import CastRays
+from ..ir.sensed_batch import CastRays
 from .outlines import Outlines
 from .poses import Poses
 from .world import World
@@ -54,7 +55,7 @@ class RayCaster:
     def boxes(self, world: World, poses: Poses) -> tuple[Outlines, Floats]:
         """All agents and then all objects, and their heights."""
         moving, standing = Outlines.moving(world, poses), self._standing
-        names = ("x", "y", "cosine", "sine", "half_length", "half_width")
+        names = [field.name for field in fields(Outlines)]
         both = (np.concatenate([getattr(moving, n), getattr(standing, n)]) for n in names)
         return Outlines(*both), np.concatenate([self._heights, self._object_heights])
 

@@ -16,7 +16,7 @@ from ..ir.scene import SceneSensor
 from ..plugins.kinds import Controller
 from .controllers import Driver
 from .ray_casts import RayCaster
-from .sensor_groups import Moment, PlacedSensor, SensorGroup
+from .sensor_groups import MeasuringMoment, PlacedSensor, SensorGroup
 from .sensors import Arrays
 from .world import World
 
@@ -115,10 +115,10 @@ class Sensing:
         self._rays.take(agents, slots)
         self.replaced = {name: column[agents] for name, column in self.replaced.items()}
 
-    def _moment(self, view: Any) -> Moment:
+    def _moment(self, view: Any) -> MeasuringMoment:
         world, poses = view.world, view.poses
         steps = (world.tick - world.began) // self._ticks
-        return Moment(
+        return MeasuringMoment(
             world.age, steps, self._step, view.of, lambda rows: self._rays.of(world, poses, rows)
         )
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.batch import BatchRandom, mix
-from ..ir.readings import CastRays, SensedBatch
 from ..ir.scene import Scene
+from ..ir.sensed_batch import CastRays, SensedBatch
 from ..plugins.kinds import Sensor
 from .option_columns import columns_of, options_of
 from .sensors import Arrays, GuardedSensor
@@ -42,7 +42,7 @@ class PlacedSensor:
 
 
 @dataclass(frozen=True)
-class Moment:
+class MeasuringMoment:
     """A moment at which agents measure. Columns are over all agents of the world."""
 
     time: Floats
@@ -97,14 +97,14 @@ class SensorGroup:
             self._sensor = self.guarded.built(self._columns)
         return self._sensor
 
-    def due(self, moment: Moment) -> Integers:
+    def due(self, moment: MeasuringMoment) -> Integers:
         """The members that measure now."""
         steps = moment.steps[self.rows]
         newest = self._steps[self._slot(self._taken - 1), np.arange(len(steps))]
         is_new = (self._taken == 0) | (newest < steps)
         return np.flatnonzero(is_new & ((steps % self._period == 0) | (self._taken == 0)))
 
-    def sense(self, moment: Moment, delivered: Mapping[int, Arrays]) -> None:
+    def sense(self, moment: MeasuringMoment, delivered: Mapping[int, Arrays]) -> None:
         """Measure where it is time to. `delivered`: by column, what an engine has measured, of a
         kind that is not computed."""
         due = self.due(moment)
@@ -146,7 +146,9 @@ class SensorGroup:
     def _slot(self, number: Integers) -> Any:
         return number % len(self._steps)
 
-    def _measure(self, due: Integers, moment: Moment, delivered: Mapping[int, Arrays]) -> None:
+    def _measure(
+        self, due: Integers, moment: MeasuringMoment, delivered: Mapping[int, Arrays]
+    ) -> None:
         rows, number = self.rows[due], self._taken[due]
         with np.errstate(over="ignore"):
             keys = mix(self._keys[due] + number.astype(np.uint64) * _NUMBERED)
@@ -166,7 +168,11 @@ class SensorGroup:
         self._record(due, lost, moment)
 
     def _found(
-        self, due: Integers, moment: Moment, random: BatchRandom, delivered: Mapping[int, Arrays]
+        self,
+        due: Integers,
+        moment: MeasuringMoment,
+        random: BatchRandom,
+        delivered: Mapping[int, Arrays],
     ) -> Arrays:
         rows = self.rows[due]
         if not self.guarded.is_computed:
@@ -185,14 +191,14 @@ class SensorGroup:
             self._state[due] = state
         return found
 
-    def _arrive(self, moment: Moment) -> None:
+    def _arrive(self, moment: MeasuringMoment) -> None:
         """The next reading of each is shown when its delay is over, the first at once."""
         following = self._shown + 1
         steps = self._steps[self._slot(following), np.arange(len(following))]
         over = (following == 0) | (steps + self._lag <= moment.steps[self.rows])
         self._shown = np.where((following < self._taken) & over, following, self._shown)
 
-    def _record(self, due: Integers, lost: Booleans, moment: Moment) -> None:
+    def _record(self, due: Integers, lost: Booleans, moment: MeasuringMoment) -> None:
         for place in due[~lost]:
             recorder = self.members[place].guarded.recorder
             if recorder is not None:

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import DiagnosticError
-from ..ir.readings import SensedBatch, SensorRecord
+from ..ir.readings import SensorRecord
 from ..ir.scene import SceneSensor
+from ..ir.sensed_batch import SensedBatch
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import ReadingArray, Sensor
 from ..plugins.option_types import QuantityType

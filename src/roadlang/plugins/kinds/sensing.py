@@ -11,7 +11,7 @@ from .base import Kind
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ...ir.readings import SensedBatch
+    from ...ir.sensed_batch import SensedBatch
 
 
 @dataclass(frozen=True)
