@@ -54,7 +54,7 @@ func _flake() -> Mesh:
 
 func _streak() -> Mesh:
 	var mesh := BoxMesh.new()
-	mesh.size = Vector3(0.006, 0.5, 0.006)
+	mesh.size = Vector3(0.004, 0.5, 0.004)
 	mesh.material = _look(Color(0.8, 0.86, 0.92, 0.3))
 	return mesh
 

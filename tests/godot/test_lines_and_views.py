@@ -123,7 +123,7 @@ def test_a_free_camera_sees_every_place_and_stands_no_farther_than_it_must(
     assert (ahead > 0).all()
     shares = np.array([np.abs(aside) / (half * aspect), np.abs(up) / half]) / ahead
     assert shares.max() < 1.0
-    assert pose.z == pytest.approx(8.0) or shares.max() > 0.7
+    assert pose.z == pytest.approx(12.0) or shares.max() > 0.7
 
 
 def test_an_unknown_agent_is_not_followed() -> None:

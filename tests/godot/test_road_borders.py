@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -10,16 +11,20 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roadlang.api import SceneArm, SceneJunction
+from roadlang.scenes.sampling import SamplingResult
 from roadlang_godot.dash_pattern import PERIOD, dashes_between
 from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.junction_edges import INSET, edge_line_rings
+from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
+from roadlang_godot.protocol import Message
 from roadlang_godot.road_mesh import road_parts
 from roadlang_godot.unfolded_border import unfolded
 from tests.godot.godot_scenes import bend, pieces, road, scene, straight
+from tests.scenes.test_junction_paint import SIDEWALKS, crossing
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(st.floats(1.5, 3.2), st.floats(40.0, 130.0), st.booleans())
 def test_borders_in_tight_bends_do_not_fold(radius: float, degrees: float, is_left: bool) -> None:
     """A road 7 m wide: the inner border, 3.5 m off, would run back."""
@@ -73,3 +78,25 @@ def test_the_side_opposite_the_mouth_of_a_t_has_its_edge_line() -> None:
     assert south[:, :, 0].max() == 8.0
     assert south[:, :, 1].mean() == pytest.approx(-4.0 + INSET)
     assert len(quads) == 2 + 2
+
+
+def test_sidewalks_go_on_around_the_corners_of_a_junction(
+    sample: Callable[..., SamplingResult],
+) -> None:
+    """Each of the four corners has a strip that begins and ends where those of the roads do."""
+    made, _ = crossing(sample, SIDEWALKS)
+    parts = layout_of(made).parts
+    ends, found = [], []
+    for part in parts:
+        if part.kind == Message.SEGMENT:
+            border = np.frombuffer(part.content, "<f4").reshape(-1, 2, 3)
+            if part.label.startswith("sidewalk at junction"):
+                found.append(border)
+            elif border[0, 0, 1] > 0.1:
+                ends += [border[0].mean(axis=0), border[-1].mean(axis=0)]
+    assert len(found) == 4
+    for strip in found:
+        for face in (strip[0], strip[-1]):
+            away = np.hypot(*(np.array(ends) - face.mean(axis=0)).T[[0, 2]])
+            assert away.min() < 0.05
+        assert strip[1:-1, :, 1].min() == pytest.approx(0.03)

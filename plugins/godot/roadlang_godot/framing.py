@@ -23,7 +23,7 @@ _ROOM_ABOVE, _ROOM_BELOW, _ROOM_ASIDE = 0.8, 0.9, 0.93
 _MARGIN_SHARE, _LEAST_MARGIN = 0.03, 5.0
 _NEAR_ROADS = 40.0
 """Meters from the roads up to which objects are in the frame."""
-_LEAST_HEIGHT = 8.0
+_LEAST_HEIGHT = 12.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,10 +123,11 @@ def _nearest(places: Floats, axes: Floats, aspect: float) -> Floats:
 
 
 def _filled(places: Floats, axes: Floats, place: Floats) -> float:
-    """The area in the picture of the rectangle around all places."""
+    """The area in the picture of the rectangle around all places, less where some are much nearer
+    than others."""
     points = np.column_stack([places, np.zeros(len(places))]) - place
     a, b, c = axes @ points.T
-    return float(np.ptp(a / c) * np.ptp(b / c))
+    return float(np.ptp(a / c) * np.ptp(b / c) * c.min() / c.max())
 
 
 def _cells(part: ScenePart) -> Floats:

@@ -18,6 +18,7 @@ from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, extent_from, frame_around
 from .junction_parts import paint_parts, signal_parts
+from .junction_sidewalks import sidewalk_parts
 from .junctions import RoadArm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
@@ -219,6 +220,7 @@ def _meshes(
             pieces = road_parts(lines[name], first, frame, start, end)
             parts += pieces
             first += len(pieces)
+    parts += sidewalk_parts(scene, places, first, frame)
     return [*parts, *paint_parts(scene, places, frame), *signal_parts(places, frame)]
 
 
