@@ -11,6 +11,7 @@ _KINDS = {
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "emit openscenario": "emit_openscenario:OpenScenarioBackend",
     "emit scenic": "emit_scenic:ScenicBackend",
+    "emit sumo": "emit_sumo:SumoBackend",
     "read opendrive": "read_opendrive:OpenDriveMap",
     "read geojson": "read_geojson:GeoJson",
     "read osm": "read_osm:OpenStreetMap",

@@ -1,6 +1,3 @@
 """Kinds that are planned and not built yet: `check` says so instead of not knowing them."""
 
-PLANNED = (
-    "emit sumo",
-    "emit usd",
-)
+PLANNED = ("emit usd",)

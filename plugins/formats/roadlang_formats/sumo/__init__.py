@@ -1,0 +1,1 @@
+"""Scenes as networks, routes and configurations of SUMO."""
