@@ -8,6 +8,7 @@ from roadlang.api import hookimpl
 
 _KINDS = {
     "emit gltf": "emit_gltf:GltfBackend",
+    "emit mujoco": "emit_mujoco:MujocoBackend",
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "emit openscenario": "emit_openscenario:OpenScenarioBackend",
     "emit scenic": "emit_scenic:ScenicBackend",

@@ -25,6 +25,7 @@ KINDS = {
     ".net.xml": "sumo",
     ".glb": "gltf",
     ".scenic": "scenic",
+    ".mjcf.xml": "mujoco",
 }
 """The kind of `emit` for each file name extension."""
 _QUOTES = {'"': "&quot;"}
