@@ -77,13 +77,13 @@ def put_car(world: Element, actor: SceneActor, height: float, friction: float) -
             name = f"{actor.name} {end} {side}"
             wheel = put(body, "body", name=name, pos=(x, y, wheels.radius))
             if end == "front":
-                limit = (-numbers.max_steering, numbers.max_steering)
-                steering = put(wheel, "joint", name=f"{actor.name} steering {side}", range=limit)
+                turns = (-numbers.max_steering, numbers.max_steering)
+                steering = put(wheel, "joint", name=f"{actor.name} steering {side}", range=turns)
                 steering.set("class", "steering")
                 steering.set("armature", f"{_STEERING[1] * numbers.mass:.6g}")
             put(wheel, "joint", name=name).set("class", "axle")
-            size = (wheels.radius, wheels.width / 2.0)
-            tire = put(wheel, "geom", name=name, size=size, mass=_WHEEL_SHARE * numbers.mass)
+            tire_size = (wheels.radius, wheels.width / 2.0)
+            tire = put(wheel, "geom", name=name, size=tire_size, mass=_WHEEL_SHARE * numbers.mass)
             tire.set("class", "tire")
             tire.set("friction", f"{friction:.6g} 0.005 0.0001")
 
