@@ -11,6 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats
 from ..ir.scene import SceneActor
+from .surfaces import Surface
 from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
 
 AIR = 1.2
@@ -76,21 +77,21 @@ class Bodies:
     def of(
         cls,
         actors: Sequence[SceneActor],
-        friction: Sequence[float],
+        surfaces: Sequence[Surface],
         kinds: Mapping[str, Body],
         dt: float,
     ) -> Bodies:
-        """`friction`: of the road below each; `kinds`: by the name of the kind."""
+        """`surfaces`: of the road below each; `kinds`: by the name of the kind."""
         defaults = Body()
         known: dict[Any, tuple[float, ...]] = {}
         rows = []
-        for actor, mu in zip(actors, friction, strict=True):
+        for actor, surface in zip(actors, surfaces, strict=True):
             # Scenes of one file share the options of agents that have the same.
             size = actor.length, actor.width, actor.height
-            key = actor.kind, id(actor.options), *size, mu
+            key = actor.kind, id(actor.options), *size, surface
             if key not in known:
                 body = kinds.get(actor.kind, defaults)
-                known[key] = _row(actor, body, max(mu, LEAST_FRICTION), dt)
+                known[key] = _row(actor, body, surface, dt)
             rows.append(known[key])
         columns = np.ascontiguousarray(np.array(rows, dtype=np.float64).reshape(len(rows), -1).T)
         names = [field.name for field in fields(cls)]
@@ -158,8 +159,9 @@ def vehicle_parameters(actor: SceneActor, body: Body | None = None) -> VehiclePa
     )
 
 
-def _row(actor: SceneActor, body: Body, friction: float, dt: float) -> tuple[float, ...]:
+def _row(actor: SceneActor, body: Body, surface: Surface, dt: float) -> tuple[float, ...]:
     car = vehicle_parameters(actor, body)
+    friction = max(surface.friction, LEAST_FRICTION)
     return (
         actor.length,
         actor.width,
@@ -177,7 +179,7 @@ def _row(actor: SceneActor, body: Body, friction: float, dt: float) -> tuple[flo
         car.mass_height / car.wheelbase,
         (actor.length * actor.length + actor.width * actor.width) / 12.0,
         car.drag,
-        car.rolling,
+        car.rolling + surface.rolling * GRAVITY,
         float(body.walks),
     )
 

@@ -21,6 +21,7 @@ from .poses import Poses, poses_of
 from .route_table import RoadPosition, RouteTable
 from .stop_lines import StopLines
 from .sweeps import Sweeps
+from .verges import Verges
 
 END_BRAKING = 4.0
 """m/s^2, at the end of a road."""
@@ -46,6 +47,7 @@ class World:
     names: NDArray[np.object_]
     """of the agents"""
     bodies: Bodies
+    verges: Verges
     track: Track
     table: RouteTable
     """what the lines lead over"""
@@ -141,10 +143,10 @@ class World:
         placed = () if pose is None else (pose[0], ~self.halted, pose[1])
         self.placing = Placing.of(self.poses, motion, *placed) if placed else None
         self.placed_at = self.tick
-        before = (motion.along, motion.offset)
+        before, below = (motion.along, motion.offset), self.verges.below(self)
         passed = []
         for begin, end in pairwise((0, *stops, steps)):
-            self.advance(motion, bodies, self.track, held, end - begin, self.dt)
+            self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
                 between = replace(self, motion=replace(motion), lateral=replace(self.lateral))
                 between.contacts = self.contacts.copy()
@@ -294,7 +296,7 @@ class World:
             self.motion.line_heading = self.motion.line_heading - over * turn
 
 
-_PARTS = ("bodies", "table", "sweeps", "stop_lines", "start", "motion", "lateral")
+_PARTS = ("bodies", "verges", "table", "sweeps", "stop_lines", "start", "motion", "lateral")
 _COLUMNS = (
     "filled", "present", "end", "names", "has_road", "has_route", "backward", "road", "halted",
     "contacts", "collision", "red_lights", "traveled", "began")  # fmt: skip

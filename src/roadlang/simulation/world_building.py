@@ -21,10 +21,11 @@ from .route_lines import RouteLine, plain_line, route_line
 from .route_table import RouteTable
 from .starting import LineOffsets, start_of
 from .stop_lines import StopLines, has_signals
+from .surfaces import Surface, road_surface
 from .sweeps import Sweeps
+from .verges import Verges
 from .world import World
 
-DEFAULT_FRICTION = 0.9
 FASTEST = 120.0
 """m/s: lines go on beyond their ends for as far as this takes an agent in one step."""
 
@@ -52,7 +53,7 @@ class _Slot:
     line: int
     route: int
     road: int
-    friction: float
+    surface: Surface
 
 
 _NOBODY = SceneActor("", "", "", 0.0, 0.0, 0.0, 1.0, 1.0, 1.0)
@@ -90,8 +91,7 @@ def _slot(
         rows[key, lane] = len(routes)
         road = scene.roads[number] if number >= 0 else None
         routes.append(plain_line(sources[rows[key]], number, road, lane, backward))
-    friction = scene.world.get("friction", DEFAULT_FRICTION)
-    return _Slot(actor, rows[key], rows[key, lane], number, float(friction))
+    return _Slot(actor, rows[key], rows[key, lane], number, road_surface(scene.world))
 
 
 def _crowded(scenes: tuple[Scene, ...]) -> Booleans:
@@ -118,7 +118,10 @@ def _started(
     backward = np.array([actor.facing == "back" for actor in actors], dtype=bool) & ~has_route
     has_road = road >= 0
     start = start_of(actors, track, backward, has_road)
-    bodies = Bodies.of(actors, [slot.friction for slot in found], kinds, dt)
+    surfaces = [slot.surface for slot in found]
+    bodies = Bodies.of(actors, surfaces, kinds, dt)
+    narrowest = lines.column(lines.width).min(axis=1)[row]
+    verges = Verges.of(scenes, road, has_route, narrowest, bodies.walks, surfaces)
     widths = track.lines.width[track.cell(start.along)[0]].tolist()
     known = LineOffsets()
     offsets = [
@@ -132,7 +135,7 @@ def _started(
     lateral = LateralMotion.at_rest(np.where(backward, -1.0, 1.0) * np.array(offsets))
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
-        np.array([actor.name for actor in actors], dtype=object), bodies, track, table,
+        np.array([actor.name for actor in actors], dtype=object), bodies, verges, track, table,
         Sweeps.of(bodies, lines, row, present & np.repeat(_crowded(scenes), slots)),
         has_road, has_route, backward, road, lateral, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),

@@ -1,0 +1,57 @@
+"""What roads and the ground beside them are made of: grip and rolling resistance, in any engine."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Surface:
+    """`friction` of a tire on it, at most; `rolling`: resistance to rolling for each newton of
+    weight, in addition to that of the vehicle on a hard road."""
+
+    friction: float
+    rolling: float = 0.0
+
+
+SURFACES: Mapping[str, Surface] = {
+    "asphalt": Surface(0.9),
+    "wet": Surface(0.6),
+    "snow": Surface(0.3, 0.02),
+    "ice": Surface(0.1),
+    "gravel": Surface(0.6, 0.015),
+    "grass": Surface(0.45, 0.06),
+}
+"""By name. Typical peak friction and rolling resistance of passenger cars: J. Y. Wong, Theory of
+Ground Vehicles, tables 1.2 and 1.5."""
+BESIDE = SURFACES["grass"]
+"""What is beside roads."""
+_AFTER = {"rain": "wet", "snow": "snow"}
+
+
+def road_surface(world: Mapping[str, Any], name: str | None = None) -> Surface:
+    """A road of a scene with these settings of its `world`, that says nothing of its surface or is
+    of the surface with this `name`.
+
+    Weather makes a road wet or snowy, and `friction` is that of its roads. No surface has more
+    grip than the roads that say nothing.
+    """
+    weather = _AFTER.get(str(world.get("weather")), "asphalt")
+    if weather == "asphalt" and _is_number(world.get("rain")) and world["rain"] > 0.0:
+        weather = "wet"
+    usual = SURFACES[weather]
+    if _is_number(world.get("friction")):
+        usual = Surface(float(world["friction"]), usual.rolling)
+    return usual if name is None else below(SURFACES[name], usual)
+
+
+def below(surface: Surface, usual: Surface) -> Surface:
+    """A surface where roads that say nothing of theirs are `usual`."""
+    friction = min(surface.friction, usual.friction)
+    return Surface(friction, max(surface.rolling, usual.rolling))
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,142 @@
+"""Which wheels are beside the road, on grass: less grip, and more resistance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..geometry.arrays import Floats, Integers
+from ..ir.scene import Scene, SceneRoad
+from .bodies import Bodies
+from .lane_columns import LaneSection
+from .surfaces import BESIDE, Surface, below
+from .vehicle import GRAVITY
+
+if TYPE_CHECKING:
+    from .world import World
+
+TIRE = 0.25
+"""Meters by which the wheels are closer together than the body is wide."""
+_WHEELS = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))
+
+
+@dataclass(frozen=True)
+class Verges:
+    """Columns (N,) over agents.
+
+    Grip and resistance of an agent are those of the surfaces below its wheels, on average.
+    """
+
+    clear: Floats
+    """meters left and right of its line where an agent is surely on a road; infinite for those on
+    no road and on foot"""
+    friction: Floats
+    """of the ground beside the road"""
+    rolling: Floats
+    """by how much it slows down more than the road does, m/s^2"""
+    known: dict[Any, Any] = field(default_factory=dict, repr=False)
+    """edges of roads that were looked up, which are the same for every lookup"""
+
+    @classmethod
+    def of(
+        cls, scenes: Sequence[Scene], road: Integers, routed: Any, widths: Floats, walks: Any,
+        surfaces: Sequence[Surface],
+    ) -> Verges:  # fmt: skip
+        """`road`: of each agent, -1 for none; `routed`: who has a route; `widths`: of their lines,
+        the least; `surfaces`: of their roads."""
+        slots = len(road) // len(scenes)
+        clear = 0.5 * widths
+        for agent in np.flatnonzero((road >= 0) & ~routed).tolist():
+            if scenes[agent // slots].roads[road[agent]].center_offset:
+                clear[agent] = 0.0
+        ground = [below(BESIDE, surface) for surface in surfaces]
+        more = [
+            beside.rolling - surface.rolling
+            for beside, surface in zip(ground, surfaces, strict=True)
+        ]
+        return cls(
+            np.where((road < 0) | walks, np.inf, clear),
+            np.array([beside.friction for beside in ground]),
+            GRAVITY * np.array(more),
+        )
+
+    def take(self, agents: Integers) -> Verges:
+        """Those of some agents."""
+        columns = self.clear[agents], self.friction[agents], self.rolling[agents]
+        return Verges(*columns, self.known)
+
+    def below(self, world: World) -> Bodies:
+        """The bodies of a world with the grip and the resistance that they have where they are."""
+        bodies, motion = world.bodies, world.motion
+        reach = np.abs(motion.offset) + 0.5 * bodies.width + bodies.half_base * np.abs(motion.sine)
+        rows = np.flatnonzero(world.present & (reach > self.clear))
+        if not len(rows):
+            return bodies
+        share = self._beside(world, rows)
+        rows, share = rows[share > 0.0], share[share > 0.0]
+        return self._mixed(bodies, rows, share) if len(rows) else bodies
+
+    def _mixed(self, bodies: Bodies, rows: Integers, share: Floats) -> Bodies:
+        """`share` (R,) of the wheels of agents `rows` are beside the road."""
+        on = bodies.friction[rows]
+        friction = on + (self.friction[rows] - on) * share
+        changed = {
+            "friction": friction,
+            "front_slope": bodies.front_slope[rows] * on / friction,
+            "rear_slope": bodies.rear_slope[rows] * on / friction,
+            "grip": friction * GRAVITY,
+            "rolling": bodies.rolling[rows] + self.rolling[rows] * share,
+        }
+        columns = {}
+        for name, values in changed.items():
+            columns[name] = getattr(bodies, name).copy()
+            columns[name][rows] = values
+        return replace(bodies, **columns)
+
+    def _beside(self, world: World, rows: Integers) -> Floats:
+        """(R,) share of the wheels of agents that are beside their roads; at junctions none."""
+        edges = self._edges_at(world, rows)
+        bodies, motion = world.bodies, world.motion
+        along = bodies.half_base[rows] * motion.sine[rows]
+        across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
+        beside = np.zeros(len(rows))
+        for i, j in _WHEELS:
+            offset = motion.offset[rows] + i * along + j * across
+            beside += (offset > edges[:, 0]) | (offset < edges[:, 1])
+        return 0.25 * beside
+
+    def _edges_at(self, world: World, rows: Integers) -> Floats:
+        """(R, 2) how far left of their lines the left and right edges of roads are."""
+        place = world.table.place(rows, world.motion.along[rows])
+        edges = np.full((len(rows), 2), (np.inf, -np.inf))
+        for i in np.flatnonzero(place.turn < 0).tolist():
+            agent, number = int(rows[i]), int(place.road[i])
+            road = world.scenes[agent // world.slots].roads[number]
+            lane = int(place.lane[i]) if world.has_route[agent] else None
+            left, right = self._edges(road, lane, float(place.station[i]))
+            edges[i] = (left, right) if place.direction[i] > 0 else (-right, -left)
+        return edges
+
+    def _edges(self, road: SceneRoad, lane: int | None, station: float) -> tuple[float, float]:
+        """Those of a road, left of the middle of a lane or (None) of its center line."""
+        key = id(road), lane
+        if key not in self.known:
+            section = LaneSection.of(road)
+            self.known[key] = section
+            if section.is_constant:
+                self.known[key] = _edges_of(section, lane, 0.0)
+        found = self.known[key]
+        return found if isinstance(found, tuple) else _edges_of(found, lane, station)
+
+
+def _edges_of(lanes: LaneSection, lane: int | None, station: float) -> tuple[float, float]:
+    """Edges of all lanes but those of grass on the outside."""
+    section = lanes.section
+    paved = [place for place, found in enumerate(section.lanes) if found.kind != "grass"]
+    first, last = (paved[0], paved[-1]) if paved else (0, len(section.lanes) - 1)
+    borders = section.border_offsets(station)
+    middle = 0.0 if lane is None else float(section.offset(lane, station))
+    return float(borders[first]) - middle, float(borders[last + 1]) - middle

@@ -1,0 +1,70 @@
+"""What is below the wheels of a car decides its grip and how much it is slowed down."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.simulation.surfaces import SURFACES, Surface
+from roadlang.simulation.vehicle import GRAVITY
+from roadlang.simulation.world import World
+from roadlang.simulation.world_building import world_of
+
+ASPHALT, GRASS, SNOW = (SURFACES[name] for name in ("asphalt", "grass", "snow"))
+HALF = Surface((ASPHALT.friction + GRASS.friction) / 2, GRASS.rolling / 2)
+ROAD = """road main { draw with segments { pieces: [straight(400m)] }, %s }
+agent ego is car on main at 5m { offset: %sm, start_speed: 20m/s }
+"""
+ONE_LANE = "width: 8m, lanes: 1"
+SHOULDERS = "left: [drive(width: 4m)], right: [drive(width: 4m), shoulder(width: 3m)]"
+ROLLING, DRAG = 0.012, 0.5 * 1.2 * 0.67 / 1500.0
+
+
+def worlds(*texts: str) -> World:
+    """Scenes side by side."""
+    scenes = [testing.sample(text, 1)[0].record for text in texts]
+    return world_of(scenes, {}, 0.01, 1.0)
+
+
+def slowed(world: World, acceleration: float) -> np.ndarray:
+    """(N,) deceleration over a tenth of a second in which nobody steers."""
+    before, zero = world.motion.speed.copy(), np.zeros(len(world.present))
+    for _ in range(5):
+        world.step(zero, np.full(len(zero), acceleration), None, 2)
+    return (before - world.motion.speed) / 0.1
+
+
+@pytest.mark.parametrize(
+    ("road", "offset", "world", "surface"),
+    [
+        (ONE_LANE, 0.0, "", ASPHALT),
+        (ONE_LANE, 3.0, "", ASPHALT),
+        (ONE_LANE, 4.0, "", HALF),
+        (ONE_LANE, 7.0, "", GRASS),
+        (ONE_LANE, -7.0, "", GRASS),
+        (SHOULDERS, -3.0, "", ASPHALT),
+        (SHOULDERS, -6.5, "", GRASS),
+        (ONE_LANE, 0.0, "world { weather: rain }", SURFACES["wet"]),
+        (ONE_LANE, 0.0, "world { rain: 5mm/h }", SURFACES["wet"]),
+        (ONE_LANE, 0.0, "world { weather: snow }", SNOW),
+        (ONE_LANE, 7.0, "world { weather: snow }", Surface(SNOW.friction, GRASS.rolling)),
+        (ONE_LANE, 0.0, "world { weather: snow, friction: 0.5 }", Surface(0.5, SNOW.rolling)),
+        (ONE_LANE, 7.0, "world { friction: 0.2 }", Surface(0.2, GRASS.rolling)),
+    ],
+)
+def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(
+    road: str, offset: float, world: str, surface: Surface
+) -> None:
+    text = ROAD % (road, offset) + world
+    for acceleration, friction in ((-12.0, surface.friction), (0.0, 0.0)):
+        lost = slowed(worlds(text), acceleration)[0]
+        expected = (friction + ROLLING + surface.rolling) * GRAVITY + DRAG * 19.7**2
+        assert lost == pytest.approx(expected, rel=0.01, abs=0.01)
+
+
+def test_scenes_side_by_side_have_their_own_ground() -> None:
+    texts = [ROAD % (ONE_LANE, offset) for offset in (0.0, 4.0, 7.0)]
+    together = slowed(worlds(*texts), -12.0)
+    alone = [slowed(worlds(text), -12.0)[0] for text in texts]
+    assert together.tolist() == alone
