@@ -86,9 +86,9 @@ static func number(spec: Dictionary, key: String, usual: float) -> float:
 
 
 ## Back to the start, at the start's speed.
-func reset(friction: float) -> void:
+func reset(surfaces: PackedVector2Array) -> void:
 	body.place(Vector3(_start.x, 0.0, -_start.y), _start_heading, _start_speed)
-	body.set_friction(friction)
+	body.set_surfaces(surfaces)
 	driver.reset()
 	traveled = 0.0
 	contacts = 0

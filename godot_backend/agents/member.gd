@@ -16,7 +16,7 @@ var world := 0
 var agent: Agent
 var stage: Stage
 var signals: Signals
-var friction := 0.0
+var surfaces := PackedVector2Array()
 ## Steering angle and acceleration that are wanted.
 var wanted := Vector2.ZERO
 ## Over the ground (x east, y north) before the last physics step.
@@ -42,7 +42,7 @@ func reset() -> void:
 	wanted = Vector2.ZERO
 	agent.follow(stage.path(agent.path_id))
 	agent.start_station()
-	agent.reset(friction)
+	agent.reset(surfaces)
 	_leave(false)
 	velocity_before = agent.body.ground_velocity()
 

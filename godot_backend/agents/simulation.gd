@@ -98,7 +98,7 @@ func refresh() -> void:
 	_gather()
 	for member in _members:
 		if known.has(member):
-			member.agent.body.set_friction(member.friction)
+			member.agent.body.set_surfaces(member.surfaces)
 		else:
 			member.reset()
 
@@ -239,11 +239,11 @@ func _gather() -> void:
 		var stage: Stage = _stages[world]
 		var agents := stage.agents()
 		var signals := Signals.new(agents)
-		var friction := DEFAULT_FRICTION
+		var surfaces := PackedVector2Array([Vector2(DEFAULT_FRICTION, 0.0)])
 		for lights in stage.all(Protocol.SIGNALS):
 			_traffic_signals.append(lights as TrafficSignals)
 		for weather in stage.all(Protocol.WORLD):
-			friction = (weather as Weather).friction
+			surfaces = (weather as Weather).surfaces
 			_weathers.append(weather as Weather)
 		for one in agents:
 			var key := world << 16 | one.id
@@ -253,7 +253,7 @@ func _gather() -> void:
 			elif member == null or member.agent != one or mode == Mode.IDLE:
 				member = Member.new(world, one, stage)
 			member.signals = signals
-			member.friction = friction
+			member.surfaces = surfaces
 			_members.append(member)
 			_by_key[key] = member
 

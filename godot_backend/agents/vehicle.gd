@@ -30,11 +30,14 @@ const SLOW_SHARE := 1.2
 var size := Vector3(4.5, 1.45, 1.8)
 var wheelbase := 2.7
 var max_steering := 0.61
-var friction := 0.9
+## Friction and rolling resistance of surfaces by their numbers, as the world has them.
+var surfaces := PackedVector2Array([Vector2(0.9, 0.0)])
 
 var _mass_height := 0.42
 var _drag := 0.0
 var _rolling := 0.0
+## What soft ground adds to it, m/s^2.
+var _soft := 0.0
 var _power := 60.0
 var _stiffness := Vector2(12.0, 14.0)
 var _lag := 0.0
@@ -83,8 +86,8 @@ func dress(category: String, paint: Color, is_marked: bool) -> void:
 	_looks.assemble(category, size, _mounts, paint, is_marked)
 
 
-func set_friction(of_tires: float) -> void:
-	friction = maxf(of_tires, 1e-3)
+func set_surfaces(table: PackedVector2Array) -> void:
+	surfaces = table
 
 
 ## Steering angle wanted, left positive, and acceleration wanted along the car. To be called once in
@@ -96,14 +99,15 @@ func command(steer: float, acceleration: float, dt: float) -> void:
 	var pose := global_transform
 	var forward := pose.basis.z
 	var pace := linear_velocity.dot(forward)
-	var used := Tires.demand(acceleration, pace, _power, friction * GRAVITY, _rolling, dt)
 	_wheels_down = 0
+	_soft = 0.0
 	_force = -forward * mass * _drag * pace * absf(pace)
 	_torque = Vector3.ZERO
 	for i in 4:
-		_add_wheel_forces(i, pose, used, dt)
+		_add_wheel_forces(i, pose, Vector2(acceleration, pace), dt)
 	if _wheels_down > 0:
-		_force -= forward * mass * signf(pace) * minf(_rolling, absf(pace) / dt)
+		var slowing := _rolling + _soft
+		_force -= forward * mass * signf(pace) * minf(slowing, absf(pace) / dt)
 	if size.z <= NARROW:
 		_hold_upright(forward)
 	apply_central_force(_force)
@@ -236,8 +240,9 @@ func _hold_upright(forward: Vector3) -> void:
 	_torque -= forward * (pull * lean + 0.5 * pull * angular_velocity.dot(forward))
 
 
-## Adds what the ground does to a wheel: it carries, drives, brakes and steers.
-func _add_wheel_forces(wheel: int, pose: Transform3D, used: float, dt: float) -> void:
+## Adds what the ground does to a wheel: it carries, drives, brakes and steers. `drive`: acceleration
+## that is wanted, and speed, both along the car.
+func _add_wheel_forces(wheel: int, pose: Transform3D, drive: Vector2, dt: float) -> void:
 	var place := pose * _mounts[wheel]
 	_ray.from = place
 	_ray.to = place - pose.basis.y * (RAY_TOP + SAG)
@@ -265,6 +270,12 @@ func _add_wheel_forces(wheel: int, pose: Transform3D, used: float, dt: float) ->
 		stiffness = _stiffness.x
 		along = (along + aside * _tangent).normalized()
 		aside = normal.cross(along)
+	var number: int = (hit["collider"] as Object).get_meta(&"surface", 0)
+	var surface := surfaces[number if number < surfaces.size() else 0]
+	var friction := surface.x
+	var rolling := _rolling + surface.y * GRAVITY
+	_soft += 0.25 * surface.y * GRAVITY
+	var used := Tires.demand(drive.x, drive.y, _power, friction * GRAVITY, rolling, dt)
 	var push := Tires.force(
 		velocity.dot(along),
 		velocity.dot(aside),

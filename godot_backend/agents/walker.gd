@@ -151,7 +151,7 @@ func wheels_down() -> int:
 	return 15
 
 
-func set_friction(_friction: float) -> void:
+func set_surfaces(_surfaces: PackedVector2Array) -> void:
 	pass
 
 

@@ -23,14 +23,16 @@ func content() -> PackedByteArray:
 	return PackedByteArray()
 
 
-## Adds a still body with one shape of triangles, three corners each.
-func add_body(faces: PackedVector3Array) -> void:
+## Adds a still body with one shape of triangles, three corners each. `surface`: its number in the
+## table of the world, for tires.
+func add_body(faces: PackedVector3Array, surface: int = 0) -> void:
 	var shape := ConcavePolygonShape3D.new()
 	shape.set_faces(faces)
 	var collision := CollisionShape3D.new()
 	collision.shape = shape
 	var body := StaticBody3D.new()
 	body.add_child(collision)
+	body.set_meta(&"surface", surface)
 	add_child(body)
 
 

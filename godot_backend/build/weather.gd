@@ -8,8 +8,9 @@ const Falling := preload("falling.gd")
 const CLEAR_DAY := 20000.0
 const MOST_EXTENT := 50000.0
 
-## Tire friction on the road.
-var friction := 0.9
+## Of the surfaces by their numbers: friction of tires, and rolling resistance in addition to that
+## of a hard road, for each newton of weight. The first is a road that says nothing of its surface.
+var surfaces := PackedVector2Array([Vector2(0.9, 0.0)])
 ## How far the ground reaches to each side, where an edit has made the scene larger; else 0.
 var extent := 0.0
 
@@ -25,7 +26,7 @@ func build(reader: Reader) -> String:
 	var settings := Reader.new(_message).json()
 	if settings.is_empty():
 		return "bad world"
-	friction = clampf(_number(settings, "friction", 0.9), 0.01, 5.0)
+	_read_surfaces(settings.get("surfaces"))
 	extent = clampf(_number(settings, "extent", 0.0), 0.0, MOST_EXTENT)
 	var rain := clampf(_number(settings, "rain", 0.0), 0.0, 1.0)
 	var snow := clampf(_number(settings, "snow", 0.0), 0.0, 1.0)
@@ -67,6 +68,17 @@ func air() -> Environment:
 
 func content() -> PackedByteArray:
 	return _message
+
+
+func _read_surfaces(table: Variant) -> void:
+	var found := PackedVector2Array()
+	for row: Variant in table if table is Array else []:
+		var pair: Array = row if row is Array and (row as Array).size() == 2 else [0.9, 0.0]
+		var numbers := {"friction": pair[0], "rolling": pair[1]}
+		var grip := clampf(_number(numbers, "friction", 0.9), 0.001, 5.0)
+		found.append(Vector2(grip, clampf(_number(numbers, "rolling", 0.0), 0.0, 1.0)))
+	if not found.is_empty():
+		surfaces = found
 
 
 func _number(settings: Dictionary, key: String, usual: float) -> float:

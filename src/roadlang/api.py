@@ -174,6 +174,7 @@ if TYPE_CHECKING:
     from .simulation.route_lines import route_points
     from .simulation.sensing import DueReading
     from .simulation.simulating import EngineSettings, simulate_scenes
+    from .simulation.surfaces import road_surface, surface_names
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
@@ -216,6 +217,7 @@ _LATER = {
     ".simulation.route_lines": "route_points",
     ".simulation.sensing": "DueReading",
     ".simulation.simulating": "EngineSettings simulate_scenes",
+    ".simulation.surfaces": "road_surface surface_names",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -243,8 +245,8 @@ __all__ = [
     "String", "Trace", "Verdict", "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean",
     "geometry", "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of",
     "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input",
-    "record_of", "route_points", "scene_from_json", "signal_heads", "simulate_scenes", "to_json",
-    "vehicle_parameters",
+    "record_of", "road_surface", "route_points", "scene_from_json", "signal_heads",
+    "simulate_scenes", "surface_names", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.api import CURB_HEIGHT, Scene, vehicle_parameters
+from roadlang.simulation.surfaces import SURFACES
 from roadlang_godot import driving
 from roadlang_godot.layout import layout_of
 from roadlang_godot.session import Session
@@ -58,6 +59,34 @@ def test_the_braking_distance_is_that_of_friction_and_drag(
     assert trace["x"][-1] - trace["x"][0] == pytest.approx(expected, rel=0.05)
     stands = trace["x"][trace["tick"] > trace["tick"][-1] - 2 * RATE]
     assert np.ptp(stands) < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("offset", "world", "names"),
+    [
+        (0.0, {"weather": "snow"}, ("snow",)),
+        (8.0, {}, ("grass",)),
+        (-8.0, {"weather": "rain"}, ("grass",)),
+        (3.5, {}, ("asphalt", "grass")),
+    ],
+)
+def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(
+    session: Session, offset: float, world: dict[str, str], names: tuple[str, ...]
+) -> None:
+    ego = replace(car("ego", LONG, 50.0, offset=offset), start_speed=20.0)
+    numbers = vehicle_parameters(ego, BODIES["car"])
+    below = [SURFACES[name] for name in names]
+    rolling = sum(surface.rolling for surface in below) / len(below) * GRAVITY + numbers.rolling
+    friction = sum(surface.friction for surface in below) / len(below)
+    for acceleration, braking in ((-20.0, friction * GRAVITY), (0.0, 0.0)):
+        build(session, scene(LONG, agents=[ego], world=world))
+        with driving.LockStep(session) as lock:
+            control = {1: driving.EngineControl.steer(0.0, acceleration)}
+            lock.step(control, 30)  # off the road, the ground is 5 cm lower
+            speeds = [float(lock.step(control, 15).poses["speed"][0]) for _ in range(2)]
+        lost = (speeds[0] - speeds[1]) / (15 / RATE)
+        drag = numbers.drag * (sum(speeds) / 2) ** 2
+        assert lost == pytest.approx(braking + rolling + drag, rel=0.05)
 
 
 def test_commands_below_the_grip_are_followed_and_power_and_drag_limit_the_speed(

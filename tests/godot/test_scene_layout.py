@@ -11,11 +11,13 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene
+from roadlang_godot.engine import project
 from roadlang_godot.faults import EngineError
 from roadlang_godot.layout import layout_of
 from roadlang_godot.protocol import Message
 from roadlang_godot.simulate import Settings
 from roadlang_godot.sky import sun_at, world_settings
+from roadlang_godot.surface_table import surface_number, surface_table
 from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
 
 
@@ -124,8 +126,13 @@ def test_a_sun_that_is_given_stands_where_it_is_put() -> None:
 
 
 def test_what_a_scene_says_goes_before_what_its_weather_implies() -> None:
-    assert world_settings({"weather": "rain"})["friction"] < world_settings({})["friction"]
-    assert world_settings({"weather": "rain", "friction": 0.5})["friction"] == 0.5
+    assert surface_table({"weather": "rain"})[0] < surface_table({})[0]
+    assert surface_table({"weather": "rain", "friction": 0.5})[0] == (0.5, 0.0)
+
+
+def test_the_ground_of_the_engine_is_grass() -> None:
+    ground = (project() / "build" / "ground.gd").read_text(encoding="utf-8")
+    assert f"const GRASS := {surface_number('grass')}\n" in ground
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,6 @@ from .names import plain_name
 from .placed import Placed, agent_part, object_parts, path_parts, world_part
 from .road_mesh import road_parts
 from .scene_part import ScenePart
-from .sky import world_settings
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, SceneJunction, SceneNetwork
@@ -104,8 +103,7 @@ def layout_of(
     parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
     parts += objects
-    settings = world_settings(scene.world)
-    parts.append(world_part(settings | {"extent": extent + BESIDE} if grown else settings))
+    parts.append(world_part(scene.world, extent + BESIDE if grown else None))
     return Layout(
         scene.name, tuple(parts), frame, extent, agents, paths, names, specs, grown, undriven
     )

@@ -17,6 +17,8 @@ from .frame import SceneOrigin
 from .line import RoadSamples
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, MAX_DATAGRAM, Message
 from .scene_part import ScenePart
+from .sky import world_settings
+from .surface_table import surface_table
 
 PATH_SPACING = 1.0
 _RECORD_BYTES = 28
@@ -85,8 +87,11 @@ def agent_part(id: int, spec: Mapping[str, Any]) -> ScenePart:
     return _json_part(Message.AGENT, id, spec, f"agent {spec.get('name', id)}")
 
 
-def world_part(settings: Mapping[str, Any]) -> ScenePart:
-    """Sun, weather and friction."""
+def world_part(world: Mapping[str, Any], extent: float | None = None) -> ScenePart:
+    """Sun, weather and surfaces; `extent` of the ground, where that has grown."""
+    settings = {**world_settings(world), "surfaces": surface_table(world)}
+    if extent is not None:
+        settings["extent"] = extent
     return _json_part(Message.WORLD, 1, settings, "the world's settings")
 
 

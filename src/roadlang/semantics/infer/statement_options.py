@@ -189,7 +189,8 @@ class WorldOptions:
         None,
         above=0,
         maximum=2,
-        help="friction coefficient of the road: about 1 if dry, 0.5 if wet, 0.1 on ice",
+        help="friction coefficient of the road: about 1 if dry, 0.5 if wet, 0.1 on ice; by default "
+        "that of asphalt in this `weather`",
         example="0.7",
     )
     traffic: Word = option(
