@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from roadlang.simulation.surfaces import SURFACES, RoadSurface
+from roadlang.simulation.surfaces import SURFACES, TireSurface
 from roadlang.simulation.vehicle import GRAVITY
 from roadlang.simulation.world import World
 from roadlang.simulation.world_building import world_of
 
 ASPHALT, GRASS, SNOW = (SURFACES[name] for name in ("asphalt", "grass", "snow"))
-HALF = RoadSurface((ASPHALT.friction + GRASS.friction) / 2, GRASS.rolling / 2)
+HALF = TireSurface((ASPHALT.friction + GRASS.friction) / 2, GRASS.rolling / 2)
 ROAD = """road main { draw with segments { pieces: [straight(400m)] }, %s }
 agent ego is car on main at 5m { offset: %sm, start_speed: 20m/s }
 """
@@ -48,13 +48,13 @@ def slowed(world: World, acceleration: float) -> np.ndarray:
         (ONE_LANE, 0.0, "world { weather: rain }", SURFACES["wet"]),
         (ONE_LANE, 0.0, "world { rain: 5mm/h }", SURFACES["wet"]),
         (ONE_LANE, 0.0, "world { weather: snow }", SNOW),
-        (ONE_LANE, 7.0, "world { weather: snow }", RoadSurface(SNOW.friction, GRASS.rolling)),
-        (ONE_LANE, 0.0, "world { weather: snow, friction: 0.5 }", RoadSurface(0.5, SNOW.rolling)),
-        (ONE_LANE, 7.0, "world { friction: 0.2 }", RoadSurface(0.2, GRASS.rolling)),
+        (ONE_LANE, 7.0, "world { weather: snow }", TireSurface(SNOW.friction, GRASS.rolling)),
+        (ONE_LANE, 0.0, "world { weather: snow, friction: 0.5 }", TireSurface(0.5, SNOW.rolling)),
+        (ONE_LANE, 7.0, "world { friction: 0.2 }", TireSurface(0.2, GRASS.rolling)),
     ],
 )
 def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(
-    road: str, offset: float, world: str, surface: RoadSurface
+    road: str, offset: float, world: str, surface: TireSurface
 ) -> None:
     text = ROAD % (road, offset) + world
     for acceleration, friction in ((-12.0, surface.friction), (0.0, 0.0)):

@@ -12,7 +12,7 @@ from roadlang.simulation import vehicle
 from roadlang.simulation.bodies import Bodies, Body
 from roadlang.simulation.lines import Lines, straight_line
 from roadlang.simulation.motion import Motion, Track, advance
-from roadlang.simulation.surfaces import RoadSurface
+from roadlang.simulation.surfaces import TireSurface
 
 DT = 0.02
 CAR = SceneActor(
@@ -27,7 +27,7 @@ def car(speed: float, friction: float, body: Body | None = None) -> tuple[Motion
     track = Track.of(lines, np.array([0]))
     values = [np.array([value]) for value in (0.0, 0.0, speed, 0, 0, 1.0, 0, 0, 0, 0)]
     motion = Motion(*(value.astype(float) for value in values))
-    return motion, Bodies.of([CAR], [RoadSurface(friction)], {"car": body or Body()}, DT), track
+    return motion, Bodies.of([CAR], [TireSurface(friction)], {"car": body or Body()}, DT), track
 
 
 def go(parts: tuple[Motion, Bodies, Track], tangent: float, acceleration: float, n: int) -> Motion:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats
 from ..ir.scene import SceneActor
-from .surfaces import RoadSurface
+from .surfaces import TireSurface
 from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
 
 AIR = 1.2
@@ -77,7 +77,7 @@ class Bodies:
     def of(
         cls,
         actors: Sequence[SceneActor],
-        surfaces: Sequence[RoadSurface],
+        surfaces: Sequence[TireSurface],
         kinds: Mapping[str, Body],
         dt: float,
     ) -> Bodies:
@@ -159,7 +159,7 @@ def vehicle_parameters(actor: SceneActor, body: Body | None = None) -> VehiclePa
     )
 
 
-def _row(actor: SceneActor, body: Body, surface: RoadSurface, dt: float) -> tuple[float, ...]:
+def _row(actor: SceneActor, body: Body, surface: TireSurface, dt: float) -> tuple[float, ...]:
     car = vehicle_parameters(actor, body)
     friction = max(surface.friction, LEAST_FRICTION)
     return (

@@ -8,7 +8,7 @@ from typing import Any
 
 
 @dataclass(frozen=True)
-class RoadSurface:
+class TireSurface:
     """`friction` of a tire on it, at most; `rolling`: resistance to rolling for each newton of
     weight, in addition to that of the vehicle on a hard road."""
 
@@ -16,13 +16,13 @@ class RoadSurface:
     rolling: float = 0.0
 
 
-SURFACES: Mapping[str, RoadSurface] = {
-    "asphalt": RoadSurface(0.9),
-    "wet": RoadSurface(0.6),
-    "snow": RoadSurface(0.3, 0.02),
-    "ice": RoadSurface(0.1),
-    "gravel": RoadSurface(0.6, 0.015),
-    "grass": RoadSurface(0.45, 0.06),
+SURFACES: Mapping[str, TireSurface] = {
+    "asphalt": TireSurface(0.9),
+    "wet": TireSurface(0.6),
+    "snow": TireSurface(0.3, 0.02),
+    "ice": TireSurface(0.1),
+    "gravel": TireSurface(0.6, 0.015),
+    "grass": TireSurface(0.45, 0.06),
 }
 """By name. Typical peak friction and rolling resistance of passenger cars: J. Y. Wong, Theory of
 Ground Vehicles, tables 1.2 and 1.5."""
@@ -36,7 +36,7 @@ def surface_names() -> tuple[str, ...]:
     return tuple(SURFACES)
 
 
-def road_surface(world: Mapping[str, Any], name: str | None = None) -> RoadSurface:
+def road_surface(world: Mapping[str, Any], name: str | None = None) -> TireSurface:
     """A road of a scene with these settings of its `world`, that says nothing of its surface or is
     of the surface with this `name`.
 
@@ -48,14 +48,14 @@ def road_surface(world: Mapping[str, Any], name: str | None = None) -> RoadSurfa
         weather = "wet"
     usual = SURFACES[weather]
     if _is_number(world.get("friction")):
-        usual = RoadSurface(float(world["friction"]), usual.rolling)
+        usual = TireSurface(float(world["friction"]), usual.rolling)
     return usual if name is None else below(SURFACES[name], usual)
 
 
-def below(surface: RoadSurface, usual: RoadSurface) -> RoadSurface:
+def below(surface: TireSurface, usual: TireSurface) -> TireSurface:
     """A surface where roads that say nothing of theirs are `usual`."""
     friction = min(surface.friction, usual.friction)
-    return RoadSurface(friction, max(surface.rolling, usual.rolling))
+    return TireSurface(friction, max(surface.rolling, usual.rolling))
 
 
 def _is_number(value: Any) -> bool:

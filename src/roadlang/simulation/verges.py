@@ -12,7 +12,7 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Scene, SceneRoad
 from .bodies import Bodies
 from .lane_columns import LaneSection
-from .surfaces import BESIDE, RoadSurface, below
+from .surfaces import BESIDE, TireSurface, below
 from .vehicle import GRAVITY
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Verges:
     @classmethod
     def of(
         cls, scenes: Sequence[Scene], road: Integers, routed: Any, widths: Floats, walks: Any,
-        surfaces: Sequence[RoadSurface],
+        surfaces: Sequence[TireSurface],
     ) -> Verges:  # fmt: skip
         """`road`: of each agent, -1 for none; `routed`: who has a route; `widths`: of their lines,
         the least; `surfaces`: of their roads."""

@@ -21,7 +21,7 @@ from .route_lines import RouteLine, plain_line, route_line
 from .route_table import RouteTable
 from .starting import LineOffsets, start_of
 from .stop_lines import StopLines, has_signals
-from .surfaces import RoadSurface, road_surface
+from .surfaces import TireSurface, road_surface
 from .sweeps import Sweeps
 from .verges import Verges
 from .world import World
@@ -53,7 +53,7 @@ class _Slot:
     line: int
     route: int
     road: int
-    surface: RoadSurface
+    surface: TireSurface
 
 
 _NOBODY = SceneActor("", "", "", 0.0, 0.0, 0.0, 1.0, 1.0, 1.0)
