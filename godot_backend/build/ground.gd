@@ -6,7 +6,7 @@ const Looks := preload("looks.gd")
 const DEPTH := 0.05
 const THICKNESS := 2.0
 ## Its number in the table of surfaces.
-const GRASS := 6
+const TURF := 6
 ## Of all scenery, for the labels of cameras, that which is ground.
 const SCENERY := 1
 ## Meters: a renderer takes few lamps for each mesh, so ground that is lit by lamps is cut up.
@@ -24,7 +24,7 @@ func _init() -> void:
 	collision.shape = _shape
 	collision.position.y = -DEPTH - THICKNESS * 0.5
 	add_child(collision)
-	set_meta(&"surface", GRASS)
+	set_meta(&"surface", TURF)
 	_meshes.position.y = -DEPTH
 	add_child(_meshes)
 	cover(_extent)

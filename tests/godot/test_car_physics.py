@@ -65,9 +65,9 @@ def test_the_braking_distance_is_that_of_friction_and_drag(
     ("offset", "world", "names"),
     [
         (0.0, {"weather": "snow"}, ("snow",)),
-        (8.0, {}, ("grass",)),
-        (-8.0, {"weather": "rain"}, ("grass",)),
-        (3.5, {}, ("asphalt", "grass")),
+        (8.0, {}, ("turf",)),
+        (-8.0, {"weather": "rain"}, ("turf",)),
+        (3.5, {}, ("asphalt", "turf")),
     ],
 )
 def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(

@@ -132,7 +132,7 @@ def test_what_a_scene_says_goes_before_what_its_weather_implies() -> None:
 
 def test_the_ground_of_the_engine_is_grass() -> None:
     ground = (project() / "build" / "ground.gd").read_text(encoding="utf-8")
-    assert f"const GRASS := {surface_number('grass')}\n" in ground
+    assert f"const TURF := {surface_number('turf')}\n" in ground
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from roadlang.simulation.vehicle import GRAVITY
 from roadlang.simulation.world import World
 from roadlang.simulation.world_building import world_of
 
-ASPHALT, GRASS, SNOW = (SURFACES[name] for name in ("asphalt", "grass", "snow"))
+ASPHALT, GRASS, SNOW = (SURFACES[name] for name in ("asphalt", "turf", "snow"))
 HALF = TireSurface((ASPHALT.friction + GRASS.friction) / 2, GRASS.rolling / 2)
 ROAD = """road main { draw with segments { pieces: [straight(400m)] }, %s }
 agent ego is car on main at 5m { offset: %sm, start_speed: 20m/s }

@@ -22,11 +22,11 @@ SURFACES: Mapping[str, TireSurface] = {
     "snow": TireSurface(0.3, 0.02),
     "ice": TireSurface(0.1),
     "gravel": TireSurface(0.6, 0.015),
-    "grass": TireSurface(0.45, 0.06),
+    "turf": TireSurface(0.45, 0.06),
 }
 """By name. Typical peak friction and rolling resistance of passenger cars: J. Y. Wong, Theory of
 Ground Vehicles, tables 1.2 and 1.5."""
-BESIDE = SURFACES["grass"]
+BESIDE = SURFACES["turf"]
 """What is beside roads."""
 _AFTER = {"rain": "wet", "snow": "snow"}
 

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneRoad
 from .bodies import Bodies
 from .lane_columns import LaneSection
+from .motion import Motion
+from .route_table import RouteTable
 from .surfaces import BESIDE, TireSurface, below
 from .vehicle import GRAVITY
-
-if TYPE_CHECKING:
-    from .world import World
 
 TIRE = 0.25
 """Meters by which the wheels are closer together than the body is wide."""
@@ -37,20 +37,25 @@ class Verges:
     """of the ground beside the road"""
     rolling: Floats
     """by how much it slows down more than the road does, m/s^2"""
+    roads: NDArray[np.object_]
+    """those of their scenes"""
+    has_route: Booleans
     known: dict[Any, Any] = field(default_factory=dict, repr=False)
     """edges of roads that were looked up, which are the same for every lookup"""
 
     @classmethod
     def of(
-        cls, scenes: Sequence[Scene], road: Integers, routed: Any, widths: Floats, walks: Any,
-        surfaces: Sequence[TireSurface],
+        cls, scenes: Sequence[Scene], road: Integers, has_route: Booleans, widths: Floats,
+        walks: Booleans, surfaces: Sequence[TireSurface],
     ) -> Verges:  # fmt: skip
-        """`road`: of each agent, -1 for none; `routed`: who has a route; `widths`: of their lines,
-        the least; `surfaces`: of their roads."""
-        slots = len(road) // len(scenes)
+        """`road`: of each agent, -1 for none; `widths`: of their lines, the least; `surfaces`: of
+        their roads."""
+        roads = np.empty(len(road), dtype=object)
+        for agent in range(len(road)):
+            roads[agent] = scenes[agent * len(scenes) // len(road)].roads
         clear = 0.5 * widths
-        for agent in np.flatnonzero((road >= 0) & ~routed).tolist():
-            if scenes[agent // slots].roads[road[agent]].center_offset:
+        for agent in np.flatnonzero((road >= 0) & ~has_route).tolist():
+            if roads[agent][road[agent]].center_offset:
                 clear[agent] = 0.0
         ground = [below(BESIDE, surface) for surface in surfaces]
         more = [
@@ -61,21 +66,24 @@ class Verges:
             np.where((road < 0) | walks, np.inf, clear),
             np.array([beside.friction for beside in ground]),
             GRAVITY * np.array(more),
+            roads,
+            has_route,
         )
 
     def take(self, agents: Integers) -> Verges:
         """Those of some agents."""
-        columns = self.clear[agents], self.friction[agents], self.rolling[agents]
-        return Verges(*columns, self.known)
+        return Verges(
+            self.clear[agents], self.friction[agents], self.rolling[agents], self.roads[agents],
+            self.has_route[agents], self.known,
+        )  # fmt: skip
 
-    def below(self, world: World) -> Bodies:
-        """The bodies of a world with the grip and the resistance that they have where they are."""
-        bodies, motion = world.bodies, world.motion
+    def below(self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans) -> Bodies:
+        """The bodies with the grip and the resistance that they have where they are."""
         reach = np.abs(motion.offset) + 0.5 * bodies.width + bodies.half_base * np.abs(motion.sine)
-        rows = np.flatnonzero(world.present & (reach > self.clear))
+        rows = np.flatnonzero(present & (reach > self.clear))
         if not len(rows):
             return bodies
-        share = self._beside(world, rows)
+        share = self._beside(bodies, motion, table, rows)
         rows, share = rows[share > 0.0], share[share > 0.0]
         return self._mixed(bodies, rows, share) if len(rows) else bodies
 
@@ -96,10 +104,9 @@ class Verges:
             columns[name][rows] = values
         return replace(bodies, **columns)
 
-    def _beside(self, world: World, rows: Integers) -> Floats:
+    def _beside(self, bodies: Bodies, motion: Motion, table: RouteTable, rows: Integers) -> Floats:
         """(R,) share of the wheels of agents that are beside their roads; at junctions none."""
-        edges = self._edges_at(world, rows)
-        bodies, motion = world.bodies, world.motion
+        edges = self._edges_at(table, motion, rows)
         along = bodies.half_base[rows] * motion.sine[rows]
         across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
         beside = np.zeros(len(rows))
@@ -108,14 +115,14 @@ class Verges:
             beside += (offset > edges[:, 0]) | (offset < edges[:, 1])
         return 0.25 * beside
 
-    def _edges_at(self, world: World, rows: Integers) -> Floats:
+    def _edges_at(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
         """(R, 2) how far left of their lines the left and right edges of roads are."""
-        place = world.table.place(rows, world.motion.along[rows])
+        place = table.place(rows, motion.along[rows])
         edges = np.full((len(rows), 2), (np.inf, -np.inf))
         for i in np.flatnonzero(place.turn < 0).tolist():
             agent, number = int(rows[i]), int(place.road[i])
-            road = world.scenes[agent // world.slots].roads[number]
-            lane = int(place.lane[i]) if world.has_route[agent] else None
+            road = self.roads[agent][number]
+            lane = int(place.lane[i]) if self.has_route[agent] else None
             left, right = self._edges(road, lane, float(place.station[i]))
             edges[i] = (left, right) if place.direction[i] > 0 else (-right, -left)
         return edges
@@ -133,10 +140,7 @@ class Verges:
 
 
 def _edges_of(lanes: LaneSection, lane: int | None, station: float) -> tuple[float, float]:
-    """Edges of all lanes but those of grass on the outside."""
     section = lanes.section
-    paved = [place for place, found in enumerate(section.lanes) if found.kind != "grass"]
-    first, last = (paved[0], paved[-1]) if paved else (0, len(section.lanes) - 1)
     borders = section.border_offsets(station)
     middle = 0.0 if lane is None else float(section.offset(lane, station))
-    return float(borders[first]) - middle, float(borders[last + 1]) - middle
+    return float(borders[0]) - middle, float(borders[-1]) - middle

@@ -134,8 +134,7 @@ class World:
         `steps`. Stops change nothing of the motion, not even in the last bit.
         """
         bodies, motion = self.bodies, self.motion
-        limit = bodies.max_steering
-        angle = np.minimum(np.maximum(steering, -limit), limit)
+        angle = np.minimum(np.maximum(steering, -bodies.max_steering), bodies.max_steering)
         acceleration = np.where(self.halted, -END_BRAKING, self.limited(acceleration))
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
@@ -143,8 +142,8 @@ class World:
         placed = () if pose is None else (pose[0], ~self.halted, pose[1])
         self.placing = Placing.of(self.poses, motion, *placed) if placed else None
         self.placed_at = self.tick
-        before, below = (motion.along, motion.offset), self.verges.below(self)
-        passed = []
+        before, passed = (motion.along, motion.offset), []
+        below = self.verges.below(bodies, motion, self.table, self.present)
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
@@ -233,8 +232,7 @@ class World:
     @property
     def finished(self) -> Booleans:
         """(S,) scenes in which every agent with a road has arrived."""
-        arrived = self.at_end | ~self.has_road
-        rows = (arrived | ~self.filled).reshape(-1, self.slots)
+        rows = (self.at_end | ~self.has_road | ~self.filled).reshape(-1, self.slots)
         return np.asarray(rows.all(axis=1))
 
     @property

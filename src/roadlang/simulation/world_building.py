@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -99,6 +99,17 @@ def _crowded(scenes: tuple[Scene, ...]) -> Booleans:
     return np.array([len(scene.agents) + len(scene.objects) > 1 for scene in scenes], dtype=bool)
 
 
+def _line_offsets(
+    scenes: tuple[Scene, ...], slots: int, agents: Iterable[tuple[SceneActor, int, float]]
+) -> list[float]:
+    """Of the lines that agents follow. `agents`: each with its road and the width of its line."""
+    known = LineOffsets()
+    return [
+        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, width)
+        for i, (actor, road, width) in enumerate(agents)
+    ]
+
+
 def _started(
     scenes: tuple[Scene, ...],
     slots: int,
@@ -123,11 +134,7 @@ def _started(
     narrowest = lines.column(lines.width).min(axis=1)[row]
     verges = Verges.of(scenes, road, has_route, narrowest, bodies.walks, surfaces)
     widths = track.lines.width[track.cell(start.along)[0]].tolist()
-    known = LineOffsets()
-    offsets = [
-        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, widths[i])
-        for i, (actor, road) in enumerate(zip(actors, road_numbers, strict=True))
-    ]
+    offsets = _line_offsets(scenes, slots, zip(actors, road_numbers, widths, strict=True))
     count = len(found)
     arrivals = [Arrivals(scene) for scene in scenes]
     lengths = track.length.tolist()
