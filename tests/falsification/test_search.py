@@ -200,7 +200,7 @@ def test_several_islands_search_side_by_side() -> None:
     one = slides().falsify(evaluations=160, seed=3)
     two = slides().falsify(evaluations=160, seed=3, islands=2)
     assert len(two.outcomes) == 160
-    assert two.outcomes[:38] == one.outcomes[:38]
+    assert two.outcomes[:19] == one.outcomes[:19]
     assert two.outcomes[100:] != one.outcomes[100:]
 
 
@@ -279,3 +279,29 @@ def test_points_to_screen_that_are_none_are_the_searchers_fault(points: Any) -> 
     (found,) = caught.value.diagnostics
     assert found.code == "RL474"
     assert "`falsify tested.odd` (tested 0) gave points" in found.message
+
+
+@pytest.mark.parametrize("size", [0, 21, 2.0, None])
+def test_a_batch_size_that_is_none_is_the_searchers_fault(size: Any) -> None:
+    class OddSearch(Search):
+        def batch_size(self, most: int) -> int:
+            assert most == 20
+            return size  # type: ignore[no-any-return]
+
+        def ask(self, count: int) -> Floats:
+            raise AssertionError
+
+    @dataclass(frozen=True)
+    class Odd(Searcher):
+        """Wants no number of candidates."""
+
+        name: ClassVar[str] = "odd"
+
+        def start(self, axes: Sequence[Axis], seed: int) -> Search:
+            return OddSearch()
+
+    with pytest.raises(DiagnosticError) as caught:
+        scenario(TEXT, kinds=[Slider, Odd]).falsify(**(FEW | {"batch": 20}), searcher="odd")
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL474"
+    assert f"gave the batch size {size!r}, which is no whole number from 1 to 20" in found.message

@@ -88,7 +88,7 @@ def test_cma_leaves_the_global_generator_of_numpy_alone() -> None:
 
 def test_cma_finds_far_more_failures_than_chance() -> None:
     _, by_chance = searched(Random().start(MIXED, seed=5), rare, 2000)
-    _, guided = searched(Cma().start(MIXED, seed=5), rare, 2000)
+    _, guided = searched(Cma().start(MIXED, seed=5), rare, 800)
     assert 0 < (by_chance < 0).sum() < 20
     assert (guided < 0).sum() > 5 * (by_chance < 0).sum()
 
@@ -101,7 +101,7 @@ def test_cma_starts_somewhere_else_once_it_has_found_enough() -> None:
         high = np.abs(points - 0.85).max(axis=1)
         return np.asarray(np.minimum(low, high) - 0.1)
 
-    points, values = searched(Cma().start(CONTINUOUS[:3], seed=0), two, 2000)
+    points, values = searched(Cma().start(CONTINUOUS[:3], seed=0), two, 1000)
     failing = points[values < 0].mean(axis=1)
     assert (failing < 0.5).any()
     assert (failing > 0.5).any()
@@ -137,6 +137,19 @@ def test_cma_asks_for_few_points_that_violate_a_requirement_where_it_can_screen_
         violated.append(int((values[40:] >= 1.0).sum()))
     assert violated[0] < 20
     assert violated[1] > 100
+
+
+def test_batches_of_cma_grow_with_the_distinct_failures() -> None:
+    search = Cma().start(CONTINUOUS, seed=0)
+    assert (search.batch_size(160), search.batch_size(7)) == (20, 7)
+    sizes = []
+    for first in range(0, 100, 20):
+        points = np.random.default_rng(first).random((20, 5))
+        descriptors = 10.0 * points
+        search.ask(20)
+        search.tell(points, np.where(np.arange(20) == 0, -1.0, 0.5), descriptors)
+        sizes.append(search.batch_size(60))
+    assert sizes == [30, 40, 50, 60, 60]
 
 
 def test_the_model_learns_in_which_directions_values_change() -> None:

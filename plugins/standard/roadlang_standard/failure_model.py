@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-_MOST = 1500
+_MOST = 600
 """Candidates that values are predicted from: those with the least values."""
 _DEVIATIONS = 6.0
 """Of the ranks of safe candidates, in the values from 0 to 1."""

@@ -77,15 +77,17 @@ class FailureSpread:
         safe = np.flatnonzero((values >= 0.0) & (values < 1.0)).tolist()
         self._elite += [(float(values[row]), vectors[row]) for row in safe]
         self._elite = sorted(self._elite, key=lambda pair: pair[0])[:_ELITE]
-        descriptors = np.column_stack([descriptors, self._choices(vectors)])
-        for row in np.flatnonzero(values < 0.0):
-            self._failures = [*self._failures, vectors[row]][-_RECENT:]
-            if self._descriptors:
-                gaps = np.stack(self._descriptors) - descriptors[row]
-                if (gaps * gaps).sum(axis=1).min() <= 1.0:
-                    continue
-            self._distinct.append(vectors[row])
-            self._descriptors.append(descriptors[row])
+        failing = np.flatnonzero(values < 0.0)
+        self._failures = [*self._failures, *vectors[failing]][-_RECENT:]
+        descriptors = np.column_stack([descriptors, self._choices(vectors)])[failing]
+        nearest = np.full(len(failing), np.inf)
+        if self._descriptors:
+            nearest = squares_apart(descriptors, np.stack(self._descriptors)).min(axis=1)
+        for number, row in enumerate(failing):
+            if nearest[number] > 1.0:
+                self._distinct.append(vectors[row])
+                self._descriptors.append(descriptors[number])
+                nearest = np.minimum(nearest, _squares_from(descriptors, number))
 
     def ask(self, count: int) -> Floats:
         """(count, columns) vectors in [0, 1]; there have to be parents."""
@@ -170,6 +172,14 @@ def _loss(squares: Floats, unlike: tuple[float, float]) -> Floats:
     return np.asarray(similar * np.maximum(apart - np.sqrt(squares), 0.0))
 
 
+def _squares_from(rows: Floats, number: int) -> Floats:
+    """(n,) squared distances of rows (n, D) from one of them."""
+    import numpy as np
+
+    gaps = rows - rows[number]
+    return np.asarray(np.einsum("ij,ij->i", gaps, gaps))
+
+
 class _Shortlist:
     """Candidates of which some are taken after each other: of little value, and unlike failures and
     unlike each other. `nearest`: of each, the squared distance to the nearest failure."""
@@ -192,7 +202,7 @@ class _Shortlist:
             best = int((self._values + _loss(nearest, self._unlike)).argmin())
             rows.append(best)
             self._values[best] = np.inf
-            nearest = np.minimum(nearest, self._squares(best))
+            nearest = np.minimum(nearest, _squares_from(self._descriptors, best))
         self._left -= len(rows)
         return rows
 
@@ -201,10 +211,4 @@ class _Shortlist:
         import numpy as np
 
         for row in rows:
-            self._nearest = np.minimum(self._nearest, self._squares(row))
-
-    def _squares(self, row: int) -> Floats:
-        import numpy as np
-
-        gaps = self._descriptors - self._descriptors[row]
-        return np.asarray((gaps * gaps).sum(axis=1))
+            self._nearest = np.minimum(self._nearest, _squares_from(self._descriptors, row))

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 
+_FIRST_BATCH, _GROWTH = 20, 10
+"""Candidates in the first batches, and how many more for each distinct failure that is known."""
 _SMALLEST = 6
 """Points in a generation, at least."""
 _STALE = 10
@@ -75,6 +77,9 @@ class CmaSearch(Search):
 
     def screen_with(self, screen: Callable[[Floats], Floats]) -> None:
         self._screen = screen
+
+    def batch_size(self, most: int) -> int:
+        return min(most, _FIRST_BATCH + _GROWTH * len(self._spread))
 
     def ask(self, count: int) -> Floats:
         import numpy as np

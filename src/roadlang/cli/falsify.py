@@ -37,7 +37,7 @@ _SHOWN = 10
 @click.option(
     "--seconds", type=click.FloatRange(min=0, min_open=True), help="Stop after this time."
 )
-@click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together.")
+@click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together, at most.")
 @click.option("--islands", type=click.IntRange(min=1), help="Independent searches side by side.")
 @click.option(
     "--random", type=click.FloatRange(0, 1), help="Fraction of candidates drawn at random."

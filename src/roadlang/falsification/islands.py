@@ -41,7 +41,7 @@ class Islands:
         self._pending = []
         proposals: list[Proposal] = []
         for search in self._searches:
-            count = min(self._plan.batch, most - len(proposals))
+            count = min(self._batch_size(search), most - len(proposals))
             start = first + len(proposals)
             searched = [i for i in range(start, start + count) if not self._plan.is_random(i)]
             points = self._points(search, len(searched))
@@ -66,6 +66,16 @@ class Islands:
                 descriptors[row, : len(found)] = found
             with plugin_guard(self._plan.entry, None):
                 search.tell(read_only(points), read_only(values[rows]), read_only(descriptors))
+
+    def _batch_size(self, search: Search) -> int:
+        """How many candidates a search has in the next round. Raises RL474."""
+        most = self._plan.batch
+        with plugin_guard(self._plan.entry, None):
+            count = search.batch_size(most)
+        if not isinstance(count, int) or not 1 <= count <= most:
+            fault = f"gave the batch size {count!r}, which is no whole number from 1 to {most}"
+            raise wrong_result(self._plan.entry, None, fault)
+        return count
 
     def _points(self, search: Search, count: int) -> Floats:
         if count <= 0:

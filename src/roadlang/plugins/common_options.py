@@ -231,7 +231,10 @@ class FalsifyOptions:
         example="10min",
     )
     batch: Integer = option(
-        80, minimum=1, maximum=100_000, help="number of candidates that are evaluated together"
+        160,
+        minimum=1,
+        maximum=100_000,
+        help="greatest number of candidates that are evaluated together",
     )
     islands: Integer = option(
         1, minimum=1, maximum=10_000, help="number of independent searches side by side"

@@ -54,6 +54,13 @@ class Search:
         and not counted as an evaluation. By default a search makes no use of it.
         """
 
+    def batch_size(self, most: int) -> int:
+        """How many points the next `ask` should be for, from 1 to `most`, by default as many.
+
+        Large batches are evaluated faster, but a search learns more often from small ones.
+        """
+        return most
+
     def ask(self, count: int) -> Floats:
         """The next points, (count, axes) numbers in [0, 1).
 
