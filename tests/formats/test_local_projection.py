@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from roadlang_formats.local_projection import LocalProjection
 
@@ -63,3 +65,16 @@ def test_along_its_meridian_lengths_are_true_to_a_millimeter(latitude: float) ->
 def test_longitudes_go_on_at_the_date_line() -> None:
     found = LocalProjection(64.0, 179.9).point(64.0, -179.9)
     assert found == pytest.approx(LocalProjection(64.0, 0.0).point(64.0, 0.2))
+
+
+@given(
+    latitude=st.floats(-80.0, 80.0),
+    longitude=st.floats(-180.0, 180.0),
+    x=st.floats(-20_000.0, 20_000.0),
+    y=st.floats(-20_000.0, 20_000.0),
+)
+def test_a_point_is_found_again_from_its_place(
+    latitude: float, longitude: float, x: float, y: float
+) -> None:
+    projection = LocalProjection(latitude, longitude)
+    assert projection.point(*projection.place(x, y)) == pytest.approx((x, y), abs=1e-4)

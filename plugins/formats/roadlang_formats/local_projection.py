@@ -15,6 +15,9 @@ _RADIUS = 6_378_137.0
 _SQUARED = 0.00669437999014
 """The square of the eccentricity."""
 
+_CORRECTIONS = 8
+"""Each leaves less than a tenth of the error, within 50 km and up to 80 degrees."""
+
 
 @dataclass(frozen=True, slots=True)
 class LocalProjection:
@@ -38,6 +41,18 @@ class LocalProjection:
         y += (61.0 - 58.0 * t + t * t + 600.0 * c - 330.0 * second) * a**6 / 720.0
         north = _meridian(phi) - _meridian(math.radians(self.latitude)) + n * tangent * y
         return n * x, north
+
+    def place(self, x: float, y: float) -> tuple[float, float]:
+        """Latitude and longitude in degrees of a point in meters, by repeated correction."""
+        latitude, longitude = self.latitude, self.longitude
+        for _ in range(_CORRECTIONS):
+            east, north = self.point(latitude, longitude)
+            sine, cosine = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
+            n = _RADIUS / math.sqrt(1.0 - _SQUARED * sine * sine)
+            r = n * (1.0 - _SQUARED) / (1.0 - _SQUARED * sine * sine)
+            latitude += math.degrees((y - north) / r)
+            longitude += math.degrees((x - east) / (n * cosine))
+        return latitude, longitude
 
 
 def _meridian(phi: float) -> float:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from roadlang.api import hookimpl
 
 _KINDS = {
+    "emit commonroad": "emit_commonroad:CommonRoadBackend",
+    "emit lanelet2": "emit_lanelet2:Lanelet2Backend",
     "emit gltf": "emit_gltf:GltfBackend",
     "emit mujoco": "emit_mujoco:MujocoBackend",
     "emit opendrive": "emit_opendrive:OpenDriveBackend",

@@ -70,6 +70,8 @@ def _surface(road: SceneRoad, tolerance: float) -> RoadSurface | None:
     curve = Curve.hermite(np.column_stack((road.x, road.y)), road.heading, closed=road.closed)
     section = road.cross_section()
     places = stations * (curve.length / road.length)
+    if curve.closed and road.trim != (0.0, 0.0):  # a loop that is open at its junction
+        curve, places = curve.between(places[0], places[-1]), places - places[0]
     heights = road_heights(road, stations)
     aside = section.border_offsets(stations)
     borders = np.stack([np.column_stack((_beside(curve, to, places), heights)) for to in aside])

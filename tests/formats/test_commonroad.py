@@ -1,0 +1,143 @@
+"""`emit commonroad`: lanelets, traffic rules, obstacles and the planning problem."""
+
+from __future__ import annotations
+
+import re
+from xml.etree.ElementTree import Element, fromstring
+
+import pytest
+
+from roadlang import testing
+from roadlang.ir.scene import Scene
+from roadlang_formats.emit_commonroad import CommonRoadBackend
+
+CROSSING = '''image plan from """
+...#...
+#######
+...#...
+""" { scale: 30m/px }
+network town from plan { %s }
+'''
+STREET = """
+road street { draw with segments { pieces: [straight(200m)] }, lanes: 2, speed_limit: 15m/s }
+agent lead is truck on street at 60m { lane: -1, drive with car_follow { speed: 8m/s } }
+agent ego is car on street at 20m { lane: -1, drive with car_follow { speed: 10m/s } }
+object works is cone on street at 150m { offset: -3m }
+object home is building at (100m, 20m)
+"""
+
+
+def scene_of(text: str) -> Scene:
+    return testing.sample(text)[0].record
+
+
+def read(scene: Scene) -> Element:
+    return fromstring(CommonRoadBackend().files(scene)["cr.xml"])
+
+
+def bound(lanelet: Element, tag: str) -> list[tuple[float, float]]:
+    points = lanelet.iterfind(f"{tag}/point")
+    return [(float(point.findtext("x", "")), float(point.findtext("y", ""))) for point in points]
+
+
+def refs(element: Element, tag: str) -> list[str]:
+    return [child.attrib["ref"] for child in element.iterfind(tag)]
+
+
+def test_a_street_has_a_lanelet_for_each_lane_in_its_direction() -> None:
+    root = read(scene_of(STREET))
+    left, right = root.iterfind("lanelet")
+    ends = [(0, 0), (200, 0)]
+    assert bound(right, "leftBound")[:: len(bound(right, "leftBound")) - 1] == ends
+    assert {y for _, y in bound(right, "rightBound")} == {-3.5}
+    assert bound(left, "leftBound") == bound(right, "leftBound")[::-1]
+    assert [child.attrib for child in right.iterfind("adjacentLeft")] == [
+        {"ref": left.attrib["id"], "drivingDir": "opposite"}
+    ]
+    assert right.find("adjacentRight") is None
+    assert right.findtext("leftBound/lineMarking") == "dashed"
+    assert root.findtext("trafficSign/trafficSignElement/additionalValue") == "15"
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4])
+def test_turns_lead_from_lanelet_to_lanelet(lanes: int) -> None:
+    scene = scene_of(CROSSING % f"lanes: {lanes}")
+    root = read(scene)
+    lanelets = {lanelet.attrib["id"]: lanelet for lanelet in root.iterfind("lanelet")}
+    turns = [item for item in lanelets.values() if "intersection" in
+             [kind.text for kind in item.iterfind("laneletType")]]  # fmt: skip
+    assert len(turns) == len(scene.networks[0].junctions[0].connections)
+    for turn in turns:
+        (before,), (after,) = refs(turn, "predecessor"), refs(turn, "successor")
+        for tag in ("leftBound", "rightBound"):
+            assert bound(lanelets[before], tag)[-1] == bound(turn, tag)[0]
+            assert bound(turn, tag)[-1] == bound(lanelets[after], tag)[0]
+
+
+def test_an_intersection_knows_its_arms_and_who_comes_from_the_right() -> None:
+    root = read(scene_of(CROSSING % "lanes: 2"))
+    (intersection,) = root.iterfind("intersection")
+    arms = {arm.attrib["id"]: arm for arm in intersection.iterfind("incoming")}
+    assert len(arms) == 4
+    right_of = {id: refs(arm, "isLeftOf") for id, arm in arms.items()}
+    assert sorted(other for (other,) in right_of.values()) == sorted(arms)
+    for arm in arms.values():
+        for tag in ("successorsLeft", "successorsStraight", "successorsRight"):
+            assert len(refs(arm, tag)) == 1
+
+
+def test_lights_change_as_the_signals_of_the_scene() -> None:
+    scene = scene_of(CROSSING % "lanes: 2, control with signals")
+    root = read(scene)
+    control = scene.networks[0].junctions[0].control
+    lights = list(root.iterfind("trafficLight"))
+    for light in lights:
+        steps = [int(item.findtext("duration", "")) for item in light.iter("cycleElement")]
+        assert sum(steps) == pytest.approx(control.cycle / 0.1)
+    at = [refs(lanelet, "trafficLightRef") for lanelet in root.iterfind("lanelet")]
+    assert sorted(ref for found in at for ref in found) == sorted(x.attrib["id"] for x in lights)
+    assert sum(lanelet.find("stopLine") is not None for lanelet in root.iterfind("lanelet")) == 4
+
+
+def test_minor_roads_have_signs() -> None:
+    root = read(scene_of(CROSSING % "lanes: 2, control with stop"))
+    kinds = [sign.findtext(".//trafficSignID") for sign in root.iterfind("trafficSign")]
+    assert sorted(map(str, kinds)) == ["206", "206", "301", "301"]
+
+
+def test_what_was_driven_is_dynamic_and_what_stands_is_not() -> None:
+    (sample,) = testing.sample(STREET + "simulate with builtin { duration: 5s }")
+    trace = sample.run().trace
+    before = read(sample.record)
+    assert before.find("dynamicObstacle") is None
+    assert before.findtext("staticObstacle/type") == "constructionZone"
+    assert before.findtext("environmentObstacle/type") == "building"
+    after = fromstring(CommonRoadBackend().drive_files(sample.record, trace)["drive.cr.xml"])
+    (lead,) = after.iterfind("dynamicObstacle")
+    assert lead.findtext("type") == "truck"
+    last = list(lead.iterfind("trajectory/state"))[-1]
+    assert float(last.findtext("position/point/x", "")) == pytest.approx(
+        trace.agents["lead"].x[-1], abs=1e-5
+    )
+    assert int(last.findtext("time/exact", "")) == len(trace.time) - 1
+    assert after.find("planningProblem/goalState/position/rectangle") is not None
+
+
+def test_the_ego_has_to_reach_the_end_of_its_road() -> None:
+    root = read(scene_of(STREET))
+    problem = root.find("planningProblem")
+    assert problem is not None
+    assert problem.findtext("initialState/position/point/x") == "20"
+    (goal,) = problem.iterfind("goalState/position/lanelet")
+    (_, right) = root.iterfind("lanelet")
+    assert goal.attrib["ref"] == right.attrib["id"]
+
+
+def test_numbers_are_decimals_without_exponents_and_ids_are_unique() -> None:
+    bent = "perturb with sine { amplitude: 1m, wavelength: 50m }"
+    scene = scene_of(CROSSING % f"lanes: 2, control with signals, {bent}")
+    text = CommonRoadBackend().files(scene)["cr.xml"]
+    assert text == CommonRoadBackend().files(scene)["cr.xml"]
+    assert not re.search(r">-?[\d.]+e[-+]?\d", text)
+    ids = [element.attrib["id"] for element in fromstring(text).iter() if "id" in element.attrib]
+    assert len(ids) == len(set(ids))

@@ -1,0 +1,125 @@
+"""`emit lanelet2`: lanelets that share their points, and what holds on them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from xml.etree.ElementTree import Element, fromstring
+
+import pytest
+
+from roadlang import testing
+from roadlang_formats.emit_lanelet2 import Lanelet2Backend
+from roadlang_formats.local_projection import LocalProjection
+from tests.formats.test_commonroad import CROSSING, STREET, scene_of
+
+
+@dataclass(frozen=True)
+class ReadMap:
+    """The elements of a file."""
+
+    root: Element
+
+    @classmethod
+    def of(cls, text: str, **options: object) -> ReadMap:
+        return cls(fromstring(Lanelet2Backend(**options).files(scene_of(text))["lanelet2.osm"]))  # type: ignore[arg-type]
+
+    def tagged(self, tag: str, **tags: str) -> list[Element]:
+        return [item for item in self.root.iterfind(tag) if tags.items() <= tags_of(item).items()]
+
+    def nodes(self, lanelet: Element, role: str) -> list[str]:
+        (ref,) = members(lanelet, role)
+        (way,) = (way for way in self.root.iterfind("way") if way.attrib["id"] == ref)
+        return [nd.attrib["ref"] for nd in way.iterfind("nd")]
+
+
+def tags_of(element: Element) -> dict[str, str]:
+    return {tag.attrib["k"]: tag.attrib["v"] for tag in element.iterfind("tag")}
+
+
+def members(element: Element, role: str) -> list[str]:
+    return [m.attrib["ref"] for m in element.iterfind("member") if m.attrib["role"] == role]
+
+
+def test_lanes_beside_each_other_share_a_line() -> None:
+    found = ReadMap.of(STREET)
+    left, right = found.tagged("relation", type="lanelet", road="street")
+    assert members(left, "left") == members(right, "left")
+    ways = {way.attrib["id"]: tags_of(way) for way in found.root.iterfind("way")}
+    assert ways[members(left, "left")[0]] == {"type": "line_thin", "subtype": "dashed"}
+    assert ways[members(left, "right")[0]] == {"type": "line_thin", "subtype": "solid"}
+    assert tags_of(left)["speed_limit"] == "54 km/h"
+    (limit,) = found.tagged("relation", subtype="speed_limit")
+    assert members(left, "regulatory_element") == [limit.attrib["id"]]
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4])
+def test_turns_share_their_end_points_with_the_lanes_that_they_connect(lanes: int) -> None:
+    scene = scene_of(CROSSING % f"lanes: {lanes}")
+    found = ReadMap.of(CROSSING % f"lanes: {lanes}")
+    lanelets = found.tagged("relation", type="lanelet")
+    turns = [lanelet for lanelet in lanelets if "turn_direction" in tags_of(lanelet)]
+    roads = [lanelet for lanelet in lanelets if lanelet not in turns]
+    assert len(turns) == len(scene.networks[0].junctions[0].connections)
+    ends = {end for lanelet in roads for end in _ends(found, lanelet)}
+    for turn in turns:
+        assert ends.issuperset(_ends(found, turn))
+
+
+def _ends(found: ReadMap, lanelet: Element) -> Iterator[frozenset[str]]:
+    left, right = found.nodes(lanelet, "left"), found.nodes(lanelet, "right")
+    # A border may run either way; both ends of a lanelet are still pairs of points.
+    if "turn_direction" in tags_of(lanelet) or left[0] != right[0]:
+        yield frozenset((left[0], right[0]))
+        yield frozenset((left[-1], right[-1]))
+
+
+@pytest.mark.parametrize(
+    ("rule", "subtype", "role"),
+    [
+        ("control with signals", "traffic_light", "refers"),
+        ("control with stop", "right_of_way", "right_of_way"),
+        ("control with all_way_stop", "all_way_stop", "yield"),
+    ],
+)
+def test_junctions_have_the_rules_of_the_scene(rule: str, subtype: str, role: str) -> None:
+    found = ReadMap.of(CROSSING % f"lanes: 2, {rule}")
+    rules = found.tagged("relation", type="regulatory_element", subtype=subtype)
+    assert rules
+    for element in rules:
+        assert members(element, role)
+        assert members(element, "ref_line")
+        holders = [
+            lanelet
+            for lanelet in found.tagged("relation", type="lanelet")
+            if element.attrib["id"] in members(lanelet, "regulatory_element")
+        ]
+        assert all("turn_direction" in tags_of(lanelet) for lanelet in holders)
+        assert holders
+
+
+def test_points_are_where_the_origin_says() -> None:
+    found = ReadMap.of(STREET, origin=(0.84, 0.2))
+    projection = LocalProjection(math.degrees(0.84), math.degrees(0.2))
+    for node in found.root.iterfind("node"):
+        place = float(node.attrib["lat"]), float(node.attrib["lon"])
+        tags = tags_of(node)
+        assert projection.point(*place) == pytest.approx(
+            (float(tags["local_x"]), float(tags["local_y"])), abs=1e-3
+        )
+
+
+def test_sidewalks_are_walkways_and_nobody_is_on_medians() -> None:
+    found = ReadMap.of(
+        "road main { draw with waypoints { points: [(0m, 0m), (90m, 20m)] }, "
+        "left: [median(2m), drive, sidewalk(2m)], right: [drive, bike(1.5m), sidewalk(2m)] }"
+    )
+    subtypes = [tags_of(item)["subtype"] for item in found.tagged("relation", type="lanelet")]
+    assert sorted(subtypes) == ["bicycle_lane", "road", "road", "walkway", "walkway"]
+
+
+def test_the_same_scene_gives_the_same_bytes() -> None:
+    scene = testing.sample(CROSSING % "lanes: 2, control with signals")[0].record
+    first, second = (Lanelet2Backend().files(scene) for _ in range(2))
+    assert first == second

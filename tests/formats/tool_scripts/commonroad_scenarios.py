@@ -1,0 +1,87 @@
+"""CommonRoad files, by its own reader, schema and collision checker. Runs with their Python.
+
+Question: a list of files. Answer: by file, what is wrong with it.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import warnings
+from pathlib import Path
+from typing import Any
+
+import commonroad
+from commonroad.common.file_reader import CommonRoadFileReader
+from commonroad.scenario.obstacle import ObstacleType
+from commonroad_dc.boundary.boundary import create_road_boundary_obstacle
+from commonroad_dc.collision.collision_detection.pycrcc_collision_dispatch import (
+    create_collision_checker,
+    create_collision_object,
+)
+from commonroad_dc.pycrcc import CollisionChecker
+from lxml import etree
+
+_SCHEMA = Path(commonroad.__file__).parent / (
+    "scenario_definition/xml_definition_files/XML_commonRoad_XSD.xsd"
+)
+
+
+def faults(file: str, schema: Any) -> list[str]:
+    """Of one file."""
+    if not schema.validate(etree.parse(file)):
+        return [f"schema: {schema.error_log.last_error}"]
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        scenario, problems = CommonRoadFileReader(file).open()
+    found = [f"warning: {item.message}" for item in warned if "eprecat" not in str(item.message)]
+    network = scenario.lanelet_network
+    found += _unlinked(network)
+    _, boundary = create_road_boundary_obstacle(scenario)
+    off_road = CollisionChecker()
+    off_road.add_collision_object(boundary)
+    create_collision_checker(scenario)
+    for obstacle in scenario.dynamic_obstacles:
+        if obstacle.obstacle_type is ObstacleType.PEDESTRIAN:
+            continue
+        begins = create_collision_object(obstacle.occupancy_at_time(0).shape)
+        places = [state.position for state in obstacle.prediction.trajectory.state_list]
+        if off_road.collide(begins) or not all(network.find_lanelet_by_position(places)):
+            found.append(f"dynamic obstacle {obstacle.obstacle_id} leaves the road")
+    for problem in problems.planning_problem_dict.values():
+        place = problem.initial_state.position
+        if not network.find_lanelet_by_position([place])[0]:
+            found.append("the planning problem does not begin on the road")
+        if problem.goal.lanelets_of_goal_position is None and not problem.goal.state_list:
+            found.append("the planning problem has no goal")
+    return found
+
+
+def _unlinked(network: Any) -> list[str]:
+    """Links that hold one way only, or between lanelets that do not meet."""
+    found = []
+    for lanelet in network.lanelets:
+        for id in lanelet.successor:
+            after = network.find_lanelet_by_id(id)
+            if lanelet.lanelet_id not in after.predecessor:
+                found.append(f"lanelet {id} does not know {lanelet.lanelet_id} before it")
+            gaps = [
+                abs(one[-1] - other[0]).max()
+                for one, other in (
+                    (lanelet.left_vertices, after.left_vertices),
+                    (lanelet.right_vertices, after.right_vertices),
+                )
+            ]
+            if max(gaps) > 1e-6:
+                found.append(f"lanelets {lanelet.lanelet_id} and {id} do not meet")
+    return found
+
+
+def main() -> None:
+    """Answer the question on standard input."""
+    schema = etree.XMLSchema(etree.parse(str(_SCHEMA)))
+    print(json.dumps({file: faults(file, schema) for file in json.load(sys.stdin)}))
+
+
+if __name__ == "__main__":
+    main()
