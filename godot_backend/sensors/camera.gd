@@ -17,8 +17,9 @@ const FAR := 6000.0
 var width := 320
 var height := 180
 var outputs := 0
+## Number of the agent that carries it; 0: none.
+var agent := 0
 
-var _agent := 0
 var _place := Vector3.ZERO
 var _yaw := 0.0
 var _pitch := 0.0
@@ -42,7 +43,7 @@ func build(reader: Reader) -> String:
 		outputs |= int(NAMES[name])
 	width = clampi(int(Agent.number(spec, "width", 320.0)), LEAST_PIXELS, MOST_PIXELS)
 	height = clampi(int(Agent.number(spec, "height", 180.0)), LEAST_PIXELS, MOST_PIXELS)
-	_agent = int(Agent.number(spec, "agent", 0.0))
+	agent = int(Agent.number(spec, "agent", 0.0))
 	# Ahead, left, up to left, up, ahead: the axes of a body.
 	_place = Vector3(
 		Agent.number(spec, "y", 0.0), Agent.number(spec, "z", 0.0), Agent.number(spec, "x", 0.0)
@@ -66,9 +67,9 @@ func pose(stage: Stage) -> Transform3D:
 		Basis(Vector3.UP, PI + _yaw) * Basis(Vector3.RIGHT, _pitch) * Basis(Vector3.FORWARD, _roll),
 		_place
 	)
-	for agent in stage.agents():
-		if agent.id == _agent:
-			return agent.body.global_transform * mount
+	for carrier in stage.agents():
+		if carrier.id == agent:
+			return carrier.body.global_transform * mount
 	return Transform3D(Basis(Vector3.UP, PI / 2), Vector3.ZERO) * mount
 
 

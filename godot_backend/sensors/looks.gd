@@ -1,5 +1,6 @@
 extends Node
-## Looks through the cameras that a client asks for, all in one frame, and sends what they see.
+## Looks through the cameras that a client asks for, those of an agent in one frame, and sends what
+## they see.
 
 const Protocol := preload("../net/protocol.gd")
 const Server := preload("../net/server.gd")
@@ -20,6 +21,10 @@ var scenery: Node
 var _worlds: Worlds
 var _server: Server
 var _twins := Twins.new()
+## Of shadows in a window.
+var _shadow_pixels: int = ProjectSettings.get_setting(
+	"rendering/lights_and_shadows/directional_shadow/size"
+)
 ## Wishes, with the frames in which they came.
 var _queue: Array[Array] = []
 
@@ -69,12 +74,18 @@ func _draw(stage: Stage, cameras: Array[SensorCamera], around: Node) -> void:
 	stage.propagate_call(&"force_update_transform")
 	if around != null:
 		around.propagate_call(&"force_update_transform")
-	for camera in cameras:
-		camera.aim(camera.pose(stage))
-	if not cameras.is_empty():
-		Surroundings.prepare(stage, cameras[0].pose(stage).origin)
 	RenderingServer.directional_shadow_atlas_set_size(SHADOW_PIXELS, true)
-	RenderingServer.force_draw(false)
+	var by_agent := {}
+	for camera in cameras:
+		by_agent.get_or_add(camera.agent, [] as Array[SensorCamera]).append(camera)
+	for together: Array[SensorCamera] in by_agent.values():
+		# Rain falls and lamps shine around one place at a time.
+		Surroundings.prepare(stage, together[0].pose(stage).origin)
+		for camera in together:
+			camera.aim(camera.pose(stage))
+		RenderingServer.force_draw(false)
+	if RenderingServer.render_loop_enabled:
+		RenderingServer.directional_shadow_atlas_set_size(_shadow_pixels, true)
 
 
 ## What moves and where it is, and each camera with its pose and pixels.

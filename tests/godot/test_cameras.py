@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -13,6 +13,7 @@ import pytest
 from roadlang.api import Scene
 from roadlang_godot.boxes import SeenThing, seen_things
 from roadlang_godot.camera_frames import CameraFrame
+from roadlang_godot.camera_parts import camera_parts
 from roadlang_godot.engine import Engine
 from roadlang_godot.eyes import Eyes
 from roadlang_godot.faults import EngineError
@@ -74,11 +75,12 @@ def half_hidden() -> Scene:
 def looked(session: Session, drawn: Scene, cameras: list[MountedCamera]) -> tuple[Eyes, Frames]:
     """What cameras of a scene see at its start."""
     layout = layout_of(drawn)
-    eyes = Eyes(drawn, layout, cameras)
     session.begin(layout.settings(), clear=True)
-    session.update((*layout.parts, *eyes.parts))
+    parts = camera_parts(drawn, layout.parts, layout.agents, layout.objects, cameras)
+    session.update((*layout.parts, *parts))
     session.prove()
-    return eyes, eyes.look(session, 0.0)
+    eyes = Eyes(session, drawn, layout, cameras)
+    return eyes, eyes.look(0.0)
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ def look(drawing_engine: Engine) -> Looks:
             seen.instance.actor.name: seen for seen in seen_things(frame, of_hidden.instances)
         }
         eyes, frames = looked(session, boxes_around(), poses(12))
-        again = eyes.look(session, 0.0, eyes.cameras[:2])
+        again = eyes.look(0.0, eyes.cameras[:2])
         return Looks(eyes, frames, again, hidden)
 
 
@@ -176,6 +178,12 @@ def test_a_second_look_is_the_same(look: Looks) -> None:
             assert np.array_equal(getattr(first, output), getattr(second, output)), output
 
 
+def test_a_picture_of_nothing_has_no_boxes(look: Looks) -> None:
+    frame = look.frames[0]
+    empty = replace(frame, instance=np.zeros((180, 320), np.uint16))
+    assert all(found.visible is None for found in seen_things(empty, look.eyes.instances))
+
+
 def test_what_hides_a_thing_is_counted(look: Looks) -> None:
     hidden = look.hidden["hidden"]
     assert look.hidden["wall"].occlusion == 0.0
@@ -185,7 +193,7 @@ def test_what_hides_a_thing_is_counted(look: Looks) -> None:
 
 
 def test_a_headless_engine_says_that_it_has_no_screen(session: Session) -> None:
-    eyes = Eyes(boxes_around(), layout_of(boxes_around()), poses(1))
+    eyes = Eyes(session, boxes_around(), layout_of(boxes_around()), poses(1))
     with pytest.raises(EngineError) as caught:
-        eyes.look(session, 0.0)
+        eyes.look(0.0)
     assert caught.value.diagnostics[0].code == "RL508"

@@ -133,9 +133,9 @@ def _pixel_extents(numbers: NDArray[np.uint16]) -> dict[int, tuple[Rectangle, in
     order = np.argsort(found, kind="stable")
     found, rows, columns = found[order], rows[order], columns[order]
     values, starts = np.unique(found, return_index=True)
-    ends = [*starts[1:].tolist(), len(found)]
+    ends = np.append(starts, len(found))[1:]
     out = {}
-    for value, start, end in zip(values.tolist(), starts.tolist(), ends, strict=True):
+    for value, start, end in zip(values.tolist(), starts.tolist(), ends.tolist(), strict=True):
         x, y = columns[start:end], rows[start:end]
         box = (float(x.min()), float(y.min()), float(x.max() + 1), float(y.max() + 1))
         out[value] = (box, end - start)

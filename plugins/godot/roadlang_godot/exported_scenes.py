@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from . import engine
 from .drives import decided_in_python
 from .driving import LockStep
+from .mounted_camera import cameras_of
 from .pictures import RATE, build, drive_for, followed
 from .protocol import Message
 
@@ -33,11 +34,13 @@ def export_scene(
     `format`: `tscn` or `glb`; `road`: `mesh` or `tiles`. Raises `EngineError`.
     """
     decided = decided_in_python(scene, controllers or {})
-    with engine.start(fixed_fps=RATE) as running, running.connect(scene.name) as session:
+    draw = bool(cameras_of(scene))
+    started = engine.start(fixed_fps=RATE, draw=draw)
+    with started as running, running.connect(scene.name) as session:
         layout = build(session, scene, road, decided)
         if moment > 0 and layout.agents:
             with LockStep(session) as lock:
-                drive_for(lock, followed(scene, layout, decided), moment)
+                drive_for(lock, followed(session, scene, layout, decided), moment)
                 return exported(session, format)
         return exported(session, format)
 

@@ -1,37 +1,42 @@
-"""The cameras of a scene in an engine: what has to be sent, and looking through them."""
+"""Looking through the cameras of a scene that is built in an engine."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from .camera_frames import CameraFrame, frames_of
-from .label_parts import instances_of, label_parts
-from .layout import Layout
-from .mounted_camera import MountedCamera
+from .label_parts import instances_of
+from .mounted_camera import MountedCamera, cameras_of
 from .protocol import Message
-from .scene_part import ScenePart
-from .session import Session
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import DueReading, Scene
+
+    from .layout import Layout
+    from .session import Session
 
 
 class Eyes:
-    """The cameras of a scene. `parts` are to be sent with those of the layout."""
+    """The cameras of a scene that is built in the engine of a session, by default its own."""
 
-    def __init__(self, scene: Scene, layout: Layout, cameras: Sequence[MountedCamera]) -> None:
-        self.cameras = tuple(cameras)
-        self.instances = instances_of(scene, layout)
+    def __init__(
+        self,
+        session: Session,
+        scene: Scene,
+        layout: Layout,
+        cameras: Sequence[MountedCamera] | None = None,
+    ) -> None:
+        self.cameras = cameras_of(scene) if cameras is None else tuple(cameras)
+        self.instances = instances_of(scene, layout.objects) if self.cameras else ()
+        self._session = session
         self._origin = layout.frame
-        self.parts: list[ScenePart] = label_parts(layout, self.instances)
-        self.parts += [
-            camera.part(id, layout.agents[camera.agent])
-            for id, camera in enumerate(self.cameras, start=1)
-        ]
 
     def look(
-        self, session: Session, time: float, cameras: Sequence[MountedCamera] | None = None
+        self, time: float, cameras: Sequence[MountedCamera] | None = None
     ) -> tuple[CameraFrame, ...]:
         """What the cameras see now, by default all of them. Raises `EngineError` RL508 where the
         engine has no screen."""
@@ -39,5 +44,17 @@ class Eyes:
         if not wanted:
             return ()
         wish = {"cameras": [self.cameras.index(camera) + 1 for camera in wanted]}
-        answer = session.fetch(Message.LOOK, wish, Message.FRAMES)
+        answer = self._session.fetch(Message.LOOK, wish, Message.FRAMES)
         return frames_of(answer, self.cameras, self._origin, time)
+
+    def readings(
+        self, due: Sequence[DueReading], time: float
+    ) -> list[tuple[DueReading, Mapping[str, NDArray[np.generic]]]]:
+        """The readings that are due, all of one look."""
+        by_name = {(camera.agent, camera.name): camera for camera in self.cameras}
+        cameras = [by_name[reading.agent, reading.sensor.name] for reading in due]
+        frames = {frame.camera: frame for frame in self.look(time, cameras)} if due else {}
+        return [
+            (reading, frames[camera].readings())
+            for reading, camera in zip(due, cameras, strict=True)
+        ]

@@ -13,6 +13,7 @@ from roadlang_standard.engine_tables import BODIES
 
 from .agent_specs import AgentPose
 from .driving import ControlForm, EngineControl
+from .eyes import Eyes
 from .layout import Layout
 from .telemetry import DriveState, Records
 
@@ -24,7 +25,7 @@ class FollowedScene:
     """Turns what the engine reports into what controllers see, and into a trace.
 
     `controllers`: of the agents that Python drives; `step`: seconds from one report to the next;
-    `rate`: physics ticks a second.
+    `rate`: physics ticks a second; `eyes`: the cameras of the scene, where it has any.
     """
 
     def __init__(
@@ -34,9 +35,11 @@ class FollowedScene:
         step: float,
         rate: float,
         controllers: Mapping[str, Controller] | None = None,
+        eyes: Eyes | None = None,
     ) -> None:
         self._layout = layout
         self._rate = rate
+        self._eyes = eyes
         self._mirror = Mirror(scene, controllers or {}, step, BODIES)
         self._names = [actor.name for actor in scene.agents]
         self._walks = [BODIES[actor.kind].walks if actor.kind in BODIES else False
@@ -77,14 +80,24 @@ class FollowedScene:
     def controls(self) -> dict[int, EngineControl]:
         """The decisions of all controllers, as the engine takes them.
 
-        Raises RL470, RL474 of controllers, RL513 of conditions.
+        Raises RL470, RL474 of controllers, RL508 where cameras have no screen, RL513 of
+        conditions.
         """
         if not len(self._mirror.driven):
             return {}
+        self._take_pictures()
         decision = self._mirror.decide()
         return {
             self._numbers[row]: self._engine_control(row, decision) for row in self._mirror.driven
         }
+
+    def _take_pictures(self) -> None:
+        """What cameras see now, where controllers are to get it."""
+        due = self._mirror.due_readings()
+        if self._eyes is None or not due:
+            return
+        for reading, arrays in self._eyes.readings(due, self._mirror.time):
+            self._mirror.deliver(reading.agent, reading.sensor.name, arrays)
 
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .drives import is_walker
 from .lane_strips import Surface
-from .layout import Layout
 from .names import plain_name
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .scene_part import ScenePart
+from .scene_part import Key, ScenePart
 from .semantic_classes import SemanticClass, class_of_kind
 
 if TYPE_CHECKING:
@@ -48,29 +47,38 @@ class Instance:
     category: SemanticClass
 
 
-def instances_of(scene: Scene, layout: Layout) -> tuple[Instance, ...]:
+def instances_of(scene: Scene, sent: Mapping[int, Sequence[str]]) -> tuple[Instance, ...]:
     """The agents of a scene, then its objects in the order in which they are sent, as far as there
-    are numbers."""
+    are numbers. `sent`: names of objects by the ids of the things that hold them."""
     out = []
     for actor in scene.agents:
         walks = is_walker(actor)
         default = SemanticClass.PEDESTRIAN if walks else SemanticClass.OTHER_VEHICLE
         out.append((actor, class_of_kind(plain_name(actor.kind), default)))
     objects = {actor.name: actor for actor in scene.objects}
-    for id in sorted(layout.objects):
-        for name in layout.objects[id]:
+    for id in sorted(sent):
+        for name in sent[id]:
             kind = plain_name(objects[name].kind)
             out.append((objects[name], class_of_kind(kind, SemanticClass.STREET_OBJECT)))
     numbered = enumerate(out[:MOST_INSTANCES], start=1)
     return tuple(Instance(number, actor, category) for number, (actor, category) in numbered)
 
 
-def label_parts(layout: Layout, instances: Iterable[Instance]) -> list[ScenePart]:
-    """The labels of all that a layout sends."""
+def label_parts(
+    sent: Iterable[ScenePart],
+    agents: Mapping[str, int],
+    objects: Mapping[int, Sequence[str]],
+    instances: Iterable[Instance],
+) -> list[ScenePart]:
+    """The labels of all that is sent. `agents`: numbers by name; `objects`: names by id."""
     by_name = {instance.actor.name: instance for instance in instances}
+    numbered: dict[Key, Instance | None] = {
+        (Message.AGENT, number): by_name.get(name) for name, number in agents.items()
+    }
+    numbered |= {(Message.OBJECTS, id): by_name.get(names[0]) for id, names in objects.items()}
     records = {_SCENERY: [_RECORD.pack(id, *row) for id, row in _scenery().items()]}
-    for part in layout.parts:
-        row = _label(part, layout, by_name)
+    for part in sent:
+        row = _label(part, numbered)
         if row is not None:
             records.setdefault(part.kind, []).append(_RECORD.pack(part.id, *row))
     parts: list[ScenePart] = []
@@ -87,19 +95,14 @@ def _scenery() -> dict[int, tuple[int, int, int]]:
     return {id: (found, 0, 0) for id, found in _SCENERY_CLASSES.items()}
 
 
-def _label(
-    part: ScenePart, layout: Layout, by_name: Mapping[str, Instance]
-) -> tuple[int, int, int] | None:
+def _label(part: ScenePart, numbered: Mapping[Key, Instance | None]) -> tuple[int, int, int] | None:
     """Class, whether its copies are numbered one by one, and the number of the first."""
     if part.kind == Message.SEGMENT:
         surface = Surface(part.body[_SURFACE_BYTE])
         return _SURFACE_CLASSES.get(surface, SemanticClass.ROAD), 0, 0
-    if part.kind == Message.OBJECTS:
-        found = by_name.get(layout.objects[part.id][0])
-        return None if found is None else (found.category, 1, found.number)
-    if part.kind == Message.AGENT:
-        name = next(name for name, number in layout.agents.items() if number == part.id)
-        found = by_name.get(name)
-        return None if found is None else (found.category, 0, found.number)
+    if part.key in numbered:
+        found = numbered[part.key]
+        has_copies = int(part.kind == Message.OBJECTS)
+        return None if found is None else (found.category, has_copies, found.number)
     category = _PART_CLASSES.get(part.kind)
     return None if category is None else (category, 0, 0)

@@ -12,6 +12,7 @@ from roadlang.api import Code, to_json
 from . import engine
 from .boxes import seen_things
 from .camera_frames import CameraFrame
+from .camera_parts import camera_parts
 from .drives import decided_in_python
 from .driving import LockStep
 from .eyes import Eyes
@@ -95,16 +96,18 @@ def moments_of(
     cameras = cameras_of(scene) or (default_camera(scene, sampling.size),)
     decided = decided_in_python(scene, controllers)
     layout = layout_of(scene, sampling.road, python_driven=decided)
-    eyes = Eyes(scene, layout, [replace(camera, outputs=OUTPUTS) for camera in cameras])
+    labeled = [replace(camera, outputs=OUTPUTS, samples=2) for camera in cameras]
     session.begin(layout.settings(RATE), clear=True)
-    session.update((*layout.parts, *eyes.parts))
+    parts = camera_parts(scene, layout.parts, layout.agents, layout.objects, labeled)
+    session.update((*layout.parts, *parts))
     session.prove()
+    eyes = Eyes(session, scene, layout, labeled)
     moments: list[Moment] = []
     with LockStep(session) as lock:
-        driver = followed(scene, layout, decided)
+        driver = followed(session, scene, layout, decided)
         drive_for(lock, driver, sampling.start)
         while True:
-            frames = eyes.look(session, lock.tick / RATE)
+            frames = eyes.look(lock.tick / RATE)
             moments.append(
                 tuple(_labeled(scene, frame, eyes, name_of(session)) for frame in frames)
             )

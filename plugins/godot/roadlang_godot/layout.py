@@ -14,6 +14,7 @@ from roadlang.api import Code
 
 from .agent_looks import look_of, object_color
 from .agent_specs import AgentPose, agent_spec, followed_lines, kept_start
+from .camera_parts import camera_parts
 from .drives import undriven_agents
 from .faults import fault
 from .frame import SceneOrigin, extent_from, frame_around
@@ -22,6 +23,7 @@ from .junction_sidewalks import sidewalk_parts
 from .junctions import RoadArm, area_patch, cuts, order, patch
 from .line import RoadSamples, line_of
 from .mask_tiles import network_tiles
+from .mounted_camera import cameras_of
 from .names import plain_name
 from .placed import Placed, agent_part, object_parts, path_parts, world_part
 from .road_mesh import road_parts
@@ -102,8 +104,8 @@ def layout_of(
     specs = {one.name: specs[one.name] | look_of(one, agents[one.name]) for one in scene.agents}
     parts += [agent_part(agents[name], spec) for name, spec in specs.items()]
     objects, names = object_parts(map(_placed, scene.objects), frame)
-    parts += objects
-    parts.append(world_part(scene.world, extent + BESIDE if grown else None))
+    parts += [*objects, world_part(scene.world, extent + BESIDE if grown else None)]
+    parts += camera_parts(scene, parts, agents, names, cameras_of(scene))
     return Layout(
         scene.name, tuple(parts), frame, extent, agents, paths, names, specs, grown, undriven
     )

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .agent_specs import AgentPose
+from .eyes import Eyes
 from .followed_scene import FollowedScene
 from .handle_parts import handle_parts
 from .layout import Layout, layout_of
@@ -133,9 +134,11 @@ class LiveScene:
 
     def _begin(self, scene: Scene, controllers: Mapping[str, Controller]) -> None:
         """What is driven from now on is judged."""
-        step = EVERY / RATE
+        step, eyes = EVERY / RATE, Eyes(self._session, scene, self.layout)
         self._followed = (
-            FollowedScene(scene, self.layout, step, RATE, controllers) if scene.agents else None
+            FollowedScene(scene, self.layout, step, RATE, controllers, eyes)
+            if scene.agents
+            else None
         )
         self._samples = 0
         self._waits = False

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang_standard.sense_camera import Camera
+
 from .protocol import Message
 from .scene_part import ScenePart
 
@@ -21,8 +23,6 @@ if TYPE_CHECKING:
 
 OUTPUTS = ("rgb", "depth", "semantic", "instance")
 """What a reading can hold."""
-CAMERA = "camera"
-"""The kind of `sense with` that is a camera."""
 
 
 class Render(IntFlag):
@@ -48,7 +48,7 @@ class MountedCamera:
 
     `at` is ahead of the center of the agent, left of it, and above the ground; `fov` is the
     horizontal field of view; `yaw` to the left, `pitch` upward; `every` seconds from one picture to
-    the next, 0 for all steps.
+    the next, 0 for all steps; `samples` of the color of each pixel, 1 or 2.
     """
 
     agent: str
@@ -61,6 +61,7 @@ class MountedCamera:
     pitch: float = 0.0
     every: float = 0.0
     outputs: tuple[str, ...] = ("rgb",)
+    samples: int = 1
 
     @classmethod
     def of(cls, agent: str, name: str, options: Mapping[str, Any]) -> MountedCamera:
@@ -110,7 +111,7 @@ class MountedCamera:
         x, y, z = self.at
         spec = {
             "agent": agent, "width": self.width, "height": self.height, "fov": self.fov,
-            "x": x, "y": y, "z": z, "yaw": self.yaw, "pitch": self.pitch,
+            "x": x, "y": y, "z": z, "yaw": self.yaw, "pitch": self.pitch, "samples": self.samples,
             "outputs": [name for drawn, name in _ENGINE_NAMES.items() if drawn in self.renders],
         }  # fmt: skip
         body = json.dumps(spec, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
@@ -122,6 +123,6 @@ def cameras_of(scene: Scene) -> tuple[MountedCamera, ...]:
     return tuple(
         MountedCamera.of(agent.name, sensor.name, sensor.options)
         for agent in scene.agents
-        for sensor in getattr(agent, "sensors", ())
-        if sensor.kind == CAMERA
+        for sensor in agent.sensors
+        if sensor.kind == Camera.name
     )

@@ -15,6 +15,7 @@ from roadlang.api import Code
 from . import engine
 from .drives import decided_in_python
 from .driving import LockStep
+from .eyes import Eyes
 from .faults import fault
 from .followed_scene import FollowedScene
 from .framing import FreePose, TopFrame, built_places, free_pose, top_frame
@@ -56,7 +57,7 @@ def render_picture(
         layout = build(session, scene, shot.road, decided)
         if moment > 0 and layout.agents:
             with LockStep(session) as lock:
-                drive_for(lock, followed(scene, layout, decided), moment)
+                drive_for(lock, followed(session, scene, layout, decided), moment)
                 return take(session, layout, shot)
         return take(session, layout, shot)
 
@@ -83,7 +84,7 @@ def render_clip(
         decided = decided_in_python(scene, controllers or {})
         layout = build(session, scene, shot.road, decided)
         with LockStep(session) as lock:
-            driver = followed(scene, layout, decided)
+            driver = followed(session, scene, layout, decided)
             drive_for(lock, driver, start)
             while frames < round(duration * RATE / every):
                 picture = np.frombuffer(take(session, layout, shot), dtype=np.uint8)
@@ -94,9 +95,10 @@ def render_clip(
     return frames
 
 
-def followed(scene: Scene, layout: Layout, decided: Controllers) -> FollowedScene:
+def followed(session: Session, scene: Scene, layout: Layout, decided: Controllers) -> FollowedScene:
     """What decides for the agents of a scene in steps of `EVERY` ticks."""
-    return FollowedScene(scene, layout, EVERY / RATE, RATE, decided)
+    eyes = Eyes(session, scene, layout)
+    return FollowedScene(scene, layout, EVERY / RATE, RATE, decided, eyes)
 
 
 def drive_for(lock: LockStep, driver: FollowedScene, seconds: float) -> None:

@@ -14,9 +14,11 @@ from roadlang.api import Code
 
 from . import driving, engine
 from .drives import MANUAL, decided_in_python, drives_by_hand
+from .eyes import Eyes
 from .faults import fault
 from .followed_scene import FollowedScene
 from .layout import layout_of
+from .mounted_camera import cameras_of
 from .restarted_engine import RestartedEngine
 from .session import Session
 from .telemetry import of_agent
@@ -66,7 +68,10 @@ def drive_scenes(
     the same. Raises RL505 with the name of a scene in which too many engines were lost.
     """
     fixed = settings.rate if settings.headless else None
-    engines = RestartedEngine(lambda: engine.start(fixed_fps=fixed, window=not settings.headless))
+    draw = any(map(cameras_of, scenes))
+    engines = RestartedEngine(
+        lambda: engine.start(fixed_fps=fixed, draw=draw, window=not settings.headless)
+    )
     try:
         for scene, of_scene in zip(scenes, controllers, strict=True):
             yield engines.drive(scene, partial(_drive, scene, settings, of_scene))
@@ -100,9 +105,8 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     session.begin(layout.settings(settings.rate), clear=True)
     session.update(layout.parts)
     session.prove()
-    followed = FollowedScene(
-        scene, layout, settings.every / settings.rate, settings.rate, decided
-    )  # fmt: skip
+    step, eyes = settings.every / settings.rate, Eyes(session, scene, layout)
+    followed = FollowedScene(scene, layout, step, settings.rate, decided, eyes)
     if decided:
         _step_by_step(session, followed, settings)
     else:

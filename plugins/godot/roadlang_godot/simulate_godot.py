@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Duration, Flag, Simulator, Word, option
+from roadlang_standard.sense_camera import Camera
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -30,8 +31,8 @@ class GodotSimulator(Simulator):
     )
 
     def offers(self, sensor: type[Sensor]) -> bool:
-        """What Python measures."""
-        return sensor.is_computed()
+        """What Python measures, and cameras."""
+        return sensor.is_computed() or sensor is Camera
 
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]

@@ -40,6 +40,8 @@ class Sensing:
         """by column of an agent, what its readings look like"""
         for sensor in placed:
             layout = sensor.guarded.layout
+            if sensor.guarded.recorder is not None:
+                sensor.guarded.recorder.restart()
             self.layouts[sensor.row] = (*self.layouts.get(sensor.row, ()), layout)
             members.setdefault(layout, []).append(sensor)
         self._groups = [SensorGroup(found, step) for found in members.values()]

@@ -34,6 +34,10 @@ class SensorRecorder:
     arrivals: list[float] = field(default_factory=list)
     readings: list[Arrays] = field(default_factory=list)
 
+    def restart(self) -> None:
+        """The drive begins anew: what was measured before was lost with an engine."""
+        self.times, self.arrivals, self.readings = [], [], []
+
     def add(self, time: float, arrival: float, arrays: Arrays) -> None:
         """One more, of which nobody changes the arrays."""
         self.times.append(time)
