@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from ..ir.scene import Call, Scene, SceneActor, SceneSensor
 from ..plugins.finding import entry_of, find_entry
 from ..plugins.guard import plugin_guard
-from ..plugins.kinds import Controller, Sensor, implements
+from ..plugins.kinds import Controller, ReadingArray, Sensor, implements
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from ..simulation.controllers import Driver, GuardedController
@@ -37,6 +37,11 @@ def _driver(
     if (undriven and not sensors) or (steady and each[steady[-1]] is None):
         return None
     return Driver(each, steady, {**expected, **_signals(actor, registry)}, sensors)
+
+
+def sensor_arrays(actor: SceneActor, registry: Registry) -> dict[str, Mapping[str, ReadingArray]]:
+    """What each sensor of an agent reads, by its name. Raises RL930, RL470."""
+    return {sensor.name: _sensor(sensor, registry).arrays for sensor in actor.sensors}
 
 
 def _sensor(sensor: SceneSensor, registry: Registry) -> GuardedSensor:

@@ -69,11 +69,17 @@ def engine_settings(registry: Registry) -> EngineSettings:
     """How the embedded engine drives, for who steps it.
 
     Raises `DiagnosticError` RL930 where no installed simulator is the embedded engine."""
+    settings: EngineSettings = embedded_engine(registry)[1].settings  # type: ignore[attr-defined]
+    return settings
+
+
+def embedded_engine(registry: Registry) -> tuple[KindEntry, Simulator]:
+    """The simulator that is the embedded engine. Raises as `engine_settings`."""
     for entry in registry.defaults("simulate"):
         with plugin_guard(entry, None):
-            settings = getattr(entry.load()(), "settings", None)
-        if isinstance(settings, EngineSettings):
-            return settings
+            simulator: Simulator = entry.load()()  # type: ignore[assignment]
+        if isinstance(getattr(simulator, "settings", None), EngineSettings):
+            return entry, simulator
     raise DiagnosticError(diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name="simulate"))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -20,13 +20,11 @@ from ..simulation.samples import Samples
 from ..simulation.world import World
 from ..simulation.world_building import world_of
 from .margins import Margins
+from .observed import Observed
 from .off_road import OffRoadCheck
 from .rewards import Transition
 from .scene_pool import ScenePool
 from .settings import EnvSettings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 IDLE_BRAKING = 4.0
 """m/s^2, of agents that nobody drives."""
@@ -94,10 +92,20 @@ class Episodes:
         self._samples.restart(agents, world, self._poses)
         self._before[rows] = 0.0
 
-    def observe(self, rows: Integers) -> NDArray[np.float32]:
-        """(R, F) what the driven agents of some scenes see."""
-        view = View(self._world, self._poses, self._settings.step, self._surroundings)
-        return self._vector.of(view.of(self._agents[rows]))
+    def observe(self, rows: Integers) -> Observed:
+        """(R, F) what the driven agents of some scenes see, and what their sensors read."""
+        agents = self._agents[rows]
+        if self._drivers is None or self._drivers.sensing is None:
+            view = View(self._world, self._poses, self._settings.step, self._surroundings)
+            return self._vector.of(view.of(agents))
+        self._drivers.sense(self._world, self._poses)
+        seen = self._drivers.view(self._world, self._poses).of(agents)
+        state = self._vector.of(seen)
+        readings = {
+            name: {part: array.copy() for part, array in reading.items()}
+            for name, reading in seen.sensors.items()
+        }
+        return {"state": state, "sensors": readings} if readings else state
 
     def step(self, rows: Integers, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on, with `actions` (R, 2) in the scenes `rows`; the others go on as they like."""
@@ -189,8 +197,10 @@ def can_restart(pool: ScenePool) -> bool:
 
 
 def _drivers(world: World, pool: ScenePool, settings: EnvSettings) -> DriverGroup | None:
-    """What drives the other agents; None where there are none that anything drives."""
-    if not any(actor.drive for scene in world.scenes for actor in scene.agents):
+    """What drives the other agents; None where there are none that anything drives, and
+    no sensors."""
+    agents = [actor for scene in world.scenes for actor in scene.agents]
+    if not any(actor.drive or actor.sensors for actor in agents):
         return None
     controllers = [python_controllers(scene, pool.registry) for scene in world.scenes]
     return DriverGroup(world, controllers, settings.step)

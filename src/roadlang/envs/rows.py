@@ -7,10 +7,10 @@ from dataclasses import fields
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..geometry.arrays import Floats, Integers
 from .episodes import EpisodeEnds, Episodes, can_restart
+from .observed import Observed, joined
 from .rewards import Transition
 from .scene_pool import ScenePool
 from .settings import EnvSettings
@@ -22,7 +22,7 @@ class Rows(Protocol):
     @property
     def scenes(self) -> Integers: ...  # noqa: D102 - said above
 
-    def observe(self) -> NDArray[np.float32]:
+    def observe(self) -> Observed:
         """(N, F) what all see."""
         ...
 
@@ -58,7 +58,7 @@ class Together:
         """(N,) numbers of scenes."""
         return np.asarray(self._index[np.arange(len(self._turn)), self._turn])
 
-    def observe(self) -> NDArray[np.float32]:
+    def observe(self) -> Observed:
         """(N, F)."""
         return self._episodes.observe(self._first + self._turn)
 
@@ -88,9 +88,9 @@ class OneByOne:
         turns = zip(self._draws, self._turn.tolist(), strict=True)
         return np.array([self._pool.scenes[each[turn]].index for each, turn in turns])
 
-    def observe(self) -> NDArray[np.float32]:
+    def observe(self) -> Observed:
         """(N, F)."""
-        return np.concatenate([episode.observe(_ONLY) for episode in self._episodes])
+        return joined([episode.observe(_ONLY) for episode in self._episodes])
 
     def step(self, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on."""

@@ -11,19 +11,21 @@ from numpy.typing import NDArray
 
 from .episode_rewards import reward_function
 from .episodes import Episodes
+from .observed import Observed, observation_space, row_of
 from .scene_pool import Source, pool_of
 from .settings import EnvSettings
-from .spaces import ACTIONS, checked_actions, observations
+from .spaces import ACTIONS, checked_actions
 
 _ONLY = np.zeros(1, dtype=np.int64)
 
 
-class SceneEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
+class SceneEnv(gymnasium.Env[Observed, NDArray[np.float32]]):
     """An agent of a scene, driven by actions in the embedded engine; all others drive themselves.
 
     `source`: a scene file, what `roadlang.load` gave, a scene or a list of them. Settings are those
     of `EnvSettings`, as keywords. Of a file, `scenes` scenes are sampled at the start, and each
-    reset draws one of them. Observations are as `ObservationVector` says (`names`: of its numbers).
+    reset draws one of them. Observations are as `ObservationVector` says (`names`: of its numbers);
+    where the agent has sensors, `{"state": that, "sensors": {NAME: {ARRAY: ...}}}`.
     Actions are steering (1: as far to the left as the agent can) and acceleration (1:
     `acceleration`, -1: brakes with `deceleration`). `info` has the number of the `scene`, the
     `margins` of the expectations, and how the episode ended. Raises DiagnosticError for what is
@@ -36,14 +38,14 @@ class SceneEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         self.settings = replace(settings or EnvSettings(), **changes)
         self.pool = pool_of(source, self.settings)
         self.names = self.settings.vector.names
-        self.observation_space = observations(self.settings.vector)
+        self.observation_space = observation_space(self.settings.vector, self.pool.sensors)
         self.action_space = ACTIONS
         self._reward = reward_function(self.settings.reward, self.pool)
         self._episodes: Episodes | None = None
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[NDArray[np.float32], dict[str, Any]]:
+    ) -> tuple[Observed, dict[str, Any]]:
         """Begin one of the scenes; `options={"scene": 3}` says which, by its place in the list."""
         super().reset(seed=seed)
         scene = int(self.np_random.integers(len(self.pool.scenes)))
@@ -51,11 +53,11 @@ class SceneEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
             scene = _number(options["scene"], len(self.pool.scenes))
         self._episodes = Episodes(self.pool, [scene], self.settings)
         index = self.pool.scenes[scene].index
-        return self._episodes.observe(_ONLY)[0], {"scene": index}
+        return row_of(self._episodes.observe(_ONLY), 0), {"scene": index}
 
     def step(
         self, action: NDArray[np.float32]
-    ) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+    ) -> tuple[Observed, float, bool, bool, dict[str, Any]]:
         """Hold an action for `step` seconds."""
         if self._episodes is None:
             raise RuntimeError("reset() comes before the first step()")
@@ -63,7 +65,7 @@ class SceneEnv(gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
         happened, ends = self._episodes.step(_ONLY, actions)
         terminated = bool(ends.terminated[0])
         return (
-            self._episodes.observe(_ONLY)[0],
+            row_of(self._episodes.observe(_ONLY), 0),
             float(self._reward(happened)[0]),
             terminated,
             bool(ends.late[0]) and not terminated,

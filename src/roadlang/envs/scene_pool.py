@@ -8,11 +8,15 @@ from pathlib import Path
 from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..drive.controllers import sensor_arrays
+from ..drive.sensors import refuse_sensors
+from ..drive.simulators import embedded_engine
 from ..ir.scene import Scene as SceneRecord
 from ..plugins.registry import Registry
 from ..session.loading import LoadedScenario, load
 from ..session.scene import Scene, installed
 from .margins import margin_formula
+from .observed import Arrays
 from .settings import EnvSettings
 
 Source = str | Path | LoadedScenario | Scene | Sequence[Scene] | Sequence[SceneRecord]
@@ -31,6 +35,8 @@ class ScenePool:
     """the expectations that have a margin at each step"""
     reward: tuple[str, ...]
     """those of them whose least margin is the reward; none: the meters made"""
+    sensors: Arrays
+    """what the sensors of the driven agents read; the same in all scenes"""
 
 
 def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
@@ -51,7 +57,21 @@ def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
     if reward is not None and reward not in margins:
         raise _no_reward(reward, verdicts)
     chosen = margins if reward is None else (reward,)
-    return ScenePool(scenes, places, registry, margins, chosen)
+    sensors = _sensors(scenes, places, registry)
+    return ScenePool(scenes, places, registry, margins, chosen, sensors)
+
+
+def _sensors(scenes: Sequence[SceneRecord], places: Sequence[int], registry: Registry) -> Arrays:
+    """Raises DiagnosticError RL257 for a sensor that the embedded engine does not offer, ValueError
+    where the scenes do not have the same."""
+    driven = [scene.agents[place] for scene, place in zip(scenes, places, strict=True)]
+    if not any(agent.sensors for scene in scenes for agent in scene.agents):
+        return {}
+    refuse_sensors(scenes, embedded_engine(registry), registry)
+    each = [sensor_arrays(agent, registry) for agent in driven]
+    if any(arrays != each[0] for arrays in each):
+        raise ValueError("the scenes of an environment need the same sensors in the driven agent")
+    return each[0]
 
 
 def _records(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import deepcopy
 from dataclasses import replace
 from typing import Any
 
@@ -14,15 +15,16 @@ from numpy.typing import NDArray
 
 from ..geometry.arrays import Booleans
 from .episode_rewards import reward_function
+from .observed import Observed, observation_space, row_of
 from .rows import Rows, rows_of
 from .scene_pool import Source, pool_of
 from .settings import EnvSettings
-from .spaces import ACTIONS, checked_actions, observations
+from .spaces import ACTIONS, checked_actions
 
 Array = NDArray[Any]
 
 
-class SceneVectorEnv(VectorEnv[Array, Array, Array]):
+class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
     """`num_envs` of what `SceneEnv` is, driven side by side: thousands in little more time than
     one.
 
@@ -56,7 +58,7 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
         self.names = self.settings.vector.names
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
-        self.single_observation_space = observations(self.settings.vector)
+        self.single_observation_space = observation_space(self.settings.vector, self.pool.sensors)
         self.single_action_space = ACTIONS
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(ACTIONS, num_envs)
@@ -71,7 +73,7 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
         *,
         seed: int | Sequence[int | None] | None = None,
         options: dict[str, Any] | None = None,
-    ) -> tuple[Array, dict[str, Any]]:
+    ) -> tuple[Observed, dict[str, Any]]:
         """Begin anew everywhere, or where `options["reset_mask"]` is True.
 
         `seed`: of the first, and one more for each of the others; or one for each. Without one,
@@ -90,7 +92,7 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
         every = np.ones(self.num_envs, dtype=bool)
         return self._rows.observe(), {"scene": self._rows.scenes, "_scene": every}
 
-    def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
+    def step(self, actions: Array) -> tuple[Observed, Array, Array, Array, dict[str, Any]]:
         """Hold an action for each, (num_envs, 2), for `step` seconds."""
         rows = self._running()
         over, mode = self._over, self.autoreset_mode
@@ -112,12 +114,14 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
             observed, info = self._first_step(observed, info)
         return observed, rewards, terminated, truncated, info
 
-    def _first_step(self, observed: Array, info: dict[str, Any]) -> tuple[Array, dict[str, Any]]:
+    def _first_step(
+        self, observed: Observed, info: dict[str, Any]
+    ) -> tuple[Observed, dict[str, Any]]:
         """Where an episode is over, the next one begins; `info` has how the last one ended."""
         over = self._over.copy()
         last = np.full(self.num_envs, None, dtype=object)
         for row in np.flatnonzero(over):
-            last[row] = observed[row].copy()
+            last[row] = deepcopy(row_of(observed, int(row)))
         self._running().advance(np.flatnonzero(over))
         return self._running().observe(), {
             **info,
@@ -126,7 +130,7 @@ class SceneVectorEnv(VectorEnv[Array, Array, Array]):
 
     def _reset_some(
         self, mask: Booleans, seed: int | Sequence[int | None] | None
-    ) -> tuple[Array, dict[str, Any]]:
+    ) -> tuple[Observed, dict[str, Any]]:
         if seed is not None:
             raise ValueError("with a reset_mask there is no seed: each goes on with its scenes")
         rows = self._running()

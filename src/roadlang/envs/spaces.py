@@ -1,4 +1,4 @@
-"""Observation and action spaces, and what is checked of actions."""
+"""The space of actions, and what is checked of them."""
 
 from __future__ import annotations
 
@@ -9,15 +9,9 @@ from gymnasium.spaces import Box, Space
 from numpy.typing import NDArray
 
 from ..geometry.arrays import Floats
-from ..simulation.observation_vector import ObservationVector
 
 ACTIONS: Space[NDArray[np.float32]] = Box(-1.0, 1.0, (2,), np.float32)
 """Steering (1: all the way to the left) and acceleration (-1: brakes)."""
-
-
-def observations(vector: ObservationVector) -> Space[NDArray[np.float32]]:
-    """The space of the vectors."""
-    return Box(vector.low, vector.high, vector.low.shape, np.float32)
 
 
 def checked_actions(actions: Any, count: int) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from .program import ProgramFailed
 
 if TYPE_CHECKING:
-    from roadlang.api import ObservationBatch
+    from roadlang.api import ObservationBatch, Reading
 
 PROTOCOL = "roadlang.drive/1"
 DISTANCES = (5.0, 10.0, 20.0, 30.0, 50.0)
@@ -66,8 +67,31 @@ def observations(seen: ObservationBatch) -> list[str]:
             for i in range(AGENTS)
             if math.isfinite(others[0][row, i])
         ]
+        if seen.sensors:
+            message["sensors"] = {
+                name: _reading(reading.single(row)) for name, reading in seen.sensors.items()
+            }
         lines.append(json.dumps(message, allow_nan=False))
     return lines
+
+
+def _reading(reading: Reading) -> dict[str, Any]:
+    """Numbers and rows of numbers as they are; pictures and the like as bytes."""
+    import numpy as np
+
+    out: dict[str, Any] = {"time": reading.time}
+    for name, value in reading.items():
+        array = np.asarray(value)
+        if array.ndim > 1:
+            bytes_ = array.astype(array.dtype.newbyteorder("<")).tobytes()
+            out[name] = {
+                "shape": list(array.shape),
+                "dtype": array.dtype.name,
+                "base64": base64.b64encode(bytes_).decode("ascii"),
+            }
+        else:
+            out[name] = [_number(x) for x in array.tolist()] if array.ndim else _number(value)
+    return out
 
 
 def control(line: str) -> tuple[float, float]:
