@@ -29,7 +29,16 @@ def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
-    ["cut_in", "overtaking", "platoon", "parked_row", "signals", "roundabout", "on_ramp"],
+    [
+        "cut_in",
+        "overtaking",
+        "platoon",
+        "parked_row",
+        "signals",
+        "roundabout",
+        "on_ramp",
+        "emergency_brake",
+    ],
 )
 def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
     assert all(kept(name, tmp_path, 12))
@@ -46,6 +55,8 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
         ("roundabout", {"drive__with__traffic__}": "drive with pure_pursuit { speed: 15m/s } }"}),
         ("on_ramp", {"drive__with__merge__{__to:__left,__within:__160m__}": "drive with traffic"}),
         ("on_ramp", {"drive__with__merge": "drive with change_lane { to: left, force: true }#"}),
+        ("emergency_brake", {"delay:__80ms": "delay: 800ms"}),
+        ("emergency_brake", {"margin:__0.2m": "margin: -0.9m"}),
         ("parked_row", {"deceleration:__6m/s^2": "deceleration: 1m/s^2"}),
     ],
 )

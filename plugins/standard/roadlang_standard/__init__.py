@@ -40,6 +40,7 @@ _KINDS = {
     "drive car_follow": "drive_car_follow:CarFollow",
     "drive traffic": "drive_traffic:Traffic",
     "drive brake": "drive_brake:Brake",
+    "drive emergency_brake": "drive_emergency_brake:EmergencyBrake",
     "drive crossing": "drive_crossing:Crossing",
     "drive change_lane": "drive_change_lane:ChangeLane",
     "drive cut_in": "drive_cut_in:CutIn",

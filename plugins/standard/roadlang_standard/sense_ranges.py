@@ -62,16 +62,22 @@ class Ranges(Sensor):
     )
 
     def arrays(self) -> dict[str, ReadingArray]:
-        """Meters: a number for each ray, from right to left, or one for each channel and ray."""
+        """`distances`: a number for each ray, from right to left, or for each channel and ray;
+        `angles`: of the rays, to the left of the heading."""
         shape = (self.rays,) if self.channels == 1 else (self.channels, self.rays)
         high = float(self.range) if isinstance(self.range, int | float) else math.inf
-        return {"distances": ReadingArray(shape, low=0.0, high=high, unit="m")}
+        return {
+            "distances": ReadingArray(shape, low=0.0, high=high, unit="m"),
+            "angles": ReadingArray((self.rays,), unit="rad"),
+        }
 
     def readings(self, sensed: SensedBatch, state: Any) -> dict[str, NDArray[np.float64]]:
         import numpy as np
 
-        angles, elevations = self._directions()
         count = len(sensed.interval)
+        angles, elevations = (
+            np.broadcast_to(found, (count, found.shape[1])) for found in self._directions()
+        )
         shape = (count, self.channels * self.rays)
         reach = np.asarray(self.range)
         found = sensed.cast_rays(
@@ -89,7 +95,7 @@ class Ranges(Sensor):
             found = np.where(lost, np.inf, found)
         found = np.minimum(np.maximum(found, 0.0), most)
         names = (count, *self.arrays()["distances"].shape)
-        return {"distances": found.reshape(names)}
+        return {"distances": found.reshape(names), "angles": angles}
 
     def _directions(self) -> tuple[Any, Any]:
         """(N, rays) to the left of the heading, and (N, channels) upward."""
@@ -99,9 +105,9 @@ class Ranges(Sensor):
             """From one side to the other; in a full turn the last is a step before the first."""
             angle, middle = np.atleast_1d(angle)[:, None], np.atleast_1d(middle)[:, None]
             number = np.arange(count)
-            turns = angle >= FULL_TURN
+            turns = angle >= FULL_TURN - 1e-9
             steps = np.where(turns, count, max(count - 1, 1))
-            share = number / steps - (0.5 if count > 1 else 0.5 * turns)
+            share = number / steps - 0.5 if count > 1 else np.zeros((1, 1))
             return middle + angle * share
 
         return (
