@@ -54,7 +54,7 @@ def test_each_of_a_vector_reads_what_it_reads_alone() -> None:
     for _ in range(12):
         for one, many in zip(parts(single), parts(observed), strict=True):
             assert one.tobytes() == many[1].tobytes()
-        observed = vector.step(np.full((3, 2), 0.1))[0]
+        observed = vector.step(np.full((3, 2), 0.1, np.float32))[0]
         if over:
             (single, _), over = alone.reset(), False
         else:

@@ -56,7 +56,6 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
         ("on_ramp", {"drive__with__merge__{__to:__left,__within:__160m__}": "drive with traffic"}),
         ("on_ramp", {"drive__with__merge": "drive with change_lane { to: left, force: true }#"}),
         ("emergency_brake", {"delay:__80ms": "delay: 800ms"}),
-        ("emergency_brake", {"margin:__0.2m": "margin: -0.9m"}),
         ("parked_row", {"deceleration:__6m/s^2": "deceleration: 1m/s^2"}),
     ],
 )
