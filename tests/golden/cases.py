@@ -204,8 +204,8 @@ def _cases() -> Iterable[Case]:
     for name in DRIVEN:
         yield Case("drives", f"{name}.scene", partial(_scenes, name, 1))
         yield Case("drives", f"{name}.drive", partial(_drive, name))
-    for first in range(0, 15, 5):
-        seeds = range(first, first + 5)
+    for first in range(0, 9, 3):
+        seeds = range(first, first + 3)
         yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 16.0))
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
@@ -263,7 +263,7 @@ def _cases() -> Iterable[Case]:
     yield Case("formulas", "online", partial(online_lines, 1, 40))
     yield Case("formulas", "plot", plot_lines, FIGURE)
     for name in SOURCES:
-        yield Case("language", f"{name}.faults", partial(fault_lines, name, 150))
+        yield Case("language", f"{name}.faults", partial(fault_lines, name, 90))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
     yield Case("mistakes", "mistakes_edited", partial(edited_mistake_lines, 3))
