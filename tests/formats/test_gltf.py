@@ -137,3 +137,20 @@ def test_a_drive_moves_its_agents() -> None:
     np.testing.assert_allclose(
         2.0 * np.arctan2(turns[:, 1], turns[:, 3]), trace.agents["lead"].heading, atol=1e-5
     )
+
+
+def test_convex_meshes_for_unreal_cover_what_is_solid(scene: Scene) -> None:
+    file = ReadGlb.of(GltfBackend(collision="unreal").files(scene)["glb"])
+    convex = {name: file.triangles(name) for name in file.nodes if name.startswith("UCX_")}
+    meshes = {mesh["name"] for mesh in file.document["meshes"]}
+    assert {name[4:].rpartition("_")[0] for name in convex} <= meshes
+    for actor in (*scene.agents, *scene.objects):
+        shape, seen = convex[f"UCX_{actor.name}_00"], file.triangles(actor.name)
+        for side in (np.min, np.max):
+            limits = [side(rows.reshape(-1, 3), axis=0) for rows in (shape, seen)]
+            np.testing.assert_allclose(limits[0][2], limits[1][2], atol=1e-3)
+    tops = [area(shape[(shape[:, :, 2] > -0.01).all(axis=1)]) for shape in convex.values()]
+    ground = sum(tops)  # tops and bottoms of boxes cancel out
+    lanes = [name for name in file.nodes if " lane " in name or name.endswith(" area")]
+    lanes = [name for name in lanes if not name.startswith("UCX_")]
+    assert ground == pytest.approx(sum(area(file.triangles(name)) for name in lanes), rel=0.01)

@@ -63,6 +63,10 @@ class GlbWriter:
             found["extras"] = dict(extras)
         return self._add("nodes", found)
 
+    def name(self, node: int) -> str:
+        """Of a node."""
+        return str(self._tables["nodes"][node]["name"])
+
     def root(self, node: int) -> None:
         """Makes a node a root of the scene."""
         self._roots.append(node)

@@ -13,7 +13,9 @@ from roadlang.geometry import Floats
 
 from ..surfaces.heights import SceneHeights
 from ..surfaces.junction_surface import JunctionSurface, junction_surfaces
+from ..surfaces.prisms import junction_prisms, road_prisms
 from ..surfaces.road_surface import RoadSurface, road_surfaces
+from .convex_meshes import put_box, put_prisms
 from .glb import GlbWriter
 from .junction_meshes import area_part, edge_parts, paint_parts, signal_parts
 from .materials import MATERIALS, Material, painted
@@ -30,6 +32,8 @@ _TOLERANCE = 0.005
 """Meters by which edges of roads may be off."""
 _BESIDE = 150.0
 """Ground around everything, meters."""
+_THICK = 0.5
+"""Of convex meshes below a surface, meters."""
 _BELOW = 0.05
 """Of the ground under the lowest road, meters, so that neither shines through the other."""
 
@@ -59,6 +63,8 @@ class SceneNodes:
             self._group("objects", [self._actor(thing, heights) for thing in self.scene.objects]),
             self._group("agents", self._moving(heights)),
         ]
+        if self.collision == "unreal":
+            names.append(self._group("collision", self._boxes(heights)))
         title = self.scene.name
         children = [name for name in names if name is not None]
         self.writer.root(self.writer.node(title, children=children))
@@ -67,6 +73,19 @@ class SceneNodes:
         for agent in self.scene.agents:
             self.agents[agent.name] = self._actor(agent, heights)
         return list(self.agents.values())
+
+    def _boxes(self, heights: SceneHeights) -> list[int]:
+        """Those of objects and agents."""
+        return [
+            put_box(
+                self.writer,
+                actor.name,
+                (actor.length, actor.width, actor.height),
+                (actor.x, actor.y, heights.at_actor(actor)),
+                actor.heading,
+            )
+            for actor in (*self.scene.objects, *self.scene.agents)
+        ]
 
     def _group(self, name: str, children: list[int]) -> int | None:
         return self.writer.node(name, children=children) if children else None
@@ -103,6 +122,10 @@ class SceneNodes:
             ("markings", marking_parts(surface), False),
         ):
             children += self._extra(road.name, name, joined(parts), at, solid)
+        if self.collision == "unreal" and children:
+            of = self.writer.name(children[0])
+            prisms = (prism for prism, _ in road_prisms(surface, _THICK))
+            children += put_prisms(self.writer, of, prisms, at)
         extras = {"part": "road", "road": road.name, "length": road.length}
         return self.writer.node(f"road {road.name}", children=children, extras=extras)
 
@@ -115,6 +138,9 @@ class SceneNodes:
             ("markings", paint_parts(self.scene, surface), False),
         ):
             children += self._extra(name, part_name, joined(parts), at, solid)
+        if self.collision == "unreal" and children:
+            prisms = junction_prisms(surface, _THICK)
+            children += put_prisms(self.writer, self.writer.name(children[0]), prisms, at)
         height = float(surface.ring[:, 2].mean())
         for number, head in enumerate(signal_heads(surface.junction)):
             mesh = self._shared(("signal",), "signal", joined(signal_parts()), MATERIALS)
@@ -147,17 +173,21 @@ class SceneNodes:
         """A node whose triangles are solid too."""
         name = f"{name}-col" if self.collision == "godot" else name
         mesh = self.writer.mesh(name, parts, MATERIALS)
-        solid = {} if self.collision == "none" else {"collision": "mesh"}
+        solid = {"collision": "mesh"} if self.collision == "godot" else {}
         return self.writer.node(name, mesh=mesh, at=tuple(at), extras={**extras, **solid})
 
     def _actor(self, actor: SceneActor, heights: SceneHeights) -> int:
         color = actor.options.get("color")
         paint = painted(actor.kind, color if isinstance(color, str) else "gray")
         size = actor.length, actor.width, actor.height
-        key = (actor.kind, paint, *size)
+        key: tuple[Any, ...] = (actor.kind, paint, *size)
         parts = body(actor.kind, paint.name, *size)
-        mesh = self._shared(key, actor.kind, parts, {**MATERIALS, paint.name: paint})
-        solid = {} if self.collision == "none" else {"collision": "convex"}
+        # Unreal Engine finds convex meshes by the name of the mesh, so that none is shared.
+        shared = self.collision != "unreal"
+        key = key if shared else (actor.name,)
+        label = actor.kind if shared else actor.name
+        mesh = self._shared(key, label, parts, {**MATERIALS, paint.name: paint})
+        solid = {"collision": "convex"} if self.collision == "godot" else {}
         extras = {"name": actor.name, "kind": actor.kind, "size": list(size), **solid}
         name = f"{actor.name}-convcol" if self.collision == "godot" else actor.name
         at = (actor.x, actor.y, heights.at_actor(actor))
