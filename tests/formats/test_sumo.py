@@ -284,3 +284,16 @@ def test_every_trip_arrives_in_sumo(tmp_path: Path) -> None:
             scenes[path.stem] = roadlang.load(path).sample()[0].record
     found = {name: arrived(sumo, tmp_path, scene) for name, scene in scenes.items()}
     assert found == {name: [] for name in scenes}
+
+
+def test_nobody_departs_too_fast_to_stop_before_a_junction() -> None:
+    near = MAP.split("agent")[0] % "lanes: 2" + "road arm from town { select: road(2) }\n"
+    speeds = {}
+    for at in ("20m", "70m"):
+        agent = f"agent ego is bus on arm at {at} {{ lane: -1, start_speed: 8m/s }}\n"
+        _, _, routes = written(near + agent)
+        (vehicle,) = routes.iter("vehicle")
+        speeds[at] = float(vehicle.attrib["departSpeed"])
+    # The road ends at 82.5 m, and the front of the bus is at 76 m.
+    assert speeds["20m"] == 8.0
+    assert speeds["70m"] ** 2 / (2 * 3.5) + speeds["70m"] == pytest.approx(6.5, abs=0.01)

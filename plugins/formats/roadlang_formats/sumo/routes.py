@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _SPEEDS = {"bicycle": 7.0, "truck": 36.0, "bus": 24.0}
 """m/s at most; others 55."""
 _FASTEST = 55.0
+_BRAKING, _REACTION = 3.5, 1.0
+"""m/s^2 and seconds of the vehicles that SUMO gives the least and the most of them."""
 _OPTIONS = {"acceleration": "accel", "deceleration": "decel", "headway": "tau", "gap": "minGap"}
 """Options of controllers that SUMO's models have, by its names."""
 _LEAST = {"accel": 0.1, "decel": 0.5, "tau": 0.1, "minGap": 0.1}
@@ -57,20 +59,28 @@ def _trip(scene: Scene, network: SumoNetwork, actor: SceneActor) -> Trip | None:
     can_start = number is not None and _may_use(first, number, actor)
     type_ = _type_of(actor)
     limit = min(lane.speed for lane in first.lanes) * float(type_["speedFactor"])
-    speed = min(actor.start_speed or 0.0, limit, float(type_["maxSpeed"]))
-    speed = math.floor(speed * 1000.0) / 1000.0
     start = places[0][1]
     share = (start - first.start) / max(first.stop - first.start, 1e-9)
     share = share if first.forward else 1.0 - share
     # SUMO counts to the front bumper.
-    position = share * first.length + 0.5 * actor.length
+    position = min(max(share * first.length + 0.5 * actor.length, 0.0), first.length)
+    slow = _stopping_speed(first.length - position, type_)
+    speed = min(actor.start_speed or 0.0, limit, float(type_["maxSpeed"]), slow)
     return Trip(
         actor,
         tuple(edges),
         str(number) if can_start else "best",
-        min(max(position, 0.0), first.length),
-        speed,
+        position,
+        math.floor(speed * 1000.0) / 1000.0,
     )
+
+
+def _stopping_speed(distance: float, type_: Mapping[str, str]) -> float:
+    """m/s from which a vehicle stops within so many meters: SUMO lets no other depart before a
+    junction where it may have to yield."""
+    braking = float(type_.get("decel", _BRAKING))
+    reaction = braking * float(type_.get("tau", _REACTION))
+    return math.sqrt(reaction * reaction + 2.0 * braking * distance) - reaction
 
 
 def _may_use(edge: SumoEdge, number: int, actor: SceneActor) -> bool:
