@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from roadlang_godot.dataset_files import write_dataset
 from roadlang_godot.engine import Engine
 from roadlang_godot.frame_documents import depth_numbers
 from roadlang_godot.labeled_frames import Moment, Sampling, moments_of
+from roadlang_godot.semantic_classes import class_table
 from tests.godot.godot_scenes import bend, call, car, pieces, road, scene, straight, thing
 
 MAIN = road("main", pieces(straight(60), bend(50, 60)))
@@ -101,6 +103,12 @@ def test_a_set_that_fails_leaves_the_earlier_one(
 def test_depth_beyond_16_bits_is_nothing() -> None:
     depth = np.array([[0.1, 655.35, 655.36, np.inf]], np.float32)
     assert depth_numbers(depth).tolist() == [[10, 65535, 0, 0]]
+
+
+def test_the_page_lists_all_classes() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "cameras.md").read_text(encoding="utf-8")
+    listed = {name: int(id) for id, name in re.findall(r"\| (\d+) \| `(\w+)`", page)}
+    assert listed == class_table()
 
 
 def test_without_a_screen_nothing_is_written(
