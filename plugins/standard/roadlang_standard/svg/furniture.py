@@ -116,18 +116,17 @@ def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
     last = float(ribbon.reference[-1])
     # On a closed road the last mark would stand on the first.
     furthest = last - 0.6 * spacing if ribbon.closed else last
-    for step in range(int(furthest / spacing + 1e-9) + 1):
-        s = step * spacing
-        mark = ribbon.part(s, min(s + 1e-3, last), by_reference=True)
-        edge, out = mark.line(-1.0)[0], -mark.left[0]
-        near, far = edge + 1.5 * out, edge + 6.0 * out
-        spot = edge + (6.0 + 0.9 * size) * out
-        yield element("line", x1=float(near[0]), y1=float(near[1]), x2=float(far[0]),
-                      y2=float(far[1]), stroke_width=0.9)  # fmt: skip
-        label = _length_text(s) if step == 0 or s + spacing > last else _bare(s, last)
-        if not np.isfinite(spot).all():
+    places = spacing * np.arange(int(furthest / spacing + 1e-9) + 1, dtype=np.float64)
+    marks = ribbon.at(places, by_reference=True)
+    edge, out = marks.line(-1.0), -marks.left
+    lines = np.column_stack([edge + 1.5 * out, edge + 6.0 * out]).tolist()
+    spots = edge + (6.0 + 0.9 * size) * out
+    for s, (x1, y1, x2, y2), (x, y) in zip(places.tolist(), lines, spots.tolist(), strict=True):
+        yield element("line", x1=x1, y1=y1, x2=x2, y2=y2, stroke_width=0.9)
+        if not (math.isfinite(x) and math.isfinite(y)):
             continue
-        yield text(label, float(spot[0]), float(spot[1]) + 0.28 * size, text_anchor="middle",
+        label = _length_text(s) if s == 0 or s + spacing > last else _bare(s, last)
+        yield text(label, x, y + 0.28 * size, text_anchor="middle",
                    stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
 
 

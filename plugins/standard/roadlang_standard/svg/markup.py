@@ -22,7 +22,9 @@ def element(tag: str, *children: str, **attributes: object) -> str:
     """`stroke_width=2` becomes `stroke-width="2"`; attributes that are None are left out."""
     shown = "".join(
         [
-            _prefix(name) + _quoted(_text_of(value))
+            f'{_prefix(name)}"{number(value)}"'
+            if isinstance(value, float)
+            else _prefix(name) + _quoted(str(value))
             for name, value in attributes.items()
             if value is not None
         ]
@@ -73,10 +75,12 @@ def _pairs(points: Floats) -> list[str]:
     if not (np.abs(near) < _GREATEST).all() or unsure.any():
         return [f"{number(x)} {number(y)}" for x, y in points.tolist()]
     whole, rest = np.divmod(np.abs(near).astype(np.int64), 100)
-    parts = zip(
-        (near < 0.0).ravel().tolist(), whole.ravel().tolist(), rest.ravel().tolist(), strict=True
-    )
-    texts = iter([f"{_SIGNS[minus]}{left}{_ENDS[right]}" for minus, left, right in parts])
+    parts = zip(whole.ravel().tolist(), rest.ravel().tolist(), strict=True)
+    texts = iter([f"{left}{_ENDS[right]}" for left, right in parts])
+    is_negative = near < 0.0
+    if is_negative.any():
+        minus = is_negative.ravel().tolist()
+        texts = iter([_SIGNS[sign] + text for sign, text in zip(minus, texts, strict=True)])
     return [f"{x} {y}" for x, y in zip(texts, texts, strict=True)]
 
 
@@ -84,10 +88,6 @@ def rho(value: float) -> str:
     """A robustness as a paper prints it."""
     shown = f"{value:.3g}".replace("-", "\N{MINUS SIGN}")
     return f"\N{GREEK SMALL LETTER RHO} = {shown}"
-
-
-def _text_of(value: object) -> str:
-    return number(value) if isinstance(value, float) else str(value)
 
 
 def _printable(content: str) -> str:

@@ -77,7 +77,13 @@ class Ribbon:
 
         axis = self.reference if by_reference else self.stations
         inner = axis[(axis > start) & (axis < end)]
-        places = np.concatenate([[start], inner, [end]])
+        return self.at(np.concatenate([[start], inner, [end]]), by_reference)
+
+    def at(self, places: Floats, by_reference: bool = False) -> Ribbon:
+        """Its cross-sections at arc lengths (of the root road's if `by_reference`)."""
+        import numpy as np
+
+        axis = self.reference if by_reference else self.stations
         places = np.clip(places, axis[0], axis[-1])
         # As `np.interp`, of all columns at once.
         before = np.minimum(np.searchsorted(axis, places, "right") - 1, len(axis) - 2)
