@@ -240,8 +240,8 @@ func _hold_upright(forward: Vector3) -> void:
 	_torque -= forward * (pull * lean + 0.5 * pull * angular_velocity.dot(forward))
 
 
-## Adds what the ground does to a wheel: it carries, drives, brakes and steers. `drive`: acceleration
-## that is wanted, and speed, both along the car.
+## Adds what the ground does to a wheel: it carries, drives, brakes and steers. `drive`: the
+## acceleration that is wanted, and speed, both along the car.
 func _add_wheel_forces(wheel: int, pose: Transform3D, drive: Vector2, dt: float) -> void:
 	var place := pose * _mounts[wheel]
 	_ray.from = place

@@ -44,8 +44,8 @@ func follow(eye: Vector3) -> void:
 
 func _flake() -> Mesh:
 	var mesh := SphereMesh.new()
-	mesh.radius = 0.018
-	mesh.height = 0.036
+	mesh.radius = 0.012
+	mesh.height = 0.024
 	mesh.radial_segments = 5
 	mesh.rings = 3
 	mesh.material = _look(Color(0.97, 0.98, 1.0, 0.9))

@@ -69,7 +69,7 @@ func set_air(environment: Environment) -> void:
 	environment.ambient_light_color = NIGHT_AMBIENT.lerp(ambient, day)
 	var twilight := 1.0 - absf(2.0 * day - 1.0)
 	environment.ambient_light_energy = (
-		0.45 * twilight + lerpf(0.9, lerpf(0.6, 0.75, cloud), day) + 0.12 * snow
+		0.45 * twilight + lerpf(0.9, lerpf(0.6, 0.75, cloud), day) + 0.4 * snow
 	)
 	environment.tonemap_mode = Environment.TONE_MAPPER_FILMIC
 	environment.tonemap_white = 1.8

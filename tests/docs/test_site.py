@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from roadlang.cli.main import run
+
 ROOT = Path(__file__).parents[2]
 NAV = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[2].partition("\n\n")[0]
 
@@ -63,3 +65,20 @@ def check_links(page: Path) -> None:
         if not re.match(r"\w+:|//", target):
             path = page.parent / target
             assert path.is_file() or (path / "index.html").is_file(), f"{page}: {target}"
+
+
+def test_the_pictures_of_the_gallery_are_there_small_and_made_of_scenes_that_check() -> None:
+    sys.path.insert(0, str(ROOT / "docs" / "site"))
+    try:
+        from gallery import PICTURES  # type: ignore[import-not-found]
+    finally:
+        sys.path.pop(0)
+    sizes = [picture.path.stat().st_size for picture in PICTURES]
+    assert len(sizes) == 12
+    assert max(sizes) <= 120_000
+    assert sum(sizes) <= 1_200_000
+    assert {path.name for path in PICTURES[0].path.parent.iterdir()} == {
+        picture.path.name for picture in PICTURES
+    }
+    for scene in {picture.scene for picture in PICTURES}:
+        assert run(["check", str(ROOT / "examples" / f"{scene}.rl")]) == 0

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
-from roadlang.api import Scene
+from roadlang.api import Scene, SceneActor
 from roadlang.cli import main as cli
 from roadlang_godot.engine import Engine
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import Shot, build, meters_a_pixel, take, view_of
-from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight
+from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot
 
@@ -81,3 +82,33 @@ def test_the_commands_picture_and_clip(tmp_path: Path) -> None:
     frames = [frame for good, frame in iter(clip.read, (False, None)) if good]
     assert len(frames) == 4
     assert np.abs(frames[0].astype(int) - frames[-1].astype(int)).mean() > 1
+
+
+def night(*objects: SceneActor, hours: float = 22.0) -> Scene:
+    main = road("main", pieces(straight(60)))
+    made = scene(main, agents=[car("ego", main, 8.0)], objects=objects)
+    return replace(made, world={"time_of_day": hours * 3600.0})
+
+
+def test_at_night_lamps_light_the_road_and_the_sky_is_not_black(drawing_engine: Engine) -> None:
+    def brightness(made: Scene, shot: Shot) -> np.ndarray:
+        with drawing_engine.connect("night") as session:
+            layout = build(session, made)
+            picture = np.frombuffer(take(session, layout, shot), np.uint8)
+            again = np.frombuffer(take(session, layout, shot), np.uint8)
+            assert np.array_equal(picture, again)
+            pixels = np.asarray(cv2.imdecode(picture, cv2.IMREAD_COLOR), float)
+            return np.asarray(pixels.mean(axis=2))
+
+    below = Shot("top", 200, 200, scale=0.3)
+    lamp = thing("lamp", 45.0, 4.5, 0.3, 0.3, 6.0)
+    dark, lit = brightness(night(), below), brightness(night(lamp), below)
+    # The road below the lamp, 15 m right of the middle and 3 m above it.
+    place = np.s_[88:94, 144:156]
+    assert lit[place].mean() > 1.5 * dark[place].mean()
+    # What the headlamps reach, 10 m before the car.
+    assert dark[96:104, 60:70].mean() > 1.3 * dark[96:104, 150:160].mean()
+    sky = brightness(night(), Shot("chase", 160, 90))[:25]
+    assert 4.0 < sky.mean() < 60.0
+    dusk = brightness(night(hours=18.3), Shot("chase", 160, 90))[:25]
+    assert dusk.mean() > 2.0 * sky.mean()

@@ -100,3 +100,15 @@ def test_sidewalks_go_on_around_the_corners_of_a_junction(
             away = np.hypot(*(np.array(ends) - face.mean(axis=0)).T[[0, 2]])
             assert away.min() < 0.05
         assert strip[1:-1, :, 1].min() == pytest.approx(0.03)
+
+
+def test_of_two_roads_that_cross_one_lies_on_top() -> None:
+    along = road("a", pieces(straight(40)))
+    across = road("b", pieces(straight(40), start=(20.0, -20.0), heading=1.57))
+    heights = {
+        part.label[0]: np.frombuffer(part.content, "<f4").reshape(-1, 3)[:, 1]
+        for part in layout_of(scene(along, across)).parts
+        if part.kind == Message.SEGMENT
+    }
+    assert (heights["a"] == 0.0).all()
+    assert (heights["b"] == np.float32(0.005)).all()

@@ -32,7 +32,7 @@ def test_the_sun_is_up_in_the_east_at_six_and_in_the_south_at_noon(
         ("cloudy", {"cloud": 0.8, "visibility": 12000.0}),
         ("overcast", {"cloud": 1.0, "visibility": 8000.0}),
         ("rain", {"cloud": 0.9, "rain": 0.6, "visibility": 900.0}),
-        ("snow", {"cloud": 1.0, "snow": 0.9, "visibility": 500.0}),
+        ("snow", {"cloud": 0.9, "snow": 0.9, "visibility": 1200.0}),
         ("fog", {"cloud": 0.8, "visibility": 120.0}),
     ],
 )
@@ -46,12 +46,12 @@ def test_what_a_weather_implies(weather: str, changed: dict[str, float]) -> None
     [
         ({}, CLEAR),
         ({"weather": "fog", "visibility": 30.0}, {"visibility": 30}),
-        ({"weather": "snow", "friction": 0.4}, {"visibility": 500}),
+        ({"weather": "snow", "friction": 0.4}, {"visibility": 1200}),
         # 10 mm/h: 1 - 1/e as dense as a cloudburst
         ({"rain": 10e-3 / 3600}, {"rain": 0.632, "cloud": 0.9}),
         # 0.5 mm/h: 4.9 %, four times as much of the sky is covered
         ({"rain": 0.5e-3 / 3600}, {"rain": 0.0488, "cloud": 0.9 * 4 * 0.0488}),
-        ({"weather": "snow", "rain": 0.0}, {"rain": 0.0, "cloud": 1.0}),
+        ({"weather": "snow", "rain": 0.0}, {"rain": 0.0, "cloud": 0.9}),
         ({"time_of_day": 12 * 3600.0}, {"sun_azimuth": -math.pi / 2}),
         ({"sun": {"azimuth": 1.0, "elevation": 0.2}}, {"sun_azimuth": 1.0, "sun_elevation": 0.2}),
         ({"sun": {"azimuth": None}}, {"sun_azimuth": -math.pi / 3}),

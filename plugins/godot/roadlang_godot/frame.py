@@ -19,12 +19,14 @@ class SceneOrigin:
 
     x: float = 0.0
     y: float = 0.0
+    level: float = 0.0
+    """meters that what is built in this frame lies above the ground"""
 
     def ground(self, points: NDArray[np.float64], height: float = 0.0) -> NDArray[np.float32]:
         """(n, 2) world points to (n, 3) engine coordinates, at a height above the ground."""
         local = np.empty((len(points), 3))
         local[:, 0] = points[:, 0] - self.x
-        local[:, 1] = height
+        local[:, 1] = self.level + height
         local[:, 2] = self.y - points[:, 1]
         if len(local) and not np.abs(local).max() <= MAX_COORDINATE:
             raise fault(Code.GODOT_ERROR, reason="a scene is at most 200 km wide")

@@ -36,6 +36,8 @@ BESIDE = 150.0
 """Flat ground around everything, meters."""
 GROWTH = 200.0
 """Meters by which the ground grows at once where an edit moves a road beyond it."""
+LEVEL, MOST_LEVELS = 0.005, 6
+"""Meters from one crossing road to the next above it, and after how many it begins again."""
 MOSTLY = 0.9
 """Share of a road that lies on a network, from which on it is a way through the network."""
 
@@ -214,14 +216,24 @@ def _meshes(
             label = f"junction {node.id} of {network.name}"
             parts.append(patch(arms, back, len(parts) + 1, frame, label))
     first = 1
+    frames = _levels(scene, built, frame)
     for name in built:
         start, end = trims[name]
         if end - start > 0.05:
-            pieces = road_parts(lines[name], first, frame, start, end)
+            pieces = road_parts(lines[name], first, frames[name], start, end)
             parts += pieces
             first += len(pieces)
     parts += sidewalk_parts(scene, places, first, frame)
     return [*parts, *paint_parts(scene, places, frame), *signal_parts(places, frame)]
+
+
+def _levels(scene: Scene, built: Iterable[str], frame: SceneOrigin) -> Mapping[str, SceneOrigin]:
+    """The frames of roads: those of no network lie over each other by a few millimeters, so that
+    where two cross, one is seen, and not the lines of both."""
+    joined = {name for network in scene.networks for name in network.roads}
+    apart = [name for name in built if name not in joined]
+    levels = {name: LEVEL * (i % MOST_LEVELS) for i, name in enumerate(apart)}
+    return {name: replace(frame, level=levels.get(name, 0.0)) for name in built}
 
 
 def _junctions_between(network: SceneNetwork, built: Mapping[str, Any]) -> list[SceneJunction]:

@@ -16,7 +16,7 @@ _WEATHER: dict[str, dict[str, float]] = {
     "cloudy": {"cloud": 0.8, "rain": 0.0, "visibility": 12000.0},
     "overcast": {"cloud": 1.0, "rain": 0.0, "visibility": 8000.0},
     "rain": {"cloud": 0.9, "rain": 0.6, "visibility": 900.0},
-    "snow": {"cloud": 1.0, "rain": 0.0, "snow": 0.9, "visibility": 500.0},
+    "snow": {"cloud": 0.9, "rain": 0.0, "snow": 0.9, "visibility": 1200.0},
     "fog": {"cloud": 0.8, "rain": 0.0, "visibility": 120.0},
 }
 
