@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from xml.etree.ElementTree import Element, fromstring, parse
@@ -17,6 +18,7 @@ from hypothesis import strategies as st
 import roadlang
 from roadlang import testing
 from roadlang.ir.scene import Scene
+from roadlang.ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from roadlang_formats.emit_sumo import SumoBackend
 from roadlang_formats.sumo.acyclic import without_circles
 from tests.formats.tool_environments import run_tool, tool_program
@@ -179,6 +181,25 @@ def test_there_is_always_somebody_who_does_not_yield(found: set[tuple[int, int]]
         left -= free
 
 
+def test_no_edge_ends_where_it_begins() -> None:
+    """netconvert takes none."""
+    ring = "road ring { draw with waypoints { points: [(0m, 0m), (80m, 0m), (40m, 70m)] }, closed: true }\n"  # noqa: E501
+    around = """image plan from \"\"\"
+######
+#....#
+#....#
+######
+#.....
+\"\"\" { scale: 20m/px }
+network town from plan { lanes: 2 }
+"""
+    for text in (ring, around):
+        _, net, _ = written(text)
+        edges = [edge for edge in net.iter("edge") if edge.get("function") != "internal"]
+        assert len(edges) >= 6
+        assert not [edge.attrib["id"] for edge in edges if edge.get("from") == edge.get("to")]
+
+
 def test_right_of_way_without_circles_is_kept() -> None:
     chain = {(2, 1), (1, 0), (2, 0), (5, 3)}
     assert without_circles(chain, 6) == chain
@@ -297,3 +318,17 @@ def test_nobody_departs_too_fast_to_stop_before_a_junction() -> None:
     # The road ends at 82.5 m, and the front of the bus is at 76 m.
     assert speeds["20m"] == 8.0
     assert speeds["70m"] ** 2 / (2 * 3.5) + speeds["70m"] == pytest.approx(6.5, abs=0.01)
+
+
+def test_a_route_may_pass_a_road_twice() -> None:
+    """And lanes are changed on the way."""
+    scene, _, _ = written(SCENES["loop"])
+    steps = (
+        RouteStep("main", -1, 20.0, 300.0),
+        RouteStep("main", -2, 300.0, scene.roads[0].length, RouteTurn("", 0, 0)),
+        RouteStep("main", -1, 0.0, scene.roads[0].length),
+    )
+    agent = replace(scene.agents[0], route=SceneRoute(steps))
+    files = SumoBackend().files(replace(scene, agents=(agent,)))
+    (route,) = fromstring(files["rou.xml"]).iter("route")
+    assert route.attrib["edges"].split() == ["main#0", "main#1", "main#2"] * 2

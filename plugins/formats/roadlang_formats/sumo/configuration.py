@@ -9,7 +9,7 @@ from ..opendrive.elements import put
 
 def configuration_text(network: str, routes: str, additional: str | None, step: float) -> str:
     """The `.sumocfg`: names of the files, and the time step (s). It ends when all have arrived."""
-    root = Element("configuration")
+    root = Element("sumoConfiguration")
     files = put(root, "input")
     put(files, "net-file", value=network)
     put(files, "route-files", value=routes)

@@ -83,7 +83,7 @@ def road_edges(
 ) -> list[SumoEdge]:
     """Of a road between two nodes: those along it in order, then those against it in order."""
     section = road.cross_section()
-    cuts = _cuts(road, section)
+    cuts = _cuts(road, section, returns=ends[0] == ends[1])
     count = len(cuts) - 1
     between = [f"{road.name}.{number}" for number in range(1, count)]
     if is_loop(road):
@@ -131,13 +131,15 @@ def _thinned(lanes: Sequence[SumoLane]) -> tuple[SumoLane, ...]:
     )
 
 
-def _cuts(road: SceneRoad, section: CrossSection) -> list[float]:
-    """Stations where the road begins, is cut, and ends."""
+def _cuts(road: SceneRoad, section: CrossSection, returns: bool) -> list[float]:
+    """Stations where the road begins, is cut, and ends. `returns`: it ends where it begins, and
+    netconvert takes no edge that does."""
     before, after = road.trim
     first, last = before, road.length - after
     if is_loop(road):
         return [first + (last - first) * part / _PARTS for part in range(_PARTS + 1)]
     wanted = [zone.start for zone in road.zones()[1:]]
+    wanted += [(first + last) / 2.0] if returns else []
     stations = np.array(road.stations)
     for lane in section.lanes:
         widths = np.broadcast_to(lane.width.at(stations), stations.shape)

@@ -50,8 +50,8 @@ def _trip(scene: Scene, network: SumoNetwork, actor: SceneActor) -> Trip | None:
     for road, start, stop in places:
         of_road = in_order(network.by_road.get(road, ()), start <= stop)
         low, high = min(start, stop), max(start, stop)
-        inside = [edge for edge in of_road if edge.stop > low and edge.start < high] or of_road[:1]
-        edges += [edge for edge in inside if not edges or edge is not edges[-1]]
+        inside = [edge for edge in of_road if edge.stop > low and edge.start < high]
+        edges += inside or of_road[:1]
     if not edges:
         return None
     first = edges[0]
