@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from roadlang.ir.scenario import Scenario
-from roadlang.ir.values import TextValue, Value
+from roadlang.ir.values import ConstantValue, TextValue, Value
 from roadlang.plugins.registry import Registry
 from roadlang.semantics import check_text
 
@@ -96,3 +96,21 @@ def test_a_path_in_an_override_is_relative_to_the_file_that_overrides(
     scenario = scenario_of(text, tmp_path, registry)
     (call,) = scenario.agents[0].drive
     assert call.options["model"] == TextValue(str(tmp_path / "policy.onnx"))
+
+
+def test_a_sensor_is_replaced_by_name_and_others_are_added(
+    tmp_path: Path, registry: Registry
+) -> None:
+    (tmp_path / "seeing.rl").write_text(
+        STREET.replace("lane: -1", "sense with gps, sense with ranges as front { rays: 9 }")
+    )
+    text = """
+    include "seeing.rl"
+    override ego { sense with ranges as front { rays: 3 }, sense with gps as second }
+    """
+    scenario, found = check_text(text, tmp_path / "scene.rl", {}, registry)
+    assert scenario is not None, found
+    (actor,) = scenario.agents
+    assert [sensor.name for sensor in actor.sensors] == ["gps", "front", "second"]
+    assert actor.sensors[1].call.options["rays"] == ConstantValue(3.0)
+    assert len(actor.drive) == 1

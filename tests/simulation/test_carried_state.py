@@ -116,3 +116,21 @@ def test_agents_come_and_go_with_their_own_state() -> None:
     alone = continued(both, text(EGO % "8m/s"))
     assert alone.seen("ego").x == pytest.approx(18.0, abs=1e-6)
     assert math.isclose(alone.time, 1.0)
+
+
+def test_sensors_go_on() -> None:
+    lidar = (
+        "\n sense with ranges { every: 200ms, delay: 100ms } \n sense with imu { walk: 1m/s^2 } }"
+    )
+    source = text((EGO % "8m/s").replace(" }\n", lidar))
+    before, alone = mirror_of(source), mirror_of(source)
+    driven(before, 10)
+    driven(alone, 11)
+    after = continued(before, source)
+    after.follow(np.array([[14.4, -1.75, 0.0, 8.0]]), np.zeros(1), passed=True)
+    after.decide()
+    for name in ("ranges", "imu"):
+        reading, expected = (mirror.seen("ego").sensors[name] for mirror in (after, alone))
+        assert reading.time == expected.time
+        for array in expected:
+            assert np.array_equal(reading[array], expected[array])

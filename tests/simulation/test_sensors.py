@@ -15,6 +15,7 @@ from roadlang.api import (
     ControlBatch,
     Controller,
     Length,
+    Mirror,
     Observation,
     ObservationBatch,
     ReadingArray,
@@ -22,6 +23,7 @@ from roadlang.api import (
     Sensor,
     option,
 )
+from roadlang.drive.controllers import python_controllers
 from roadlang.geometry.arrays import Floats
 from roadlang.ir.readings import SensorRecord
 from roadlang.session.drives import Drive
@@ -288,3 +290,25 @@ def test_sensors_of_plugins_are_read_by_controllers_of_plugins() -> None:
 def test_a_sensor_that_gives_something_else_is_named() -> None:
     with pytest.raises(DiagnosticError, match=r"RL474.*sense tested.odometer.*`meters`"):
         runs(agent("sense with odometer { fault: 1m }"), kinds=(Odometer,))
+
+
+def test_an_engine_delivers_what_is_due_and_nothing_else() -> None:
+    camera = (
+        "sense with camera as front { width: 32px, height: 16px, outputs: [depth], every: 100ms }"
+    )
+    scene = testing.sample(agent(camera))[0]
+    mirror = Mirror(scene.record, python_controllers(scene.record, scene.registry), 0.05)
+    seen = []
+    for step in range(4):
+        mirror.follow(np.array([[5.0, 0.0, 0.0, 10.0]]), np.zeros(1), passed=step > 0)
+        due = mirror.due_readings()
+        assert [(one.agent, one.sensor.name) for one in due] == [("ego", "front")] * (step % 2 == 0)
+        for one in due:
+            with pytest.raises(
+                DiagnosticError, match=r"`depth` of shape \(32, 16\), not \(16, 32\)"
+            ):
+                mirror.deliver(one.agent, one.sensor.name, {"depth": np.zeros((32, 16))})
+            mirror.deliver(one.agent, one.sensor.name, {"depth": np.full((16, 32), step)})
+        mirror.decide()
+        seen.append(float(mirror.seen("ego").sensors["front"].depth[3, 4]))
+    assert seen == [0.0, 0.0, 2.0, 2.0]

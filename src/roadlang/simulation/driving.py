@@ -100,6 +100,8 @@ class DriverGroup:
                 group.carry_on(agent, earlier, at)
                 places[row, group.place] = key[0], earlier.place
         self._triggers.carry_on(before._triggers, places, rows.is_everyone)
+        if self.sensing is not None and before.sensing is not None:
+            self.sensing.carry_on(before.sensing, column)
         if same_network:
             self._surroundings.carry_on(before._surroundings)
 

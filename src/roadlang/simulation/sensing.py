@@ -107,6 +107,20 @@ class Sensing:
         for group in self._groups:
             group.restart(agents)
 
+    def carry_on(self, before: Sensing, column: Mapping[int, int]) -> None:
+        """Sensors of agents that go on after an edit go on too. `column`: of an agent before it, by
+        that after it."""
+        known = {
+            (member.row, member.guarded.sensor.name): (group, place)
+            for group in before._groups
+            for place, member in enumerate(group.members)
+        }
+        for group in self._groups:
+            for place, member in enumerate(group.members):
+                found = known.get((column.get(member.row, -1), member.guarded.sensor.name))
+                if found is not None:
+                    group.carry_on(place, *found)
+
     def take(self, agents: Integers, count: int, slots: int) -> None:
         """From now on the world has these of its `count` agents alone."""
         place = inverse_index(agents, count)

@@ -131,6 +131,19 @@ class SensorGroup:
         if self._state is not None:
             self._state[again] = self.guarded.first_state(self._of_all, len(self.rows))[again]
 
+    def carry_on(self, place: int, before: SensorGroup, earlier: int) -> None:
+        """A member goes on with what one of another group has measured, if it is of the same kind
+        and as late."""
+        if self.guarded.layout != before.guarded.layout or len(self._steps) != len(before._steps):
+            return
+        self._taken[place], self._shown[place] = before._taken[earlier], before._shown[earlier]
+        rings = [(self._steps, before._steps), (self._times, before._times)]
+        rings += [(values, before._values[name]) for name, values in self._values.items()]
+        for mine, known in rings:
+            mine[:, place] = known[:, earlier]
+        if self._state is not None:
+            self._state[place] = before._state[earlier]
+
     def take(self, place: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""
         remaining = np.flatnonzero(place[self.rows] >= 0)
