@@ -75,6 +75,10 @@ func _draw(stage: Stage, cameras: Array[SensorCamera], around: Node) -> void:
 	if around != null:
 		around.propagate_call(&"force_update_transform")
 	RenderingServer.directional_shadow_atlas_set_size(SHADOW_PIXELS, true)
+	# A window is not drawn with them: its next frame comes soon enough.
+	var window := get_tree().root
+	var was_flat := window.disable_3d
+	window.disable_3d = true
 	var by_agent := {}
 	for camera in cameras:
 		by_agent.get_or_add(camera.agent, [] as Array[SensorCamera]).append(camera)
@@ -84,6 +88,7 @@ func _draw(stage: Stage, cameras: Array[SensorCamera], around: Node) -> void:
 		for camera in together:
 			camera.aim(camera.pose(stage))
 		RenderingServer.force_draw(false)
+	window.disable_3d = was_flat
 	if RenderingServer.render_loop_enabled:
 		RenderingServer.directional_shadow_atlas_set_size(_shadow_pixels, true)
 
