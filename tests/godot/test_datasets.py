@@ -43,10 +43,13 @@ def moments(drawing_engine: Engine) -> list[list[Moment]]:
 @pytest.mark.godot
 def test_a_second_drive_gives_the_same_files(moments: list[list[Moment]], tmp_path: Path) -> None:
     first, second = tmp_path / "first", tmp_path / "second"
-    assert write_dataset(first, moments[0], INDEX) == 3
-    assert write_dataset(second, moments[1], INDEX) == 3
+    assert write_dataset(first, moments[0], INDEX, clips=True) == 3
+    assert write_dataset(second, moments[1], INDEX, clips=True) == 3
     names = sorted(path.name for path in first.iterdir())
-    assert len(names) == 3 * 5 + 1
+    assert len(names) == 3 * 5 + 2
+    clip = cv2.VideoCapture(str(first / "scene-0000.ego.front.avi"))
+    frames = [frame.shape for good, frame in iter(clip.read, (False, None)) if good]
+    assert frames == [(90, 160, 3)] * 3
     assert names == sorted(path.name for path in second.iterdir())
     for name in names:
         assert (first / name).read_bytes() == (second / name).read_bytes(), name
@@ -92,10 +95,10 @@ def test_a_set_that_fails_leaves_the_earlier_one(
     with pytest.raises(RuntimeError, match="lost"):
         write_dataset(folder, failing(), INDEX)
     assert not folder.exists()
-    write_dataset(folder, moments[0], INDEX)
+    write_dataset(folder, moments[0], INDEX, clips=True)
     with pytest.raises(RuntimeError, match="lost"):
         write_dataset(folder, failing(), INDEX)
-    assert len(list(folder.iterdir())) == 16
+    assert len(list(folder.iterdir())) == 17
     write_dataset(folder, moments[0][:1], INDEX)
     assert len(list(folder.iterdir())) == 6
 

@@ -10,14 +10,18 @@ from pathlib import Path
 from roadlang.api import Dataset, DatasetFrame, to_json
 from roadlang.commands import staged_set
 
+from .dataset_clips import clips_of
 from .labeled_frames import LabeledFrame, Moment
 from .semantic_classes import class_table
 
 INDEX = "dataset.json"
 
 
-def write_dataset(folder: Path, moments: Iterable[Moment], index: Dataset) -> int:
-    """Write all moments and the index, or nothing; returns the number of moments.
+def write_dataset(
+    folder: Path, moments: Iterable[Moment], index: Dataset, clips: bool = False
+) -> int:
+    """Write all moments and the index, or nothing; returns the number of moments. With `clips` the
+    color pictures of each camera are a clip too.
 
     Files of a set that was there before go. Raises `DiagnosticError` RL460, and whatever making
     the moments raises.
@@ -33,7 +37,13 @@ def write_dataset(folder: Path, moments: Iterable[Moment], index: Dataset) -> in
                 frames.append(_entry(count, frame, names))
                 index = replace(index, engine=frame.engine)
             count += 1
-        whole = replace(index, classes=class_table(), frames=tuple(frames))
+        names_of_clips = []
+        for name, content in clips_of(frames, files.paths(), 1 / index.interval) if clips else ():
+            files.add(name, content)
+            names_of_clips.append(name)
+        whole = replace(
+            index, classes=class_table(), frames=tuple(frames), clips=tuple(names_of_clips)
+        )
         files.add(INDEX, to_json(whole).encode())
     return count
 
@@ -56,7 +66,8 @@ def _entry(moment: int, frame: LabeledFrame, names: dict[str, str]) -> DatasetFr
 def _files_of(index: Path) -> list[str]:
     """The files of an earlier set; none where its index cannot be read."""
     try:
-        frames = json.loads(index.read_text(encoding="utf-8"))["frames"]
-        return [name for frame in frames for name in frame["files"].values()]
+        known = json.loads(index.read_text(encoding="utf-8"))
+        pictures = [name for frame in known["frames"] for name in frame["files"].values()]
+        return pictures + list(known["clips"])
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return []

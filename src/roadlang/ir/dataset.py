@@ -57,6 +57,8 @@ class Dataset:
     """sha256 by path as written"""
     plugins: Mapping[str, str] = field(default_factory=dict)
     """version by distribution"""
+    clips: tuple[str, ...] = ()
+    """files of the color pictures of a camera in a scene, where they were wanted"""
     depth_unit: float = 0.01
     """meters for 1 in depth pictures; 0 there is nothing within 655.35 m"""
     schema: str = DATASET_SCHEMA

@@ -46,6 +46,7 @@ EXPORTS = {".tscn": "tscn", ".glb": "glb"}
     show_default=True,
     help="Seconds between two moments.",
 )
+@click.option("--clips", is_flag=True, help="Also write the dataset's color images as clips.")
 @click.option(
     "--scenes",
     type=click.IntRange(1, 1_000_000),
@@ -126,7 +127,7 @@ def _render_dataset(loaded: LoadedScenario, folder: str, options: Mapping[str, A
     sampling = Sampling(options["time"] or 0.0, options["every"], size, options["road"])
     moments, pictures = write_labeled(
         loaded, Path(folder).absolute(), sampling, options["count"], options["scenes"],
-        options["seed"],
+        options["seed"], options["clips"],
     )  # fmt: skip
     echo(f"{folder}: {moments} moments, {pictures} labeled pictures")
 

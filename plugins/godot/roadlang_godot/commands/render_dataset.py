@@ -15,7 +15,13 @@ if TYPE_CHECKING:
 
 
 def write_labeled(
-    loaded: Any, folder: Path, sampling: Sampling, count: int, scenes: int, seed: int
+    loaded: Any,
+    folder: Path,
+    sampling: Sampling,
+    count: int,
+    scenes: int,
+    seed: int,
+    clips: bool,
 ) -> tuple[int, int]:
     """Write `count` moments to a folder, at least from so many scenes; returns the numbers of
     moments and pictures. Scenes whose drives end early are followed by more."""
@@ -34,7 +40,8 @@ def write_labeled(
 
     drawn = _driven_scenes(loaded, scenes, seed, most=max(scenes, count))
     moments = labeled_moments(drawn, sampling, count, -(-count // scenes))
-    written = write_dataset(folder, counted(moments), _index(loaded, seed, sampling.interval))
+    index = _index(loaded, seed, sampling.interval)
+    written = write_dataset(folder, counted(moments), index, clips)
     return written, pictures
 
 
