@@ -19,6 +19,9 @@ const MAX_CONTROLLERS := 32
 ## Index of the controller in charge, -1 for none.
 var in_charge := -1
 
+## Whether a human drives, at times at least.
+var is_by_hand := false
+
 var _controllers: Array[Controller] = []
 ## Of `when`, which stays true once it is, and of `while`; null for none.
 var _conditions: Array[Condition] = []
@@ -36,6 +39,7 @@ func take(drives: Array) -> String:
 		var controller: Controller = KINDS[options["kind"]].new()
 		controller.take(options)
 		_controllers.append(controller)
+		is_by_hand = is_by_hand or options["kind"] == "manual"
 		_conditions.append(_condition(options.get("when")))
 		_limits.append(_condition(options.get("while")))
 		for condition: Condition in [_conditions[-1], _limits[-1]]:

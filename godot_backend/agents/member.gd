@@ -19,6 +19,8 @@ var signals: Signals
 var surfaces := PackedVector2Array()
 ## Steering angle and acceleration that are wanted.
 var wanted := Vector2.ZERO
+## What a human who drives it wants, for the client to say again in its next step.
+var wish := Vector2.ZERO
 ## Over the ground (x east, y north) before the last physics step.
 var velocity_before := Vector2.ZERO
 
@@ -45,6 +47,12 @@ func reset() -> void:
 	agent.reset(surfaces)
 	_leave(false)
 	velocity_before = agent.body.ground_velocity()
+
+
+## Looks at what a human wants, once for a step that takes `dt`.
+func ask_human(time: float, dt: float) -> void:
+	if agent.driver.is_by_hand:
+		wish = agent.driver.controls(agent, signals.value, time, dt)
 
 
 func observe(dt: float) -> void:

@@ -157,6 +157,8 @@ func step(dt: float) -> void:
 		member.observe(dt)
 	_contacts.gather(_members, tick)
 	if mode == Mode.LOCKSTEP and tick >= _hold_until:
+		for member in _members:
+			member.ask_human(tick * dt, maxi(1, _hold_until - _hold_from) * dt)
 		_await_step()
 	elif mode == Mode.FREE and tick % _every == 0:
 		for member in _members:

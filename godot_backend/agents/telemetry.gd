@@ -6,6 +6,7 @@ const Contacts := preload("contacts.gd")
 
 const RECORD_BYTES := 64
 const CONTACT_BYTES := 20
+const HAND_BYTES := 12
 const HEADER_BYTES := 8
 const FIELDS := 13
 ## x, y, heading, speed, steering.
@@ -53,7 +54,8 @@ static func record(member: Member, tick: int) -> PackedByteArray:
 
 
 ## All agents in the order of worlds and numbers: tick, how many, how many contacts, then five
-## float32 for each, and the contacts that were not yet told.
+## float32 for each, the contacts that were not yet told, and what humans want: world, agent, steering
+## angle and acceleration of each agent that is driven by hand.
 static func state(
 	members: Array[Member], tick: int, touched: Array[Contacts.Contact]
 ) -> PackedByteArray:
@@ -76,6 +78,19 @@ static func state(
 		at += STATE_FIELDS
 	out.append_array(numbers.to_byte_array())
 	out.append_array(contacts(some))
+	for member in members:
+		if member.agent.driver.is_by_hand:
+			out.append_array(_wish(member))
+	return out
+
+
+static func _wish(member: Member) -> PackedByteArray:
+	var out := PackedByteArray()
+	out.resize(HAND_BYTES)
+	out.encode_u16(0, member.world)
+	out.encode_u16(2, member.agent.id)
+	out.encode_float(4, member.wish.x)
+	out.encode_float(8, member.wish.y)
 	return out
 
 

@@ -64,6 +64,11 @@ def test_a_human_drives_is_judged_and_is_replayed(
     replay = f'drive with replay {{ file: "{recorded}" }}'
     code, again, judged = driven(tmp_path / "again.rl", replay)
     assert (code, judged) == (4, satisfied)
+    inputs = tmp_path / "human" / "scene-0000.ego.inputs.csv"
+    driven(tmp_path / "inputs.rl", f'drive with replay {{ file: "{inputs}" }}')
+    for ending in ("trace.csv", "trace.json"):
+        first_run, same = (tmp_path / name / f"scene-0000.{ending}" for name in ("human", "inputs"))
+        assert same.read_bytes() == first_run.read_bytes(), ending
     for column, apart in (("x", 1e-3), ("y", 1e-3), ("heading", 1e-3), ("speed", 0.05)):
         first, second = getattr(ego, column), getattr(again, column)
         np.testing.assert_allclose(second, first[: len(second)], atol=apart, err_msg=column)

@@ -45,7 +45,8 @@ def drives_by_hand(scene: Scene) -> bool:
 
 def decided_in_python(scene: Scene, controllers: Mapping[str, T]) -> dict[str, T]:
     """The controllers that Python is to run: none where the engine has copies of all."""
-    return {} if drives_alone(scene) else dict(controllers)
+    alone = drives_alone(scene) and not drives_by_hand(scene)
+    return {} if alone else dict(controllers)
 
 
 def is_in_engine(call: Call) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from .agent_specs import AgentPose
 from .driving import ControlForm, EngineControl
 from .eyes import Eyes
 from .layout import Layout
-from .telemetry import DriveState, Records
+from .telemetry import HAND, DriveState, Records
 
 if TYPE_CHECKING:
     from roadlang.api import Controller, Decision, Observation, Scene, Trace
@@ -49,6 +50,8 @@ class FollowedScene:
         self._place = np.argsort(np.argsort(self._numbers))
         self._tick = -1
         self._poses: dict[str, AgentPose] = {}
+        self._hands: Records = np.empty(0, HAND)
+        self._inputs: dict[str, list[tuple[float, float, float]]] = {}
 
     def carry_on(self, before: FollowedScene, restarted: frozenset[str]) -> None:
         """Go on with the drive of the scene before an edit, but for agents that are `restarted`."""
@@ -59,6 +62,7 @@ class FollowedScene:
     def forget(self) -> None:
         """The trace begins now."""
         self._mirror.forget()
+        self._inputs.clear()
 
     def pose(self, name: str) -> AgentPose | None:
         """Where an agent was seen last; None before the first look."""
@@ -72,6 +76,7 @@ class FollowedScene:
     def look(self, state: DriveState) -> None:
         """The agents are where a state says; it becomes a sample of the trace."""
         self._look(state.tick, state.poses, state.contacts)
+        self._hands = state.hands
 
     def look_at_records(self, rows: Records, contacts: Records) -> None:
         """The same of the records of one tick, in the order of the numbers of agents."""
@@ -83,11 +88,12 @@ class FollowedScene:
         Raises RL470, RL474 of controllers, RL508 where cameras have no screen, RL513 of
         conditions.
         """
+        by_hand = {int(hand["agent"]): self._by_hand(hand) for hand in self._hands}
         if not len(self._mirror.driven):
-            return {}
+            return by_hand
         self._take_pictures()
         decision = self._mirror.decide()
-        return {
+        return by_hand | {
             self._numbers[row]: self._engine_control(row, decision) for row in self._mirror.driven
         }
 
@@ -105,7 +111,19 @@ class FollowedScene:
 
     def trace(self, engine: str) -> Trace:
         """What was recorded."""
-        return self._mirror.trace(engine)
+        inputs = {name: np.array(rows) for name, rows in self._inputs.items()}
+        return replace(self._mirror.trace(engine), inputs=inputs)
+
+    def _by_hand(self, hand: Any) -> EngineControl:
+        """What a human wants is done in the next step, and recorded."""
+        row = self._numbers.index(int(hand["agent"]))
+        wanted = np.full(len(self._numbers), float(hand["acceleration"]))
+        steering, acceleration = float(hand["steering"]), float(self._mirror.limited(wanted)[row])
+        rows = self._inputs.setdefault(self._names[row], [])
+        rows.append((self._mirror.time, steering, acceleration))
+        present = bool(self._mirror.present[row])
+        form = ControlForm.STEER if present else ControlForm.LEAVE
+        return EngineControl(form, (0.0, 0.0, steering, acceleration))
 
     def _look(self, tick: int, rows: Records, contacts: Records) -> None:
         frame = self._layout.frame

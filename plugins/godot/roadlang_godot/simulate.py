@@ -91,7 +91,8 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     controller is missing.
     """
     decided = decided_in_python(scene, controllers)
-    if settings.headless and drives_by_hand(scene):
+    by_hand = drives_by_hand(scene)
+    if settings.headless and by_hand:
         help_ = "`manual` needs a window: add `--window`, or use `roadlang watch`"
         raise fault(
             Code.UNSUPPORTED_CONTROLLER, help_, kind=MANUAL, engine="Godot without a window"
@@ -107,7 +108,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     session.prove()
     step, eyes = settings.every / settings.rate, Eyes(session, scene, layout)
     followed = FollowedScene(scene, layout, step, settings.rate, decided, eyes)
-    if decided:
+    if decided or by_hand:
         _step_by_step(session, followed, settings)
     else:
         drive = driving.run(session, settings.ticks, every=settings.every, stop_at_end=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -59,6 +59,9 @@ Records = NDArray[Any]
 _STATE = struct.Struct("<IHH")
 
 
+HAND = np.dtype([("world", "<u2"), ("agent", "<u2"), ("steering", "<f4"), ("acceleration", "<f4")])
+
+
 @dataclass(frozen=True, slots=True)
 class DriveState:
     """Where all agents are at a tick, in the order of their numbers, and what they have touched
@@ -67,6 +70,8 @@ class DriveState:
     tick: int
     poses: Records
     contacts: Records
+    hands: Records = field(default_factory=lambda: np.empty(0, HAND))
+    """what humans want, of each agent that is driven by hand"""
 
     @classmethod
     def of(cls, payload: bytes) -> DriveState:
@@ -77,6 +82,7 @@ class DriveState:
             tick,
             np.frombuffer(payload, POSE, agents, _STATE.size),
             np.frombuffer(payload, CONTACT, contacts, at),
+            np.frombuffer(payload, HAND, -1, at + contacts * CONTACT.itemsize),
         )
 
 

@@ -22,7 +22,8 @@ class Replay(Controller):
     name: ClassVar[str] = "replay"
     file: File = option(
         help="CSV file with the columns time (s), x, y (m), heading (rad) and, if there is one, "
-        "speed (m/s); or a trace of `roadlang run`",
+        "speed (m/s); or with time, steering (rad) and acceleration (m/s^2); or a trace of "
+        "`roadlang run`",
         example='"recorded.csv"',
     )
     agent: String = option("", help="agent in the file; by default the one with this agent's name")
@@ -38,15 +39,18 @@ class Replay(Controller):
 
         from roadlang.api import ControlBatch
 
+        from .recorded_inputs import recorded_inputs
         from .recorded_poses import recording
 
         seen = observations
         state[:] = np.where(np.isnan(state), seen.time, state)
-        pose = np.stack(
-            [
-                recording(self.file, self.agent or str(name)).at(float(later))
-                for name, later in zip(seen.agent, seen.time + seen.step - state, strict=True)
-            ]
-        )
-        open_ = np.full(len(pose), np.nan)
-        return ControlBatch(open_, open_, pose=pose)
+        count = len(state)
+        pose, wanted = np.full((count, 4), np.nan), np.full((count, 2), np.nan)
+        inputs = recorded_inputs(self.file)
+        for row, (name, since) in enumerate(zip(seen.agent, seen.time - state, strict=True)):
+            if inputs is not None:
+                wanted[row] = inputs.at(float(since), float(seen.step))
+            else:
+                recorded = recording(self.file, self.agent or str(name))
+                pose[row] = recorded.at(float(since + seen.step))
+        return ControlBatch(wanted[:, 0], wanted[:, 1], pose=pose)

@@ -133,12 +133,14 @@ _OPTIONAL = tuple(
 
 @dataclass(frozen=True)
 class Trace(Frozen):
-    """A whole drive. `time` is (T,) seconds from 0; a group's copies are `name[i]`."""
+    """A whole drive. `time` is (T,) seconds from 0; a group's copies are `name[i]`. `inputs`: of
+    agents that a human drove (n, 3) time, steering angle and acceleration that were wanted."""
 
     time: Floats
     agents: Mapping[str, AgentTrace]
     engine: str = ""
     events: tuple[Mapping[str, Any], ...] = field(default_factory=tuple)
+    inputs: Mapping[str, Floats] = field(default_factory=dict)
 
     def named(self, name: str) -> tuple[AgentTrace, ...]:
         """The agents that a name stands for: itself, or all copies `name[i]`."""

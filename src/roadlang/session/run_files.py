@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..drive.input_files import input_files
 from ..drive.reading_files import reading_ending, reading_files
 from ..falsification.descriptors import measures, protagonist
 from ..files.journal import JOURNAL_FILE, JournalFile
@@ -66,6 +67,7 @@ class RunFolder:
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
             files |= {output.path: output.content for output in found}
             files |= {f"{stem}.{end}": data for end, data in reading_files(drive.readings).items()}
+            files |= {f"{stem}.{end}": text for end, text in input_files(drive.trace).items()}
             for ending in FINDINGS:  # of an earlier drive
                 (self._folder / (stem + ending)).unlink(missing_ok=True)
         write_all(self._folder, files)
@@ -97,7 +99,8 @@ class RunFolder:
 
 def _reading_paths(drive: Drive) -> list[str]:
     stem = drive.scene.record.stem
-    return [f"{stem}.{reading_ending(record)}" for record in drive.readings]
+    readings = [f"{stem}.{reading_ending(record)}" for record in drive.readings]
+    return readings + [f"{stem}.{end}" for end in input_files(drive.trace)]
 
 
 def record_of(drive: Drive) -> dict[str, Any]:

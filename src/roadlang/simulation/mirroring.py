@@ -137,6 +137,10 @@ class Mirror:
             decision.put(rows, found)
         return replace(decision, acceleration=world.limited(decision.acceleration))
 
+    def limited(self, acceleration: Floats) -> Floats:
+        """(N,) accelerations; at the end of their roads, agents brake."""
+        return self._world.limited(acceleration)
+
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""
         view = self._drivers.view(self._world, self._world.poses)
