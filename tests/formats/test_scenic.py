@@ -15,6 +15,7 @@ from roadlang import testing
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_scenic import ScenicBackend
 from roadlang_formats.scenic.names import variable_names
+from tests.formats.opendrive_reader import arc_length
 from tests.formats.tool_environments import ask_tool
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -103,6 +104,16 @@ def test_the_map_has_no_lane_that_scenic_does_not_drive_on_or_that_has_no_width(
                 assert lane.get("type") in ("driving", "none")
                 for width in lane.iter("width"):
                     assert float(width.get("a", 0)) >= 0.1
+
+
+def test_no_cubic_says_that_it_is_longer_than_it_is() -> None:
+    text = "road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (110m, 50m)] } }"
+    root = ElementTree.fromstring(program(testing.sample(text)[0].record)["scenic.xodr"])
+    pieces = [piece for piece in root.iter("geometry") if piece.find("paramPoly3") is not None]
+    assert pieces
+    for piece in pieces:
+        stated, found = float(piece.get("length", 0.0)), arc_length(piece)
+        assert found - 1e-6 < stated < found
 
 
 def test_variables_are_new_words() -> None:

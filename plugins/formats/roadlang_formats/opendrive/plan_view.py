@@ -30,9 +30,6 @@ _TURNED = 2e-3
 """Radians by which the direction of a cubic may be off."""
 _LONGEST = 100.0
 """Meters of a cubic."""
-_SHORTER = 1e-8
-"""Meters by which the length of a cubic is understated: Scenic fails on one that is too long by a
-rounding error."""
 _WORTH_IT = 5.0
 """Meters from which on an exact piece is preferred to a longer cubic."""
 
@@ -237,5 +234,4 @@ def _cubic(line: SampledLine, first: int, end: int, s: float) -> ReferencePiece:
     length = float(line.stations[end] - line.stations[first])
     numbers = cubic(line.poses[first], line.poses[end], length)
     x, y, heading = line.poses[first].tolist()
-    arc = cubic_length(numbers) - _SHORTER
-    return ReferencePiece(s, x, y, heading, arc, "paramPoly3", numbers)
+    return ReferencePiece(s, x, y, heading, cubic_length(numbers), "paramPoly3", numbers)
