@@ -11,6 +11,7 @@ _KINDS = {
     "emit lanelet2": "emit_lanelet2:Lanelet2Backend",
     "emit gltf": "emit_gltf:GltfBackend",
     "emit mujoco": "emit_mujoco:MujocoBackend",
+    "emit road_mask": "emit_road_mask:RoadMaskBackend",
     "emit opendrive": "emit_opendrive:OpenDriveBackend",
     "emit openscenario": "emit_openscenario:OpenScenarioBackend",
     "emit scenic": "emit_scenic:ScenicBackend",

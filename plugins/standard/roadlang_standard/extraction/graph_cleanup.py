@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 
 from roadlang.geometry import Floats
@@ -66,15 +68,22 @@ def contract_lines(graph: Graph, bridges: list[Line]) -> None:
 
 
 def prune(
-    graph: Graph, least: float, shape: tuple[int, int] | None = None, margin: float = 4.0
+    graph: Graph,
+    least: float,
+    shape: tuple[int, int] | None = None,
+    margin: float = 4.0,
+    sure: Collection[Line] = (),
 ) -> None:
-    """Cut dead ends below `least` pixels, shortest first, but at the border. In place."""
+    """Cut dead ends below `least` pixels, shortest first, but at the border and `sure` ones.
+    In place."""
+    sure_ids = {id(line) for line in sure}
     while True:
         degree = graph.degree()
         spurs = [
             (line.length, index)
             for index, line in enumerate(graph.lines)
             if not line.closed
+            and id(line) not in sure_ids
             and (degree[line.start] == 1) != (degree[line.end] == 1)
             and not at_border(
                 graph.nodes[line.start if degree[line.start] == 1 else line.end], shape, margin

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .dead_end_stubs import drop_corners, lengthen_square_ends, stubs
 from .drafting import Draft, draft, typical_width_of
 from .found_network import FoundNetwork
 from .graph import trace
@@ -42,14 +43,17 @@ def roads_of_surface(
         thin = skeleton(mask)
     graph = trace(thin)
     typical = typical_width_of(graph, mask)
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    drop_corners(graph, inner, typical)
+    short = stubs(graph, inner, typical) if least is None else []
     contract(graph, 1.2 * typical)
-    prune(
-        graph, least if least is not None else 1.1 * typical, mask.shape, margin=0.6 * typical + 2
-    )
+    shortest = 1.1 * typical if least is None else least
+    prune(graph, shortest, mask.shape, margin=0.6 * typical + 2, sure=short)
     join(graph)
     join_oblique_crossings(graph, typical)
     drop_crumbs(graph, min(2 * typical, 0.5 * max(mask.shape)))
     typical = typical_width_of(graph, mask)
+    lengthen_square_ends(graph, mask, typical)
     extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * typical + 2)
     settings = Draft(
         typical, waves if spline else 0.5, tolerance, _accuracy(surface), width, fair=spline

@@ -1,0 +1,57 @@
+"""Ends of roads in clean pictures: where they are, and which short ones are roads."""
+
+from __future__ import annotations
+
+import math
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang.geometry import Floats
+from roadlang_standard.extraction.masks import roads_of_surface
+
+FRACTION = 4
+"""Bits of a pixel in which OpenCV draws."""
+
+
+def _drawn(start: Floats, end: Floats, width: int, round_pen: bool) -> Floats:
+    """A straight stroke (300, 300), 0..1."""
+    surface = np.zeros((300, 300), np.uint8)
+    corners = np.array([start, end])
+    if not round_pen:
+        ahead = (end - start) / np.hypot(*(end - start))
+        side = np.array([-ahead[1], ahead[0]]) * width / 2
+        corners = np.array([start + side, end + side, end - side, start - side])
+    fixed = np.round(corners * 2**FRACTION).astype(np.int32)
+    if round_pen:
+        first, last = (tuple(map(int, corner)) for corner in fixed)
+        cv2.line(surface, first, last, 255, width, cv2.LINE_AA, FRACTION)
+    else:
+        cv2.fillPoly(surface, [fixed], 255, cv2.LINE_AA, FRACTION)
+    return surface / 255.0
+
+
+@pytest.mark.parametrize("round_pen", [True, False], ids=["round pen", "cut off straight"])
+@pytest.mark.parametrize("width", [7, 16, 24])
+@pytest.mark.parametrize("degrees", [0, 13, 45])
+def test_roads_end_where_they_were_drawn_to(round_pen: bool, width: int, degrees: int) -> None:
+    """A round pen draws half a width beyond the end of its road."""
+    ahead = np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
+    start, end = 150 - 90 * ahead, 150 + 90 * ahead
+    (road,) = roads_of_surface(
+        _drawn(start, end, width, round_pen).astype(np.float32), "stroke"
+    ).roads
+    along = sorted(float(ahead @ (point - 150)) for point in (road.points[0], road.points[-1]))
+    assert along == pytest.approx([-90, 90], abs=3.0)
+
+
+def test_a_stub_is_a_road_and_a_corner_is_none() -> None:
+    """A crossing street, 20 px wide, of which 18 px show on one side of the road."""
+    surface = np.zeros((120, 200), np.float32)
+    surface[50:70, 10:190] = 1
+    surface[32:50, 90:110] = 1
+    found = roads_of_surface(surface, "plan")
+    assert len(found.roads) == 3
+    ends = {tuple(np.round(found.nodes[n])) for road in found.roads for n in (road.start, road.end)}
+    assert any(abs(x - 99.5) <= 2 and abs(y - 32) <= 2 for x, y in ends)
