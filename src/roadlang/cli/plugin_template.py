@@ -16,7 +16,17 @@ from ..plugins.registry import Registry
 from ..syntax.words import RESERVED
 from ..version import API_VERSION
 
-VERBS = ("agent", "drive", "drive_signal", "emit", "monitor", "object", "perturb", "signal")
+VERBS = (
+    "agent",
+    "drive",
+    "drive_signal",
+    "emit",
+    "monitor",
+    "object",
+    "perturb",
+    "sense",
+    "signal",
+)
 """The verbs that there is a template for."""
 _NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*\Z")
 _TEMPLATES = files(__package__) / "templates" / "plugin"
