@@ -45,8 +45,9 @@ func _described(root: Node) -> Dictionary:
 		if node is MeshInstance3D:
 			trees.append([node.global_position.x, node.global_position.z])
 		elif node is MultiMeshInstance3D:
-			var buffer: PackedFloat32Array = (node as MultiMeshInstance3D).multimesh.buffer
-			for i in range(0, buffer.size(), 12):
+			var many: MultiMesh = (node as MultiMeshInstance3D).multimesh
+			var buffer := many.buffer
+			for i in range(0, buffer.size(), buffer.size() / many.instance_count):
 				trees.append([buffer[i + 3], buffer[i + 11]])
 	trees.sort()
 	var ego: Node3D = _all(root.get_node("Agents/ego"), "MeshInstance3D")[0]
