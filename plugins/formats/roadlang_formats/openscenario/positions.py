@@ -132,12 +132,16 @@ def _arc_length(part: OpenDriveRoad, station: float) -> float:
 
 
 def route_places(roads: Roads, actor: SceneActor) -> Sequence[Place]:
-    """Waypoints of the route of an agent: its start, and the end of each step; none without one."""
+    """Waypoints of the route of an agent; none without one: its start, the middle of each road in
+    the lane that it leaves by, and its end."""
     if actor.route is None:
         return ()
-    first = actor.route.steps[0]
-    stations = [(first.road, first.lane, first.start)]
-    stations += [(step.road, step.lane, step.stop) for step in actor.route.steps]
+    steps = actor.route.steps
+    stations = [(steps[0].road, steps[0].lane, steps[0].start)]
+    for step in steps:
+        if step.turn is not None:
+            stations.append((step.road, step.lane, (step.start + step.stop) / 2.0))
+    stations.append((steps[-1].road, steps[-1].lane, steps[-1].stop))
     found = [roads.at(*station) for station in stations]
     places = [place for place in found if place is not None]
     different = [p for p, q in zip(places, [None, *places], strict=False) if p != q]
