@@ -394,3 +394,24 @@ network town from plan { lanes: 1 }''')[0].record
     (junction,) = network.junctions or ()
     assert len(junction.turns) == len(scene.networks[0].junctions[0].connections)
     assert len(junction.arms) == 4
+
+
+@pytest.mark.parametrize("rule", ["signals", "stop", "yield", "all_way_stop"])
+@pytest.mark.parametrize("lanes", [1, 2])
+def test_lights_and_signs_say_who_goes_first(tmp_path: Path, rule: str, lanes: int) -> None:
+    """Those that `emit opendrive` writes are read again."""
+    scene = testing.sample(f'''image plan from """
+...#...
+#######
+...#...
+""" {{ scale: 30m/px }}
+network town from plan {{ lanes: {lanes}, control with {rule} }}''')[0].record
+    found = sampled(tmp_path, OpenDriveBackend().files(scene)["xodr"])
+    (before,), (after,) = scene.networks[0].junctions, found.networks[0].junctions
+    assert after.control.kind == rule
+    assert len(after.control.phases) == len(before.control.phases)
+    assert len(after.control.minor) == len(before.control.minor)
+    other = sampled(
+        tmp_path, OpenDriveBackend().files(scene)["xodr"], "{ control with right_first }"
+    )
+    assert other.networks[0].junctions[0].control.kind == "right_first"

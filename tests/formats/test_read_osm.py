@@ -206,3 +206,52 @@ def test_faults_are_reported_in_the_file(tmp_path: Path, text: str, word: str) -
     (found,) = caught.value.diagnostics
     assert found.code == "RL479"
     assert found.span is not None
+
+
+def tagged_node(id: str, east: float, north: float, **tags: str) -> str:
+    """A node so many degrees from the corner of the grid."""
+    listed = "".join(
+        f'<tag k="{k.replace("_DIR", ":direction")}" v="{v}"/>' for k, v in tags.items()
+    )
+    place = f'lat="{LATITUDE + north}" lon="{LONGITUDE + east}"'
+    return f'<node id="{id}" {place}>{listed}</node>\n'
+
+
+@pytest.mark.parametrize(
+    ("node", "kind", "minor"),
+    [
+        ({}, "right_first", 0),
+        ({"highway": "traffic_signals"}, "signals", 0),
+        ({"highway": "stop"}, "stop", 1),
+        ({"highway": "give_way", "direction": "forward"}, "yield", 1),
+        ({"highway": "give_way", "direction": "backward"}, "right_first", 0),
+        ({"highway": "traffic_signals", "traffic_signals_DIR": "backward"}, "right_first", 0),
+    ],
+)
+def test_signals_and_signs_before_a_junction_are_for_it(
+    tmp_path: Path, node: dict[str, str], kind: str, minor: int
+) -> None:
+    """The node is 15 m west of the junction, on a street that runs east."""
+    nodes = tagged_node("s", 3 * STEP - 0.0002, 3 * STEP, **node)
+    path = tmp_path / "town.osm"
+    path.write_text(osm(way(1, "31 s 33 35"), way(2, "13 33 53"), nodes=nodes))
+    scene = testing.sample(f'network town from "{path}"')[0].record
+    (junction,) = scene.networks[0].junctions
+    assert junction.control.kind == kind
+    assert len(junction.control.minor) == minor
+    assert bool(junction.control.phases) == (kind == "signals")
+
+
+@pytest.mark.parametrize(("tags", "kind"), [
+    ({"highway": "traffic_signals"}, "signals"),
+    ({"highway": "stop", "stop": "all"}, "all_way_stop"),
+    ({"highway": "stop"}, "right_first"),
+])  # fmt: skip
+def test_signals_and_signs_at_the_node_of_a_junction(
+    tmp_path: Path, tags: dict[str, str], kind: str
+) -> None:
+    middle = tagged_node("m", 3 * STEP, 3 * STEP, **tags)
+    path = tmp_path / "town.osm"
+    path.write_text(osm(way(1, "31 m 35"), way(2, "13 m 53"), nodes=middle))
+    scene = testing.sample(f'network town from "{path}"')[0].record
+    assert scene.networks[0].junctions[0].control.kind == kind

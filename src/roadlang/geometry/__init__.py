@@ -12,7 +12,8 @@ Nothing is imported until a name is used.
   folding); end to end: `RoadToJoin`, `joined_curve`, `joined_section`, `seams`
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
-- junctions as maps state them: `MapJunction`, `MapTurn`, `LaneEnd`; their plans:
+- junctions as maps state them: `MapJunction`, `MapTurn`, `MapControl`, `LaneEnd`; their
+  plans:
   `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`, `minor_roads`;
   triangles of their areas: `triangulated`
 - lanes of a network, and how one leads into others: `LaneGraph`, `RoutePlace`
@@ -71,6 +72,7 @@ if TYPE_CHECKING:
     from .junctions.plan import plan_junctions as plan_junctions
     from .junctions.priority import minor_roads as minor_roads
     from .lane import Lane as Lane
+    from .map_junctions import MapControl as MapControl
     from .map_junctions import MapJunction as MapJunction
     from .map_junctions import MapTurn as MapTurn
     from .network import Edge as Edge
@@ -144,6 +146,7 @@ _HOMES = {
     "signal_phases": "junctions.phases",
     "minor_roads": "junctions.priority",
     "LaneEnd": "junctions.model",
+    "MapControl": "map_junctions",
     "MapJunction": "map_junctions",
     "MapTurn": "map_junctions",
     "LaneGraph": "routes.lane_graph",

@@ -1,9 +1,11 @@
-"""Junctions as a map states them: which lanes lead into which, and along which lines."""
+"""Junctions as a map states them: which lanes lead into which, along which lines, and who goes
+first."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from .curve import Curve
 from .junctions.model import End, LaneEnd
@@ -40,3 +42,12 @@ class MapJunction:
     def transformed(self, moved: Callable[[Curve], Curve], mirrors: bool) -> MapJunction:
         """The junction along what became of its curves."""
         return replace(self, turns=tuple(turn.transformed(moved, mirrors) for turn in self.turns))
+
+
+@dataclass(frozen=True)
+class MapControl:
+    """Signals or signs for the traffic of ends of roads: `signals` of a junction, or signs of minor
+    roads."""
+
+    rule: Literal["signals", "stop", "yield"]
+    arms: tuple[tuple[int, End], ...]

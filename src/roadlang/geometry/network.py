@@ -17,7 +17,7 @@ from .arrays import Floats, SharedArrays, finite, norm
 from .cross_section import CrossSection
 from .curve import Curve
 from .errors import GeometryError
-from .map_junctions import MapJunction
+from .map_junctions import MapControl, MapJunction
 from .road import Road
 from .width import WidthProfile
 
@@ -112,15 +112,16 @@ class RoadNetwork:
 
     Ids are unique among nodes and among edges. `origin` is the latitude and longitude of (0, 0),
     in degrees, where a map says so. `junctions` are all that a map states; without them (None) they
-    are planned wherever roads meet. Raises GeometryError for ids used twice, for an edge whose
-    nodes do not exist or lie elsewhere than its ends, for junctions of roads that do not exist, and
-    for widths that are not positive.
+    are planned wherever roads meet; `controls` are the signals and signs of the map. Raises
+    GeometryError for ids used twice, for an edge whose nodes do not exist or lie elsewhere than its
+    ends, for junctions of roads that do not exist, and for widths that are not positive.
     """
 
     nodes: tuple[Node, ...]
     edges: tuple[Edge, ...]
     origin: tuple[float, float] | None = None
     junctions: tuple[MapJunction, ...] | None = None
+    controls: tuple[MapControl, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self._nodes) != len(self.nodes) or len(self._edges) != len(self.edges):
@@ -228,7 +229,7 @@ class RoadNetwork:
         if junctions is not None:
             junctions = tuple(junction.transformed(moved, mirrors) for junction in junctions)
         origin = None if offset.any() else self.origin
-        return RoadNetwork(tuple(nodes), edges, origin, junctions)
+        return RoadNetwork(tuple(nodes), edges, origin, junctions, self.controls)
 
     def longest(self) -> Path:
         """The longest simple road through the network (see `paths.longest_path`)."""

@@ -18,6 +18,7 @@ from ..ir.scene_junctions import ControlRule
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import RightOfWay
+from .mapped_control import mapped_rules
 from .networks import network_root
 
 _RULES = get_args(ControlRule)
@@ -28,7 +29,8 @@ FARTHEST = 30.0
 def right_of_way_rules(
     network: ScenarioNetwork, candidates: CandidateBatch
 ) -> dict[int, RightOfWay]:
-    """By the ids of junctions, of a single candidate; the last pass that names a junction counts.
+    """By the ids of junctions, of a single candidate: what the map says, unless a pass names the
+    junction; the last one counts.
 
     What is drawn is drawn anew for each junction. Raises RL429 for a junction that is not there,
     RL411 and RL430 for a road that is not there, or not there.
@@ -36,7 +38,7 @@ def right_of_way_rules(
     root = network_root(network, candidates)
     plan = root.junctions.plans[network.name]
     edges = [edge.id for edge in root.edges]
-    found: dict[int, RightOfWay] = {}
+    found = mapped_rules(root.network.controls, plan)
     for call in controls_of(network, candidates.scenario):
         junctions = _chosen(call, plan, candidates)
         for junction in junctions:

@@ -26,8 +26,11 @@ def with_both_ways(record: OpenDriveRecord) -> OpenDriveRecord:
         return record
     shared = set(partners.values()) - partners.keys()
     partners = {id: other for id, other in partners.items() if other in shared}
+    back = {other: record.roads[id] for id, other in partners.items()}
     roads = {
-        id: _shared(_relinked(road, partners)) if id in shared else _relinked(road, partners)
+        id: _shared(_relinked(road, partners), back[id])
+        if id in back
+        else _relinked(road, partners)
         for id, road in record.roads.items()
         if id not in partners
     }
@@ -59,8 +62,17 @@ def _incoming(item: ConnectionRecord, partners: dict[str, str]) -> ConnectionRec
     return replace(item, incoming=partners.get(item.incoming, item.incoming))
 
 
-def _shared(road: RoadRecord) -> RoadRecord:
-    """Its lane for vehicles is for both directions."""
+def _shared(road: RoadRecord, back: RoadRecord) -> RoadRecord:
+    """Its lane for vehicles is for both directions, and it has the signals of both roads."""
+    opposite = {"+": "-", "-": "+"}
+    signals = tuple(
+        replace(
+            signal,
+            s=back.length - signal.s,
+            orientation=opposite.get(signal.orientation, signal.orientation),
+        )
+        for signal in back.signals
+    )
     sections = tuple(
         replace(
             section,
@@ -71,4 +83,4 @@ def _shared(road: RoadRecord) -> RoadRecord:
         )
         for section in road.sections
     )
-    return replace(road, sections=sections)
+    return replace(road, sections=sections, signals=(*road.signals, *signals))

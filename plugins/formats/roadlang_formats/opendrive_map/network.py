@@ -11,6 +11,7 @@ from roadlang.geometry import Edge, Node, RoadNetwork
 from roadlang_formats.map_xml import MapFile
 
 from .built_roads import BuiltRoad
+from .controls import map_controls
 from .parsing import parsed_map
 from .records import OpenDriveRecord
 from .turns import RoadEnd, TurnReader
@@ -54,7 +55,8 @@ def network_of(file: MapFile) -> Extraction:
                 elevations=road.elevations(),
             )
         )
-    network = RoadNetwork(nodes, tuple(edges), record.origin, junctions)
+    controls = map_controls(record, numbers)
+    network = RoadNetwork(nodes, tuple(edges), record.origin, junctions, controls)
     return Extraction(network, remarks=(*_remarks(record), *reader.remarks))
 
 

@@ -21,6 +21,7 @@ from .records import (
     OpenDriveRecord,
     RoadLink,
     RoadRecord,
+    SignalRecord,
 )
 from .speeds import speed_of
 
@@ -105,6 +106,17 @@ def _road(file: MapFile, element: MapElement) -> RoadRecord:
         cubics(file, element.all("lanes", "laneOffset"), "s"),
         sections,
         limit,
+        tuple(
+            SignalRecord(
+                file.attribute(child, "id"),
+                file.number(child, "s"),
+                child.attributes.get("type", ""),
+                child.attributes.get("dynamic", "no") == "yes",
+                child.attributes.get("orientation", "none"),
+            )
+            for tag in ("signal", "signalReference")
+            for child in element.all("signals", tag)
+        ),
         next(
             (
                 child.attributes.get("value", "")

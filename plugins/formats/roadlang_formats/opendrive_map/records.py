@@ -81,6 +81,20 @@ class RoadLink:
 
 
 @dataclass(frozen=True, slots=True)
+class SignalRecord:
+    """A light or sign at a road, or a reference to one by its id, which has no type of its own.
+
+    `orientation`: + for traffic in the direction of the road, - for the other, else both.
+    """
+
+    id: str
+    s: float
+    type: str
+    is_dynamic: bool
+    orientation: str
+
+
+@dataclass(frozen=True, slots=True)
 class RoadRecord:
     """A road. `junction` is empty for a road outside of junctions; `speed` is m/s."""
 
@@ -97,6 +111,7 @@ class RoadRecord:
     lane_offset: tuple[Cubic, ...]
     sections: tuple[SectionRecord, ...]
     speed: float | None
+    signals: tuple[SignalRecord, ...] = ()
     reverse_of: str = ""
     """the id of a road on the same ground with a single lane, which this one has for the other
     direction"""

@@ -23,6 +23,7 @@ from roadlang_formats.local_projection import LocalProjection
 from roadlang_formats.map_xml import MapFile
 
 from .buildings import buildings_of
+from .controls import map_controls
 from .records import OsmExtract, osm_extract
 from .way_lanes import Tags, WayLanes, is_driven, one_way, way_lanes
 
@@ -83,8 +84,9 @@ def network_of_ways(
     if math.hypot(*farthest) > _FARTHEST:
         reason = f"its ways extend up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
         raise fault(reason, "set an `origin` nearby, or use a smaller extract")
-    network = _built(streets, points, options)
-    network = replace(network, origin=origin)
+    network, built = _built(streets, points, options)
+    controls = map_controls(built, extract.nodes, points)
+    network = replace(network, origin=origin, controls=controls)
     objects = buildings_of(extract, projection) if options.buildings else ()
     return Extraction(network, objects)
 
@@ -172,8 +174,10 @@ def _joined(one: Street, other: Street, node: str) -> Street | None:
 
 def _built(
     streets: Sequence[Street], points: Mapping[str, Place], options: OsmOptions
-) -> RoadNetwork:
-    """The edges, numbered from 1 in the order of the file."""
+) -> tuple[RoadNetwork, dict[int, tuple[str, ...]]]:
+    """The edges, numbered from 1 in the order of the file, and by their numbers the nodes that they
+    run through."""
+    built: dict[int, tuple[str, ...]] = {}
     numbers: dict[str, int] = {}
     edges: list[Edge] = []
     for street in _open(streets):
@@ -191,8 +195,9 @@ def _built(
         lanes = cross_section(way_lanes(street.tags), options)
         edge = Edge.of(len(edges) + 1, ends[0], ends[1], curve, lanes)
         edges.append(replace(edge, name=street.tags.get("name", "")))
+        built[edge.id] = street.nodes
     nodes = tuple(Node(number, points[node]) for node, number in numbers.items())
-    return RoadNetwork(nodes, tuple(edges))
+    return RoadNetwork(nodes, tuple(edges)), built
 
 
 def _open(streets: Sequence[Street]) -> Iterator[Street]:
