@@ -106,26 +106,33 @@ def _road(file: MapFile, element: MapElement) -> RoadRecord:
         cubics(file, element.all("lanes", "laneOffset"), "s"),
         sections,
         limit,
-        tuple(
-            SignalRecord(
-                file.attribute(child, "id"),
-                file.number(child, "s"),
-                child.attributes.get("type", ""),
-                child.attributes.get("dynamic", "no") == "yes",
-                child.attributes.get("orientation", "none"),
-            )
-            for tag in ("signal", "signalReference")
-            for child in element.all("signals", tag)
-        ),
-        next(
-            (
-                child.attributes.get("value", "")
-                for child in element.all("userData")
-                if child.attributes.get("code") == REVERSE_OF
-            ),
-            "",
-        ),
+        _signals(file, element),
+        _reverse_of(element),
     )
+
+
+def _signals(file: MapFile, element: MapElement) -> tuple[SignalRecord, ...]:
+    return tuple(
+        SignalRecord(
+            file.attribute(child, "id"),
+            file.number(child, "s"),
+            child.attributes.get("type", ""),
+            child.attributes.get("dynamic", "no") == "yes",
+            child.attributes.get("orientation", "none"),
+        )
+        for tag in ("signal", "signalReference")
+        for child in element.all("signals", tag)
+    )
+
+
+def _reverse_of(element: MapElement) -> str:
+    """What `emit opendrive` says of the second road of a lane for both directions."""
+    marks = [
+        child.attributes.get("value", "")
+        for child in element.all("userData")
+        if child.attributes.get("code") == REVERSE_OF
+    ]
+    return marks[0] if marks else ""
 
 
 def _increasing(file: MapFile, records: Iterable[Any]) -> tuple[Any, ...]:
