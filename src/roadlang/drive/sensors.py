@@ -1,55 +1,12 @@
-"""Sensors that a simulator does not offer."""
+"""What records the readings of sensors in a drive."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
-from ..ir.scene import Scene
-from ..plugins.finding import entry_of
-from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Controller, Sensor, Simulator, implements
-from ..plugins.registry import KindEntry, Registry
+from ..plugins.kinds import Controller
 from ..simulation.controllers import Driver
 from ..simulation.sensors import SensorRecorder
-
-
-def refused_sensor(
-    sensor: KindEntry,
-    name: str,
-    simulator: tuple[KindEntry, Simulator],
-    registry: Registry,
-    span: Span | None = None,
-) -> Diagnostic | None:
-    """RL257 where a simulator does not offer sensors of a kind. `name`: that of the sensor."""
-    entry, built = simulator
-    if _offers(entry, built, sensor, span):
-        return None
-    offering = [
-        other.recorded for other in registry.of("simulate") if _may_offer(other, sensor, span)
-    ]
-    help_ = [f"write `simulate with {other}`" for other in offering if other != entry.recorded]
-    return diagnose(
-        Code.SENSOR_NOT_OFFERED, span, kind=entry.recorded, sensor=name,
-        sort=sensor.recorded, help=help_ or "no installed simulator offers it",
-    )  # fmt: skip
-
-
-def refuse_sensors(
-    scenes: Sequence[Scene], simulator: tuple[KindEntry, Simulator], registry: Registry
-) -> None:
-    """Raises `DiagnosticError` RL257 where a scene has a sensor that its simulator does not offer,
-    and RL930 for one of a plugin that is not installed."""
-    kinds = {
-        sensor.kind: sensor.name
-        for scene in scenes
-        for agent in scene.agents
-        for sensor in agent.sensors
-    }
-    for kind, name in kinds.items():
-        refused = refused_sensor(entry_of(registry, "sense", kind), name, simulator, registry)
-        if refused is not None:
-            raise DiagnosticError(refused)
 
 
 def sensor_recorders(controllers: Mapping[str, Controller]) -> list[SensorRecorder]:
@@ -59,26 +16,4 @@ def sensor_recorders(controllers: Mapping[str, Controller]) -> list[SensorRecord
         for guarded in driver.sensors if isinstance(driver, Driver) else ():
             guarded.recorder = SensorRecorder(agent, guarded.sensor.name, guarded.arrays)
             found.append(guarded.recorder)
-    return found
-
-
-def _may_offer(entry: KindEntry, sensor: KindEntry, span: Span | None) -> bool:
-    """Whether a simulator offers it with the options that it has by default."""
-    try:
-        with plugin_guard(entry, None):
-            kind = entry.load()
-            assert issubclass(kind, Simulator)
-            return implements(kind, "offers") and _offers(entry, kind(), sensor, span)
-    except DiagnosticError:
-        return False  # one that does not work is no help
-
-
-def _offers(entry: KindEntry, built: Simulator, sensor: KindEntry, span: Span | None) -> bool:
-    with plugin_guard(sensor, span):
-        kind = sensor.load()
-        assert issubclass(kind, Sensor)
-    with plugin_guard(entry, None):
-        found: object = built.offers(kind)
-    if not isinstance(found, bool):
-        raise wrong_result(entry, None, f"gave {found!r} for `offers`, not True or False")
     return found

@@ -18,7 +18,8 @@ from ..plugins.kinds import Simulator
 from ..plugins.registry import KindEntry, Registry
 from ..simulation.simulating import EngineSettings
 from .controllers import python_controllers
-from .sensors import refuse_sensors, sensor_recorders
+from .sensor_offers import refuse_sensors
+from .sensors import sensor_recorders
 
 
 @dataclass(frozen=True)

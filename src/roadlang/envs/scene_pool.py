@@ -9,7 +9,7 @@ from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
 from ..drive.controllers import sensor_arrays
-from ..drive.sensors import refuse_sensors
+from ..drive.sensor_offers import refuse_sensors
 from ..drive.simulators import embedded_engine
 from ..ir.scene import Scene as SceneRecord
 from ..plugins.registry import Registry

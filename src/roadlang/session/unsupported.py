@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
-from ..drive.sensors import refused_sensor
+from ..drive.sensor_offers import refused_sensor
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor
 from ..ir.scenario_contents import ScenarioContents
