@@ -35,6 +35,9 @@ TRAFFIC = {
     "oncoming": ROAD + "agent ego is truck on main at 150m { facing: back }\n",
     "one-way": ONEWAY + "agent ego is motorcycle on main at 20m { lane: -1 }\n",
     "left-hand": "world { traffic: left }\n" + ROAD + EGO % "",
+    "single lane": ROAD.split(", right")[0] + ", lanes: 1, width: 4m }\n"
+    "agent ego is car on main at 40m { lane: -1 }\n"
+    "agent back is van on main at 120m { lane: -1, facing: back }\n",
     "town": TOWN,
     "left-hand town": TOWN + "world { traffic: left }\n",
 }
@@ -74,7 +77,9 @@ def test_rear_axles_stand_where_the_scene_has_them(name: str) -> None:
         wanted = agent.x - back * math.cos(agent.heading), agent.y - back * math.sin(agent.heading)
         assert (x, y) == pytest.approx(wanted, abs=0.01)
         (turn,) = at.findall("Orientation")
-        assert math.remainder(number(turn, "h") - agent.heading, math.tau) == pytest.approx(0)
+        assert math.remainder(number(turn, "h") - agent.heading, math.tau) == pytest.approx(
+            0, abs=1e-9
+        )
         (box,) = root.findall(f".//ScenarioObject[@name='{agent.name}']//Center")
         assert number(box, "x") == back
 

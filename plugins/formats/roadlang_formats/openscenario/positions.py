@@ -83,13 +83,19 @@ class Roads:
             return Place(x, y, heading, found)
         return Place(x, y, heading)
 
-    def at(self, road: str, lane: int, station: float) -> Place | None:
-        """The middle of a lane of a road of the scene; None where the file has no such place."""
-        fitting = [
-            part
-            for part in self.parts
-            if part.road.name == road and lane in part.section.ids and part.reverse_of is None
-        ]
+    def at(self, road: str, lane: int, station: float, back: bool = False) -> Place | None:
+        """The middle of a lane of a road of the scene; None where the file has no such place.
+
+        `back`: of a lane for both directions, which the file has once for each, the other one.
+        """
+        of_road = [part for part in self.parts if part.road.name == road]
+        turned = [part for part in of_road if part.reverse_of is not None]
+        if back and turned:
+            of_road, lane = turned, turned[0].road.lane_list[0].id
+            station = turned[0].road.length - station
+        else:
+            of_road = [part for part in of_road if part.reverse_of is None]
+        fitting = [part for part in of_road if lane in part.section.ids]
         if not fitting:
             return None
         part = min(fitting, key=lambda part: abs(_within(part, station) - station))
@@ -137,12 +143,13 @@ def route_places(roads: Roads, actor: SceneActor) -> Sequence[Place]:
     if actor.route is None:
         return ()
     steps = actor.route.steps
-    stations = [(steps[0].road, steps[0].lane, steps[0].start)]
-    for step in steps:
-        if step.turn is not None:
-            stations.append((step.road, step.lane, (step.start + step.stop) / 2.0))
-    stations.append((steps[-1].road, steps[-1].lane, steps[-1].stop))
-    found = [roads.at(*station) for station in stations]
+    stations = [(steps[0], steps[0].start)]
+    stations += [(step, (step.start + step.stop) / 2.0) for step in steps if step.turn is not None]
+    stations.append((steps[-1], steps[-1].stop))
+    found = [
+        roads.at(step.road, step.lane, station, back=step.stop < step.start)
+        for step, station in stations
+    ]
     places = [place for place in found if place is not None]
     different = [p for p, q in zip(places, [None, *places], strict=False) if p != q]
     return different if len(different) > 1 else ()
