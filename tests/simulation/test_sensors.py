@@ -310,5 +310,7 @@ def test_an_engine_delivers_what_is_due_and_nothing_else() -> None:
                 mirror.deliver(one.agent, one.sensor.name, {"depth": np.zeros((32, 16))})
             mirror.deliver(one.agent, one.sensor.name, {"depth": np.full((16, 32), step)})
         mirror.decide()
-        seen.append(float(mirror.seen("ego").sensors["front"].depth[3, 4]))
-    assert seen == [0.0, 0.0, 2.0, 2.0]
+        seen.append(mirror.seen("ego").sensors["front"].depth)
+    assert [picture[3, 4] for picture in seen] == [0.0, 0.0, 2.0, 2.0]
+    with pytest.raises(ValueError, match="read-only"):
+        seen[0][3, 4] = 7.0

@@ -113,16 +113,20 @@ class SensorGroup:
         self._arrive(moment)
 
     def current(self, places: Any) -> tuple[Floats, dict[str, NDArray[Any]]]:
-        """The time and the arrays of the readings that some members show. Raises `LookupError`
-        where nothing has been measured."""
+        """The time and the arrays of the readings that some members show. The arrays are read-only,
+        and later measurements leave them as they are. Raises `LookupError` where nothing has been
+        measured."""
         if (self._shown[places] < 0).any():
             raise LookupError(f"nothing has been measured by `{self.guarded.sensor.name}` yet")
         slot = self._slot(self._shown[places])
         rows = np.arange(len(self.rows))[places]
-        return self._times[slot, rows], {
+        arrays = {
             name: values[0, places] if len(values) == 1 else values[slot, rows]
             for name, values in self._values.items()
         }
+        for array in arrays.values():
+            array.flags.writeable = False
+        return self._times[slot, rows], arrays
 
     def restart(self, agents: Integers) -> None:
         """Some agents of the world are at the start of a drive."""
@@ -176,7 +180,10 @@ class SensorGroup:
             new = found[name]
             if lost.any():
                 new = np.where(lost.reshape(shape), values[before, due], new)
-            values[slot, due] = new
+            # Controllers may hold views of a ring of one reading (`current`).
+            ring = values.copy() if len(values) == 1 else values
+            ring[slot, due] = new
+            self._values[name] = ring
         self._taken[due] += 1
         self._record(due, lost, moment)
 
