@@ -85,6 +85,12 @@ static func number(spec: Dictionary, key: String, usual: float) -> float:
 	return usual
 
 
+## A whole number of a JSON object, from 0 to 2^32 - 1, or the usual one.
+static func count(spec: Dictionary, key: String, usual: int) -> int:
+	var value: Variant = spec.get(key)
+	return int(value) if value is float and value >= 0.0 and value < 4294967296.0 else usual
+
+
 ## Back to the start, at the start's speed.
 func reset(surfaces: PackedVector2Array) -> void:
 	body.place(Vector3(_start.x, 0.0, -_start.y), _start_heading, _start_speed)

@@ -67,8 +67,8 @@ func start(settings: Dictionary) -> String:
 	var wanted: Variant = settings.get("mode", "free")
 	if not wanted in ["free", "lockstep"]:
 		return "a run is free or lockstep"
-	_last_tick = int(Agent.number(settings, "ticks", 0.0))
-	_every = maxi(1, int(Agent.number(settings, "every", 1.0)))
+	_last_tick = Agent.count(settings, "ticks", 0)
+	_every = maxi(1, Agent.count(settings, "every", 1))
 	_stop_at_end = settings.get("stop_at_end", false) == true
 	tick = 0
 	_hold_from = 0

@@ -42,7 +42,7 @@ func take(wish: Dictionary) -> String:
 			return "an export is tscn or glb"
 	if bytes.is_empty():
 		return "the scene cannot be exported"
-	_server.send_parts(Protocol.EXPORTED, int(Agent.number(wish, "id", 0.0)), bytes)
+	_server.send_parts(Protocol.EXPORTED, Agent.count(wish, "id", 0), bytes)
 	return ""
 
 

@@ -88,10 +88,6 @@ func take_ack() -> PackedByteArray:
 	return payload
 
 
-func idle() -> bool:
-	return _waiting.is_empty() and _flying.is_empty()
-
-
 ## How many messages wait or fly.
 func backlog() -> int:
 	return _waiting.size() + _flying.size()

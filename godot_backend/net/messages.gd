@@ -40,6 +40,7 @@ func _init(worlds: Worlds, simulation: Simulation, view: View, server: Server) -
 ## What a new client is told of this engine.
 func greet(_hello: Dictionary) -> Dictionary:
 	_simulation.abandon()
+	_view.abandon()
 	return {
 		"godot": Engine.get_version_info()["string"],
 		"physics": ProjectSettings.get_setting("physics/3d/physics_engine"),

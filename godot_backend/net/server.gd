@@ -16,6 +16,8 @@ const YIELD_USEC := 6000000
 const ACK_EVERY := 8
 const PART_BYTES := 7000
 const MAX_COMPLAINTS := 20
+## Messages on their way to a client, beyond which nothing more is taken from it.
+const MOST_BACKLOG := 8192
 
 ## Called with (type, payload); returns "" or what is wrong with the message.
 var handler: Callable
@@ -48,8 +50,9 @@ func port() -> int:
 	return _link.call("port")
 
 
-func backlog() -> int:
-	return _channel.backlog()
+## Whether the client has yet to take much of what it asked for.
+func is_behind() -> bool:
+	return _channel.backlog() > MOST_BACKLOG
 
 
 ## Sends a message that will arrive exactly once.
@@ -154,7 +157,8 @@ func _receive(datagram: PackedByteArray, source: String, now: int) -> void:
 		Protocol.BYE:
 			_send_goodbye()
 		_:
-			if frame.seq == 0 or _channel.accept(frame.seq):
+			# What is not taken is not acknowledged either, and comes again.
+			if not is_behind() and (frame.seq == 0 or _channel.accept(frame.seq)):
 				_hand_on(frame)
 
 

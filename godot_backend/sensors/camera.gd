@@ -13,6 +13,12 @@ const LEAST_PIXELS := 16
 const MOST_PIXELS := 4096
 const NEAR := 0.1
 const FAR := 6000.0
+## Pixels of all outputs of all cameras of all worlds together: what they saw fits into 65535 parts.
+const MOST_TOGETHER := 1 << 27
+## What a smaller camera counts for.
+const LEAST_COUNTED := 1 << 16
+
+static var _together := 0
 
 var width := 320
 var height := 180
@@ -27,6 +33,7 @@ var _roll := 0.0
 var _field := 90.0
 var _samples := Viewport.MSAA_DISABLED
 var _spec := PackedByteArray()
+var _counted := 0
 ## By output.
 var _viewports: Dictionary = {}
 
@@ -54,7 +61,17 @@ func build(reader: Reader) -> String:
 	_field = clampf(rad_to_deg(Agent.number(spec, "fov", PI / 2)), 1.0, 175.0)
 	if Agent.number(spec, "samples", 1.0) >= 2.0:
 		_samples = Viewport.MSAA_2X
+	var count := maxi(width * height * _outputs_count(), LEAST_COUNTED)
+	if _together + count > MOST_TOGETHER:
+		return "all cameras together have at most %d pixels in all outputs" % MOST_TOGETHER
+	_counted = count
+	_together += count
 	return ""
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_PREDELETE:
+		_together -= _counted
 
 
 func content() -> PackedByteArray:
@@ -97,6 +114,10 @@ func seen() -> PackedByteArray:
 			image.convert(Image.FORMAT_RGB8)
 			out.append_array(image.get_data())
 	return out
+
+
+func _outputs_count() -> int:
+	return (outputs & 1) + (outputs >> 1 & 1) + (outputs >> 2 & 1)
 
 
 func _viewport(output: int) -> SubViewport:

@@ -12,8 +12,8 @@ const Worlds := preload("../build/worlds.gd")
 const SensorCamera := preload("camera.gd")
 const Twins := preload("twins.gd")
 
-const PART_BYTES := 7000
 const SHADOW_PIXELS := 1024
+const MOST_WAITING := 64
 
 ## What surrounds the first world, if anything does.
 var scenery: Node
@@ -38,6 +38,8 @@ func _init(worlds: Worlds, server: Server) -> void:
 func take(wish: Dictionary) -> String:
 	if _worlds.stage(_world(wish)) == null or not wish.get("cameras", []) is Array:
 		return "bad look"
+	if _queue.size() >= MOST_WAITING:
+		return "too many looks at once: wait for their frames"
 	_queue.append([wish, Engine.get_process_frames()])
 	return ""
 
@@ -45,8 +47,13 @@ func take(wish: Dictionary) -> String:
 ## Looks where that is wished for. In lock-step no frame comes before the client's next step, so
 ## the simulation calls this while it waits.
 func draw_waiting() -> void:
-	while not _queue.is_empty():
+	while not _queue.is_empty() and not _server.is_behind():
 		_look(_queue.pop_front()[0])
+
+
+## The client that wished for something is gone.
+func forget() -> void:
+	_queue.clear()
 
 
 func _process(_dt: float) -> void:
@@ -65,7 +72,8 @@ func _look(wish: Dictionary) -> void:
 		if wanted.is_empty() or wanted.has(float(thing.id)):
 			cameras.append(thing as SensorCamera)
 	_draw(stage, cameras, scenery if _world(wish) == 0 else null)
-	_send(int(Agent.number(wish, "id", 0.0)), _report(stage, cameras))
+	var bytes := _report(stage, cameras).compress(FileAccess.COMPRESSION_DEFLATE)
+	_server.send_parts(Protocol.FRAMES, Agent.count(wish, "id", 0), bytes)
 
 
 func _draw(stage: Stage, cameras: Array[SensorCamera], around: Node) -> void:
@@ -132,19 +140,6 @@ func _movers(stage: Stage) -> Array[Array]:
 static func _packed(place: Transform3D) -> PackedByteArray:
 	var b := place.basis
 	return PackedVector3Array([b.x, b.y, b.z, place.origin]).to_byte_array()
-
-
-func _send(id: int, raw: PackedByteArray) -> void:
-	var bytes := raw.compress(FileAccess.COMPRESSION_DEFLATE)
-	var parts := ceili(float(bytes.size()) / PART_BYTES)
-	for part in parts:
-		var out := PackedByteArray()
-		out.resize(8)
-		out.encode_u32(0, id)
-		out.encode_u16(4, part)
-		out.encode_u16(6, parts)
-		out.append_array(bytes.slice(part * PART_BYTES, (part + 1) * PART_BYTES))
-		_server.send(Protocol.FRAMES, out)
 
 
 static func _world(wish: Dictionary) -> int:

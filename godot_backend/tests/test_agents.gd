@@ -4,6 +4,7 @@ extends RefCounted
 const PathLine := preload("../agents/path_line.gd")
 const Condition := preload("../agents/condition.gd")
 const Outline := preload("../agents/outline.gd")
+const Agent := preload("../agents/agent.gd")
 
 
 func _circle(radius: float) -> PathLine:
@@ -22,6 +23,16 @@ func test_a_circle_has_its_length_and_curvature() -> String:
 		if absf(line.curvature(s) - 1.0 / 40.0) > 1e-3:
 			return "curvature %f at %f" % [line.curvature(s), s]
 	return ""
+
+
+func test_counts_are_exact_and_bounded() -> String:
+	# Numbers of JSON are floats.
+	var cases := {3600000.0: 3600000, 4294967295.0: 4294967295, 4294967296.0: 7, -1.0: 7, NAN: 7}
+	for given: float in cases:
+		var found := Agent.count({"ticks": given}, "ticks", 7)
+		if found != cases[given]:
+			return "%f is taken as %d" % [given, found]
+	return "" if Agent.count({"ticks": "many"}, "ticks", 7) == 7 else "text is a count"
 
 
 func test_left_of_a_path_is_positive() -> String:

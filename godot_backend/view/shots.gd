@@ -7,7 +7,7 @@ const Agent := preload("../agents/agent.gd")
 const Cameras := preload("cameras.gd")
 
 const MOST_PIXELS := 8192
-const PART_BYTES := 7000
+const MOST_WAITING := 64
 
 var _cameras: Cameras
 var _server: Server
@@ -29,15 +29,23 @@ func _init(cameras: Cameras, server: Server) -> void:
 	add_child(_viewport)
 
 
-## Takes a wish: {id, width, height, format: png or jpg}.
-func take(wish: Dictionary) -> void:
+## Takes a wish: {id, width, height, format: png or jpg}; returns "" or what is wrong.
+func take(wish: Dictionary) -> String:
+	if _queue.size() >= MOST_WAITING:
+		return "too many pictures at once: wait for them"
 	_queue.append([wish, Engine.get_process_frames()])
+	return ""
+
+
+## The client that wished for something is gone.
+func forget() -> void:
+	_queue.clear()
 
 
 ## Draws what is wished for. In lock-step no frame comes before the client's next step, so
 ## the simulation calls this while it waits.
 func draw_waiting() -> void:
-	while not _queue.is_empty():
+	while not _queue.is_empty() and not _server.is_behind():
 		_picture(_queue.pop_front()[0])
 
 
@@ -66,16 +74,4 @@ func _picture(wish: Dictionary) -> void:
 		if wish.get("format") == "jpg"
 		else image.save_png_to_buffer()
 	)
-	_send(int(Agent.number(wish, "id", 0.0)), bytes)
-
-
-func _send(id: int, bytes: PackedByteArray) -> void:
-	var parts := ceili(float(bytes.size()) / PART_BYTES)
-	for part in parts:
-		var out := PackedByteArray()
-		out.resize(8)
-		out.encode_u32(0, id)
-		out.encode_u16(4, part)
-		out.encode_u16(6, parts)
-		out.append_array(bytes.slice(part * PART_BYTES, (part + 1) * PART_BYTES))
-		_server.send(Protocol.PICTURE, out)
+	_server.send_parts(Protocol.PICTURE, Agent.count(wish, "id", 0), bytes)

@@ -75,7 +75,7 @@ func take(type: int, wish: Dictionary) -> String:
 			cameras.take(wish)
 		Protocol.SHOT:
 			_refresh()
-			_shots.take(wish)
+			return _shots.take(wish)
 		Protocol.LOOK:
 			_refresh()
 			return _looks.take(wish)
@@ -83,6 +83,13 @@ func take(type: int, wish: Dictionary) -> String:
 			if _overlay != null:
 				_overlay.take(wish)
 	return ""
+
+
+## The client is gone: what it wished for is not drawn.
+func abandon() -> void:
+	if _shots != null:
+		_shots.forget()
+		_looks.forget()
 
 
 ## Draws what waits to be drawn, in a frame that lasts until the client's next step.

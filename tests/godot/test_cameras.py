@@ -197,3 +197,18 @@ def test_a_headless_engine_says_that_it_has_no_screen(session: Session) -> None:
     with pytest.raises(EngineError) as caught:
         eyes.look(0.0)
     assert caught.value.diagnostics[0].code == "RL508"
+
+
+@pytest.mark.parametrize(("count", "size"), [(4, 4096), (3000, 16)], ids=["large", "many"])
+def test_an_engine_takes_only_so_many_pixels(fast_engine: Engine, count: int, size: int) -> None:
+    cameras = [MountedCamera("ego", f"c{i}", size, size, outputs=OUTPUTS) for i in range(count)]
+
+    def built(first: int) -> int:
+        with fast_engine.connect("pixels") as session:
+            session.begin(layout_of(boxes_around()).settings(), clear=True)
+            session.update([cameras[i].part(i + 1, 1) for i in range(first)])
+            return session.prove().parts
+
+    with pytest.raises(EngineError, match="all cameras together have at most 134217728 pixels"):
+        built(count)
+    assert built(2) == 2
