@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -20,6 +21,22 @@ def patience(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sessions, "GOODBYE_SECONDS", 300.0)
     monkeypatch.setattr(engines, "ANSWER_TIMEOUT", 300.0)
     monkeypatch.setattr(engines, "START_SECONDS", 300.0)
+
+
+@pytest.fixture(autouse=True)
+def no_script_errors(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A session with an engine that has printed a script error fails: its answer may never come."""
+    is_running = engines.Engine._is_running
+    sizes: dict[Path, int] = {}
+
+    def is_sound(engine: engines.Engine) -> bool:
+        size = engine.log.stat().st_size if engine.log.exists() else 0
+        if sizes.get(engine.log, 0) != size:
+            sizes[engine.log] = size
+            assert "SCRIPT ERROR" not in engine.output(), engine.output()[-4000:]
+        return is_running(engine)
+
+    monkeypatch.setattr(engines.Engine, "_is_running", is_sound)
 
 
 @pytest.fixture(scope="session")

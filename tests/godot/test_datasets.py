@@ -139,3 +139,16 @@ def test_either_a_file_or_a_dataset(outputs: tuple[str, ...], tmp_path: Path) ->
     file = tmp_path / "scene.rl"
     file.write_text("road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] } }\n")
     assert run(["render", str(file), *outputs]) == 2
+
+
+@pytest.mark.parametrize(
+    "option",
+    ["--every=nan", "--every=inf", "--at=nan", "--at=-1", "--at=1e9", "--duration=inf",
+     "--scale=nan", "--camera=0,0,nan,0,0"],
+)  # fmt: skip
+def test_numbers_that_are_none_are_refused(option: str, tmp_path: Path) -> None:
+    file = tmp_path / "scene.rl"
+    file.write_text("road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] } }\n")
+    outputs = ["-o", str(tmp_path / "a.avi"), "--view", "top"]
+    assert run(["render", str(file), *outputs, option]) == 2
+    assert not (tmp_path / "a.avi").exists()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +12,9 @@ import pytest
 
 from roadlang.api import Scene, SceneActor
 from roadlang.cli import main as cli
+from roadlang_godot import pictures as drawing
 from roadlang_godot.engine import Engine
+from roadlang_godot.faults import EngineError, fault
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import Shot, build, meters_a_pixel, take, view_of
 from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight, thing
@@ -82,6 +85,17 @@ def test_the_commands_picture_and_clip(tmp_path: Path) -> None:
     frames = [frame for good, frame in iter(clip.read, (False, None)) if good]
     assert len(frames) == 4
     assert np.abs(frames[0].astype(int) - frames[-1].astype(int)).mean() > 1
+
+
+def test_a_clip_that_fails_leaves_no_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def failing() -> Iterator[bytes]:
+        yield bytes(cv2.imencode(".png", np.zeros((16, 16, 3), np.uint8))[1])
+        raise fault("RL508")
+
+    monkeypatch.setattr(drawing, "_pictures", lambda *_: failing())
+    with pytest.raises(EngineError):
+        drawing.render_clip(curved(), Shot(), tmp_path / "a.avi", 1.0, 4)
+    assert not list(tmp_path.iterdir())
 
 
 def night(*objects: SceneActor, hours: float = 22.0) -> Scene:

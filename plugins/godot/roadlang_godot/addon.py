@@ -50,7 +50,7 @@ def install_addon(folder: Path) -> Path:
         if place.exists():
             place.rename(old)
         new.rename(place)
-    except OSError:
+    except BaseException:  # an interrupt, too
         if old.exists() and not place.exists():
             old.rename(place)
         raise

@@ -10,7 +10,7 @@ from pathlib import Path
 from roadlang.api import Dataset, DatasetFrame, to_json
 from roadlang.commands import staged_set
 
-from .dataset_clips import clips_of
+from .clips import clips_of
 from .labeled_frames import LabeledFrame, Moment
 from .semantic_classes import class_table
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+import os
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from roadlang.api import Code
+from roadlang.commands import write_file
 
 from . import engine
+from .clips import clip_of
 from .drives import decided_in_python
 from .driving import LockStep
 from .eyes import Eyes
@@ -71,28 +72,30 @@ def render_clip(
     start: float = 0.0,
     controllers: Controllers | None = None,
 ) -> int:
-    """Write a clip (motion JPEG in AVI) of a drive; returns the number of frames."""
-    import cv2
-
-    every = max(1, round(RATE / fps))
-    code = cv2.VideoWriter.fourcc(*"MJPG")
-    out = cv2.VideoWriter(str(path), code, RATE / every, (shot.width, shot.height))
-    if not out.isOpened():
+    """Write a clip (motion JPEG in AVI) of a drive, or nothing where that fails; returns the number
+    of frames. Raises `EngineError`."""
+    if not os.access(path.parent, os.W_OK):
         raise fault(Code.CLIP_NOT_WRITTEN, path=path)
-    frames = 0
+    every = max(1, round(RATE / fps))
+    count = max(1, round(duration * RATE / every))
+    pictures = _pictures(scene, shot, start, every, count, controllers or {})
+    write_file(path, clip_of(pictures, RATE / every, str(path)))
+    return count
+
+
+def _pictures(
+    scene: Scene, shot: Shot, start: float, every: int, count: int, controllers: Controllers
+) -> Iterator[bytes]:
+    """Pictures of a drive, one in `every` ticks."""
     with engine.start(fixed_fps=RATE, draw=True) as running, running.connect(scene.name) as session:
-        decided = decided_in_python(scene, controllers or {})
+        decided = decided_in_python(scene, controllers)
         layout = build(session, scene, shot.road, decided)
         with LockStep(session) as lock:
             driver = followed(session, scene, layout, decided)
             drive_for(lock, driver, start)
-            while frames < round(duration * RATE / every):
-                picture = np.frombuffer(take(session, layout, shot), dtype=np.uint8)
-                out.write(cv2.imdecode(picture, cv2.IMREAD_COLOR))
-                frames += 1
+            for _ in range(count):
+                yield take(session, layout, shot)
                 drive_for(lock, driver, every / RATE)
-    out.release()
-    return frames
 
 
 def followed(session: Session, scene: Scene, layout: Layout, decided: Controllers) -> FollowedScene:

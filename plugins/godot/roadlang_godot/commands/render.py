@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from roadlang.commands import Code, DiagnosticError, diagnose, echo, report
+from roadlang_godot.commands.finite_range import FiniteRange
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
 CLIPS = (".avi",)
 EXPORTS = {".tscn": "tscn", ".glb": "glb"}
+MOST_SECONDS = 3600.0
+"""The longest drive."""
 
 
 @click.command("render")
@@ -41,7 +45,7 @@ EXPORTS = {".tscn": "tscn", ".glb": "glb"}
 )
 @click.option(
     "--every",
-    type=click.FloatRange(min=0.01),
+    type=FiniteRange(0.01, MOST_SECONDS),
     default=0.5,
     show_default=True,
     help="Seconds between two moments.",
@@ -64,10 +68,19 @@ EXPORTS = {".tscn": "tscn", ".glb": "glb"}
     metavar="WxH",
     help="Image size in pixels; by default 1280x720, or 640x360 in a dataset.",
 )
-@click.option("--scale", type=float, help="Meters per pixel of the top view.")
-@click.option("--at", "time", type=float, help="Time in the drive at which to render, in seconds.")
+@click.option("--scale", type=FiniteRange(1e-4, 1e4), help="Meters per pixel of the top view.")
 @click.option(
-    "--duration", type=float, default=6.0, show_default=True, help="Duration of a clip in seconds."
+    "--at",
+    "time",
+    type=FiniteRange(0, MOST_SECONDS),
+    help="Time in the drive at which to render, in seconds.",
+)
+@click.option(
+    "--duration",
+    type=FiniteRange(0, MOST_SECONDS),
+    default=6.0,
+    show_default=True,
+    help="Duration of a clip in seconds.",
 )
 @click.option(
     "--fps", type=click.IntRange(1, 60), default=12, show_default=True, help="Frames per second."
@@ -195,6 +208,6 @@ def _numbers(text: str) -> tuple[float, ...]:
         numbers = tuple(float(part) for part in text.split(","))
     except ValueError:
         numbers = ()
-    if len(numbers) != 5:
+    if len(numbers) != 5 or not all(map(math.isfinite, numbers)):
         raise click.BadParameter("five numbers: x,y,z,yaw,pitch", param_hint="--camera")
     return numbers

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import click
 
 from roadlang.commands import DiagnosticError, echo, report
+from roadlang_godot.commands.finite_range import FiniteRange
 from roadlang_godot.edited_text import EditedText
 from roadlang_godot.faults import EngineError
 from roadlang_godot.held_agent import NOBODY, held_agent
@@ -51,7 +52,7 @@ BYTE_ORDER_MARK = "\ufeff"
 @click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
-@click.option("--for", "seconds", type=float, help="Exit after this many seconds.")
+@click.option("--for", "seconds", type=FiniteRange(min=0), help="Exit after this many seconds.")
 def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     headless: bool,
