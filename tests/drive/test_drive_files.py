@@ -20,7 +20,7 @@ from tests.straight_road import STRAIGHT
 TEXT = (
     STRAIGHT
     + """
-agent ego is car on main at 5m { drive with pure_pursuit { speed: 6m/s } }
+agent ego is car on main at 5m { drive with pure_pursuit { speed: 6m/s }, sense with gps }
 object oak is tree on main at 50m { side: right, offset: 2m }
 simulate with builtin { duration: 2s }
 """
@@ -67,6 +67,7 @@ def test_backends_of_scenes_alone_write_nothing_of_drives(tmp_path: Path) -> Non
     ("emits", "code", "says"),
     [
         ('emit log { ending: "trace.csv" }', "RL474", "which `roadlang run` uses"),
+        ('emit log { ending: "Ego.gps.npz" }', "RL474", "which `roadlang run` uses"),
         ('emit log { ending: "../x" }', "RL474", "gave a file the name '../x'"),
         ("emit log\nemit log", "RL931", "both write `scene-0000.drive.txt`"),
         ('emit log { fails_in: "scene-0001" }', "RL470", "no"),

@@ -62,6 +62,16 @@ def test_each_of_a_vector_reads_what_it_reads_alone() -> None:
             over = terminated or truncated
 
 
+def test_bounds_of_readings_hold_in_all_scenes() -> None:
+    text = SCENE.replace("noise: 5cm", "range: 20m..90m")
+    env = SceneEnv(loads(text), scenes=3, step=0.1)
+    ranges = [scene.agents[0].sensors[0].options["range"] for scene in env.pool.scenes]
+    space: Any = env.observation_space
+    assert space["sensors"]["front"]["distances"].high.max() == max(ranges)
+    for scene in range(3):
+        assert env.reset(options={"scene": scene})[0] in space
+
+
 def test_a_camera_needs_an_engine_that_draws() -> None:
     with pytest.raises(DiagnosticError, match="RL257"):
         SceneEnv(loads(SCENE.replace("sense with gps", "sense with camera")))

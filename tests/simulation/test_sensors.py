@@ -21,6 +21,7 @@ from roadlang.api import (
     ReadingArray,
     SensedBatch,
     Sensor,
+    String,
     option,
 )
 from roadlang.drive.controllers import python_controllers
@@ -220,6 +221,23 @@ def test_a_scene_gives_the_same_readings_alone_and_among_others() -> None:
     assert not np.allclose(first[:20], second[:20])
 
 
+def test_of_two_noises_the_last_one_counts_whoever_else_drives() -> None:
+    text = (
+        f"{ROAD}agent other is car on main at 60m {{ count: integer(0, 1)\n"
+        "sense with noise as far }\n"
+        + agent(
+            "sense with noise as near { position: 0.5m }\n sense with noise as far"
+        ).removeprefix(ROAD)
+    )
+    scenes = testing.sample(text, 6)
+    assert {len(scene.record.agents) for scene in scenes} == {1, 2}
+    for scene, drive in zip(scenes, scenes.run("builtin", duration=SECONDS), strict=True):
+        ego = drive.trace.agents["ego"]
+        alone = scene.run("builtin", duration=SECONDS).trace.agents["ego"]
+        assert ego.x.tobytes() == alone.x.tobytes()
+        assert np.abs(ego.cross_track_error).max() < 0.05
+
+
 def test_noise_is_what_controllers_see_and_nobody_else() -> None:
     SEEN.clear()
     body = "drive with watching\n sense with noise { position: 0.5m, speed: 1m/s, delay: 200ms }"
@@ -290,6 +308,66 @@ def test_sensors_of_plugins_are_read_by_controllers_of_plugins() -> None:
 def test_a_sensor_that_gives_something_else_is_named() -> None:
     with pytest.raises(DiagnosticError, match=r"RL474.*sense tested.odometer.*`meters`"):
         runs(agent("sense with odometer { fault: 1m }"), kinds=(Odometer,))
+
+
+@dataclass(frozen=True)
+class Faulty(Sensor):
+    """States or measures what no sensor can."""
+
+    name: ClassVar[str] = "faulty"
+    fault: String = option("")
+    stated: ClassVar[dict[str, dict[Any, Any]]] = {
+        "numbers": {"meters": 5},
+        "names": {5: ReadingArray()},
+        "archive": {"file": ReadingArray()},
+        "shape": {"meters": ReadingArray(3)},  # type: ignore[arg-type]
+        "size": {"meters": ReadingArray((-1,))},
+        "type": {"meters": ReadingArray(dtype="furlong")},
+        "text": {"meters": ReadingArray(dtype="U5")},
+        "bytes": {"meters": ReadingArray(dtype="uint8")},
+    }
+
+    def arrays(self) -> dict[str, ReadingArray]:
+        return self.stated.get(self.fault, {"meters": ReadingArray()})
+
+    def start(self, count: int) -> Any:
+        return np.array(0.0) if self.fault == "state" else None
+
+    def readings(self, sensed: SensedBatch, state: Any) -> dict[str, Any]:
+        return {"meters": sensed.seen.traveled + 300.0}
+
+
+@dataclass(frozen=True)
+class Replacing(Faulty):
+    """Replaces what is no number for each agent."""
+
+    name: ClassVar[str] = "replacing"
+    replaces: ClassVar[tuple[str, ...]] = ("line_ahead", "x")
+
+    def arrays(self) -> dict[str, ReadingArray]:
+        return {"x": ReadingArray((2,)), **({"line_ahead": ReadingArray()} if self.fault else {})}
+
+
+@pytest.mark.parametrize(
+    ("sensor", "says"),
+    [
+        ("faulty { fault: numbers }", "`meters`, which is no ReadingArray"),
+        ("faulty { fault: names }", "an array 5; names have"),
+        ("faulty { fault: archive }", "`file`; no array of a reading can be called so"),
+        ("faulty { fault: shape }", "the shape 3 of its array `meters`"),
+        ("faulty { fault: size }", r"the shape \(-1,\) of its array `meters`"),
+        ("faulty { fault: type }", "the type 'furlong' of its array `meters`"),
+        ("faulty { fault: text }", "the type 'U5' of its array `meters`"),
+        ("faulty { fault: bytes }", "`meters` with values from 300.* which are no uint8"),
+        ("faulty { fault: state }", "a state that is no array of 1 rows"),
+        ("replacing", "replaces `line_ahead`, which is none of its arrays"),
+        ("replacing { fault: column }", "`line_ahead`, which is no column of numbers"),
+    ],
+)
+def test_a_sensor_that_states_what_cannot_be_is_named(sensor: str, says: str) -> None:
+    text = sensor.replace("fault: ", 'fault: "').replace(" }", '" }')
+    with pytest.raises(DiagnosticError, match=rf"RL474.*sense tested.*{says}"):
+        runs(agent(f"sense with {text}"), kinds=(Faulty, Replacing))
 
 
 def test_an_engine_delivers_what_is_due_and_nothing_else() -> None:

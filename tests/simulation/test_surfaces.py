@@ -63,6 +63,13 @@ def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(
         assert lost == pytest.approx(expected, rel=0.01, abs=0.01)
 
 
+def test_roads_of_hardly_any_friction_are_driven() -> None:
+    world = worlds(*(ROAD % (ONE_LANE, offset) + "world { friction: 1e-300 }" for offset in (0, 7)))
+    slowed(world, -12.0)
+    assert np.isfinite(world.motion.speed).all()
+    assert world.verges.friction.tolist() == world.bodies.friction.tolist() == [1e-3, 1e-3]
+
+
 def test_scenes_side_by_side_have_their_own_ground() -> None:
     texts = [ROAD % (ONE_LANE, offset) for offset in (0.0, 4.0, 7.0)]
     together = slowed(worlds(*texts), -12.0)

@@ -10,7 +10,7 @@ _COLUMNS = "time,steering,acceleration"
 def input_files(trace: Trace) -> dict[str, str]:
     """By file ending, `ego.inputs.csv`: seconds, radians and m/s^2, to the last bit."""
     return {
-        f"{name}.inputs.csv": "\n".join(
+        f"{name}.inputs.csv".replace("/", "-"): "\n".join(
             [_COLUMNS, *(",".join(map(repr, row)) for row in rows.tolist()), ""]
         )
         for name, rows in trace.inputs.items()

@@ -11,11 +11,6 @@ import numpy as np
 from ..ir.readings import SensorRecord
 
 
-def reading_ending(record: SensorRecord) -> str:
-    """The end of the name of its file: `ego.front.npz`."""
-    return f"{record.agent}.{record.sensor}.npz".replace("/", "-")
-
-
 def reading_files(records: Iterable[SensorRecord]) -> dict[str, bytes]:
     """By file ending, `ego.front.npz`: the times of measurement and of arrival, and the arrays."""
     files = {}
@@ -23,5 +18,6 @@ def reading_files(records: Iterable[SensorRecord]) -> dict[str, bytes]:
         buffer = io.BytesIO()
         arrays: dict[str, Any] = {"time": record.time, "arrival": record.arrival, **record.arrays}
         np.savez_compressed(buffer, **arrays)
-        files[reading_ending(record)] = buffer.getvalue()
+        ending = f"{record.agent}.{record.sensor}.npz".replace("/", "-")
+        files[ending] = buffer.getvalue()
     return files

@@ -110,6 +110,6 @@ def drive_scenes(
             fault = f"gave a trace of `{scene.name}` without the agent `{missing[0]}`"
             raise wrong_result(entry, None, fault)
     return tuple(
-        Driven(scene, trace, judge(scene, trace, registry), tuple(kept.record for kept in of_scene))
+        Driven(scene, trace, judge(scene, trace, registry), tuple(each.record for each in of_scene))
         for scene, trace, of_scene in zip(scenes, traces, recorders, strict=True)
     )

@@ -12,6 +12,7 @@ from ..drive.controllers import sensor_arrays
 from ..drive.sensor_offers import refuse_sensors
 from ..drive.simulators import embedded_engine
 from ..ir.scene import Scene as SceneRecord
+from ..plugins.kinds import ReadingArray
 from ..plugins.registry import Registry
 from ..session.loading import LoadedScenario, load
 from ..session.scene import Scene, installed
@@ -69,9 +70,26 @@ def _sensors(scenes: Sequence[SceneRecord], places: Sequence[int], registry: Reg
         return {}
     refuse_sensors(scenes, embedded_engine(registry), registry)
     each = [sensor_arrays(agent, registry) for agent in driven]
-    if any(arrays != each[0] for arrays in each):
+    if any(_layout(arrays) != _layout(each[0]) for arrays in each):
         raise ValueError("the scenes of an environment need the same sensors in the driven agent")
-    return each[0]
+    return {
+        sensor: {name: _widest([arrays[sensor][name] for arrays in each]) for name in of_sensor}
+        for sensor, of_sensor in each[0].items()
+    }
+
+
+def _layout(sensors: Arrays) -> dict[str, Any]:
+    """What makes readings fit into one space."""
+    return {
+        sensor: {name: (array.shape, array.dtype) for name, array in arrays.items()}
+        for sensor, arrays in sensors.items()
+    }
+
+
+def _widest(arrays: Sequence[ReadingArray]) -> ReadingArray:
+    """An array with the bounds of all of some: options such as a range may be drawn."""
+    low, high = min(array.low for array in arrays), max(array.high for array in arrays)
+    return replace(arrays[0], low=low, high=high)
 
 
 def _records(

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..drive.input_files import input_files
-from ..drive.reading_files import reading_ending, reading_files
+from ..drive.reading_files import reading_files
 from ..falsification.descriptors import measures, protagonist
 from ..files.journal import JOURNAL_FILE, JournalFile
 from ..files.writing import write_all, write_file
@@ -55,19 +55,25 @@ class RunFolder:
 
     def add(self, drives: DriveSet) -> None:
         """Write the files of drives, all of them or none, and then their lines in the journal."""
-        outputs = [
-            outputs_of_drive(self._backends, drive.scene.record, drive.moving_trace, _RESERVED)
-            for drive in drives
+        recorded: list[dict[str, str | bytes]] = [
+            {**reading_files(drive.readings), **input_files(drive.trace)} for drive in drives
         ]
+        outputs = [
+            outputs_of_drive(self._backends, drive.scene.record, drive.moving_trace,
+                             _RESERVED | {ending.casefold() for ending in parts})
+            for drive, parts in zip(drives, recorded, strict=True)
+        ]  # fmt: skip
+        written: list[list[str]] = []
         files: dict[str, str | bytes] = {}
-        for drive, found in zip(drives, outputs, strict=True):
+        for drive, found, parts in zip(drives, outputs, recorded, strict=True):
             stem = drive.scene.record.stem
             traces = drive.scene.to_json(), drive.to_csv(), drive.to_json()
             contents = *traces, verdicts_json(drive), drive.svg()
             files |= {stem + end: text for end, text in zip(_ENDINGS, contents, strict=True)}
-            files |= {output.path: output.content for output in found}
-            files |= {f"{stem}.{end}": data for end, data in reading_files(drive.readings).items()}
-            files |= {f"{stem}.{end}": text for end, text in input_files(drive.trace).items()}
+            beside: dict[str, str | bytes] = {output.path: output.content for output in found}
+            beside |= {f"{stem}.{ending}": content for ending, content in parts.items()}
+            files |= beside
+            written.append(list(beside))
             for ending in FINDINGS:  # of an earlier drive
                 (self._folder / (stem + ending)).unlink(missing_ok=True)
         write_all(self._folder, files)
@@ -76,9 +82,9 @@ class RunFolder:
                 "row": row,
                 "record": record_of(drive),
                 "measures": _measures(drive),
-                "files": [output.path for output in found] + _reading_paths(drive),
+                "files": paths,
             }
-            for row, drive, found in zip(drives.rows(), drives, outputs, strict=True)
+            for row, drive, paths in zip(drives.rows(), drives, written, strict=True)
         ]
         self._journal.append([json.dumps(entry).encode() for entry in entries])
         self.finished |= {entry["row"]["scene"]: entry for entry in entries}
@@ -95,12 +101,6 @@ class RunFolder:
         stem = file_stem(entry["row"]["scene"])
         paths = [*(stem + end for end in _ENDINGS), *entry.get("files", ())]
         return all((self._folder / path).is_file() for path in paths)
-
-
-def _reading_paths(drive: Drive) -> list[str]:
-    stem = drive.scene.record.stem
-    readings = [f"{stem}.{reading_ending(record)}" for record in drive.readings]
-    return readings + [f"{stem}.{end}" for end in input_files(drive.trace)]
 
 
 def record_of(drive: Drive) -> dict[str, Any]:

@@ -16,7 +16,6 @@ from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
 
 AIR = 1.2
 """density, kg/m^3"""
-LEAST_FRICTION = 1e-3
 WALKER_BASE = 0.5
 """Meters: wheelbase of who is on foot."""
 
@@ -161,21 +160,20 @@ def vehicle_parameters(actor: SceneActor, body: Body | None = None) -> VehiclePa
 
 def _row(actor: SceneActor, body: Body, surface: TireSurface, dt: float) -> tuple[float, ...]:
     car = vehicle_parameters(actor, body)
-    friction = max(surface.friction, LEAST_FRICTION)
     return (
         actor.length,
         actor.width,
         car.wheelbase,
         car.max_steering,
         0.5 * car.wheelbase,
-        friction,
-        car.front_stiffness / (3.0 * friction),
-        car.rear_stiffness / (3.0 * friction),
+        surface.friction,
+        car.front_stiffness / (3.0 * surface.friction),
+        car.rear_stiffness / (3.0 * surface.friction),
         SLOW * dt,
         1.0 if body.walks else dt / (car.steering_lag + dt),
         (1e3 if body.walks else car.steering_rate) * dt,
         car.power,
-        friction * GRAVITY,
+        surface.friction * GRAVITY,
         car.mass_height / car.wheelbase,
         (actor.length * actor.length + actor.width * actor.width) / 12.0,
         car.drag,

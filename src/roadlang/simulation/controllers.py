@@ -15,6 +15,7 @@ from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, implements
 from ..plugins.registry import KindEntry
 from ..plugins.results import real_numbers
+from .plugin_states import first_state
 from .sensors import GuardedSensor
 
 UNDRIVEN_BRAKING = 4.0
@@ -71,11 +72,7 @@ class GuardedController(Controller):
 
     def first_state(self, controller: Controller, count: int) -> Any:
         """The state of `count` agents at the start. Raises RL470, RL474."""
-        with plugin_guard(self.entry, None):
-            state = controller.start(count)
-        if state is not None and (not isinstance(state, np.ndarray) or len(state) != count):
-            raise wrong_result(self.entry, None, f"gave a state that is no array of {count} rows")
-        return state
+        return first_state(self.entry, controller, count)
 
     def decide(self, controller: Controller, seen: ObservationBatch, state: Any) -> ControlBatch:
         """What the controller decides for a batch. Raises RL470, RL474."""

@@ -12,16 +12,16 @@ from ..geometry.arrays import Integers
 
 
 def columns_of(
-    options: Sequence[Mapping[str, Any]], alike: Mapping[str, Any] | None = None
+    options: Sequence[Mapping[str, Any]], same: Mapping[str, Any] | None = None
 ) -> dict[str, Any]:
-    """Options that are numbers as arrays (N, ...), the others as those of the first agent. `alike`:
-    numbers that all agents have in common, and that stay numbers."""
+    """Options that are numbers as arrays (N, ...), the others as those of the first agent. `same`:
+    numbers that all agents share, and that stay numbers."""
     return {
         name: value
         if shape_of(value) is None
         else np.array([each[name] for each in options], dtype=np.float64)
         for name, value in options[0].items()
-    } | dict(alike or {})
+    } | dict(same or {})
 
 
 def words_of(options: Mapping[str, Any]) -> str:

@@ -16,8 +16,8 @@ from ..ir.scene import SceneSensor
 from ..plugins.kinds import Controller
 from .controllers import Driver
 from .ray_casts import RayCaster
+from .reading_arrays import Arrays
 from .sensor_groups import MeasuringMoment, PlacedSensor, SensorGroup
-from .sensors import Arrays
 from .world import World
 
 
@@ -35,16 +35,20 @@ class Sensing:
     def __init__(self, world: World, placed: Sequence[PlacedSensor], step: float) -> None:
         self._step = step
         self._ticks = max(1, round(step / world.dt))
-        members: dict[Any, list[PlacedSensor]] = {}
+        members: dict[tuple[int, Any], list[PlacedSensor]] = {}
         self.layouts: dict[int, tuple[Any, ...]] = {}
         """by column of an agent, what its readings look like"""
         for sensor in placed:
             layout = sensor.guarded.layout
             if sensor.guarded.recorder is not None:
                 sensor.guarded.recorder.restart()
-            self.layouts[sensor.row] = (*self.layouts.get(sensor.row, ()), layout)
-            members.setdefault(layout, []).append(sensor)
-        self._groups = [SensorGroup(found, step) for found in members.values()]
+            before = self.layouts.get(sensor.row, ())
+            self.layouts[sensor.row] = (*before, layout)
+            members.setdefault((len(before), layout), []).append(sensor)
+        # In the order of each agent's own sensors: of two that replace a column the last one wins,
+        # whoever else is in the world.
+        ordered = sorted(members.items(), key=lambda item: item[0][0])
+        self._groups = [SensorGroup(found, step) for _, found in ordered]
         self._rays = RayCaster(world)
         self._count = len(world.present)
         self._delivered: dict[tuple[int, str], Arrays] = {}

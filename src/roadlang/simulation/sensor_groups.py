@@ -16,7 +16,8 @@ from ..ir.scene import Scene
 from ..ir.sensed_batch import CastRays, SensedBatch
 from ..plugins.kinds import Sensor
 from .option_columns import columns_of, options_of
-from .sensors import Arrays, GuardedSensor
+from .reading_arrays import Arrays
+from .sensors import GuardedSensor
 
 _NUMBERED = np.uint64(0x9E3779B97F4A7C15)
 _LOST = 2**31

@@ -7,20 +7,18 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..diagnostics import DiagnosticError
 from ..ir.readings import SensorRecord
 from ..ir.scene import SceneSensor
 from ..ir.sensed_batch import SensedBatch
-from ..plugins.guard import plugin_guard, wrong_result
+from ..plugins.guard import plugin_guard
 from ..plugins.kinds import ReadingArray, Sensor
 from ..plugins.option_types import QuantityType
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry
 from .option_columns import words_of
-
-Arrays = Mapping[str, NDArray[Any]]
+from .plugin_states import first_state
+from .reading_arrays import Arrays, checked_arrays, stated_arrays
 
 
 @dataclass
@@ -75,17 +73,9 @@ class GuardedSensor:
         }
         self.integers = {name: int(value) for name, value in self.options.items()
                          if name in integers and value is not None}  # fmt: skip
-        """what every agent of a group has alike"""
+        """the same for every agent of a group"""
         single = self.built(self.options | self.integers)
-        with plugin_guard(entry, None):
-            self.arrays: Mapping[str, ReadingArray] = dict(single.arrays())
-        reserved = {"time", "arrival"} & self.arrays.keys()
-        if reserved:
-            raise self._fault(f"has an array `{min(reserved)}`, which every reading has")
-        unknown = set(kind.replaces) - self.arrays.keys()
-        if unknown:
-            fault = f"replaces `{min(unknown)}`, which is none of its arrays"
-            raise wrong_result(entry, None, fault)
+        self.arrays: Mapping[str, ReadingArray] = stated_arrays(entry, single)
 
     @property
     def is_computed(self) -> bool:
@@ -106,11 +96,7 @@ class GuardedSensor:
 
     def first_state(self, sensor: Sensor, count: int) -> Any:
         """The state of `count` agents at the start. Raises RL470, RL474."""
-        with plugin_guard(self.entry, None):
-            state = sensor.start(count)
-        if state is not None and (not isinstance(state, np.ndarray) or len(state) != count):
-            raise wrong_result(self.entry, None, f"gave a state that is no array of {count} rows")
-        return state
+        return first_state(self.entry, sensor, count)
 
     def measure(self, sensor: Sensor, sensed: SensedBatch, state: Any) -> Arrays:
         """What it measures at N agents. Raises RL470, RL474."""
@@ -120,22 +106,4 @@ class GuardedSensor:
 
     def checked(self, found: object, leading: tuple[int, ...]) -> Arrays:
         """Arrays with these leading axes, as the sensor describes them. Raises RL474."""
-        if not isinstance(found, Mapping) or found.keys() != self.arrays.keys():
-            names = sorted(map(str, found)) if isinstance(found, Mapping) else type(found).__name__
-            raise self._fault(f"gave {names} as arrays, not {sorted(self.arrays)}")
-        return {name: self._array(found[name], name, leading) for name in self.arrays}
-
-    def _array(self, value: Any, name: str, leading: tuple[int, ...]) -> NDArray[Any]:
-        stated = self.arrays[name]
-        with plugin_guard(self.entry, None):
-            array = np.asarray(value)
-            fits = array.dtype.kind in "fiub" and not np.isnan(array).any()
-        if not fits:
-            raise self._fault(f"gave `{name}` with values that are no real numbers")
-        shape = (*leading, *stated.shape)
-        if array.shape != shape:
-            raise self._fault(f"gave `{name}` of shape {array.shape}, not {shape}")
-        return array.astype(stated.dtype, copy=False)
-
-    def _fault(self, text: str) -> DiagnosticError:
-        return wrong_result(self.entry, None, text)
+        return checked_arrays(self.entry, self.arrays, found, leading)

@@ -28,6 +28,8 @@ SURFACES: Mapping[str, TireSurface] = {
 Ground Vehicles, tables 1.2 and 1.5."""
 BESIDE = SURFACES["turf"]
 """What is beside roads."""
+LEAST_FRICTION = 1e-3
+"""What is slipperier counts as this: tire forces divide by friction."""
 _AFTER = {"rain": "wet", "snow": "snow"}
 
 
@@ -48,7 +50,7 @@ def road_surface(world: Mapping[str, Any], name: str | None = None) -> TireSurfa
         weather = "wet"
     usual = SURFACES[weather]
     if _is_number(world.get("friction")):
-        usual = TireSurface(float(world["friction"]), usual.rolling)
+        usual = TireSurface(max(float(world["friction"]), LEAST_FRICTION), usual.rolling)
     return usual if name is None else below(SURFACES[name], usual)
 
 

@@ -100,7 +100,7 @@ class Simulator(Kind):
 
     def offers(self, sensor: type[Sensor]) -> bool:
         """Whether controllers get the readings of sensors of this kind, with the options that this
-        simulator has. By default of none; `check` reports a sensor that is not offered (RL256)."""
+        simulator has. By default of none; `check` reports a sensor that is not offered (RL257)."""
         return False
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
