@@ -1,4 +1,4 @@
-"""Lanelets that follow one another by what a scene says."""
+"""Lanelets that follow one another through the junctions of a scene."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from roadlang_formats.lanelets.network import lanelet_map
 
 
 def chains_of(scene: Scene) -> list[list[int]]:
-    """The ids in the Lanelet2 file of scenes: before, in and after each connection, and all along
-    the routes of agents up to a change of lanes."""
+    """Before, in and after each connection of a junction, by their ids in the Lanelet2 file."""
     lanelets = lanelet_map(scene, TOLERANCE)
     ids = written_lanelets(lanelets)
     chains = []

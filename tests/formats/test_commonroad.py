@@ -141,3 +141,27 @@ def test_numbers_are_decimals_without_exponents_and_ids_are_unique() -> None:
     assert not re.search(r">-?[\d.]+e[-+]?\d", text)
     ids = [element.attrib["id"] for element in fromstring(text).iter() if "id" in element.attrib]
     assert len(ids) == len(set(ids))
+
+
+@pytest.mark.parametrize("lanes", ["sidewalk(2m)", "bike(2m)", "parking(2m)"])
+def test_a_road_without_vehicles_has_a_planning_problem(lanes: str) -> None:
+    road = f"road path {{ draw with segments {{ pieces: [straight(80m)] }}, right: [{lanes}] }}\n"
+    root = read(scene_of(road + "agent p is pedestrian on path at 20m { drive with walk }\n"))
+    (lanelet,) = root.iterfind("lanelet")
+    target = root.find("planningProblem/goalState/position/lanelet")
+    assert target is not None
+    assert target.attrib == {"ref": lanelet.attrib["id"]}
+
+
+def test_a_road_without_lanelets_has_no_planning_problem() -> None:
+    scene = scene_of(
+        "road lawn { draw with segments { pieces: [straight(80m)] }, right: [grass(2m)] }"
+    )
+    assert read(scene).find("planningProblem") is None
+
+
+def test_pedestrians_who_stand_are_no_parked_vehicles() -> None:
+    root = read(scene_of(STREET + "agent walker is pedestrian on street at 90m { offset: 6m }\n"))
+    kinds = [kind.text for kind in root.iterfind("staticObstacle/type")]
+    assert "parkedVehicle" not in kinds
+    assert "unknown" in kinds

@@ -134,3 +134,14 @@ def test_the_car_stays_within_half_a_meter_of_its_lane(tmp_path: Path, scene: Sc
         away, share = answers[str(path)]
         assert away < 0.5, name
         assert share > 0.95, name
+
+
+def test_a_car_that_is_added_takes_no_name_away() -> None:
+    text = HAIRPIN.split("agent")[0] + "agent ego is pedestrian on main at 9m\n"
+    root = model_of(testing.sample(text + "object ground is cone on main at 20m\n")[0].record)
+    bodies = {body.get("name"): body.get("mocap") for body in root.iter("body")}
+    assert bodies["ego"] == "true"
+    (free,) = root.iter("freejoint")
+    assert free.get("name") == "ego car"
+    names = [geom.get("name") for geom in root.iter("geom") if geom.get("name")]
+    assert len(names) == len(set(names))

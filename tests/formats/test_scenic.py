@@ -152,3 +152,15 @@ def test_scenic_samples_the_programs_without_a_rejection(tmp_path: Path) -> None
             assert on is not None, (name, actor.name)
             if name != "left-hand":  # where Scenic takes lanes to run the other way
                 assert on[1] < 0.3, (name, actor.name)
+
+
+def test_a_pedestrian_on_a_lane_may_be_there() -> None:
+    text = """
+road main { draw with segments { pieces: [straight(80m)] }, lanes: 2 }
+agent walker is pedestrian on main at 20m { lane: -1 }
+agent car is car on main at 50m { lane: -1 }
+"""
+    program = ScenicBackend().files(testing.sample(text)[0].record)["scenic"]
+    walker, car = program.split("new ")[1:]
+    assert "regionContainedIn everywhere" in walker
+    assert "regionContainedIn" not in car

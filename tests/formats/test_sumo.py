@@ -332,3 +332,28 @@ def test_a_route_may_pass_a_road_twice() -> None:
     files = SumoBackend().files(replace(scene, agents=(agent,)))
     (route,) = fromstring(files["rou.xml"]).iter("route")
     assert route.attrib["edges"].split() == ["main#0", "main#1", "main#2"] * 2
+
+
+def test_a_route_that_ends_where_its_last_road_begins_arrives_on_the_right_side() -> None:
+    scene = testing.sample(LOOP.replace(", lanes: 3", ", lanes: 2"))[0].record
+    middle = 0.5 * scene.roads[0].length
+    steps = (
+        RouteStep("main", 1, middle + 90.0, middle, RouteTurn("", 0, 0)),
+        RouteStep("main", 1, middle, middle),
+    )
+    agent = replace(scene.agents[0], lane=1, start=middle + 90.0, route=SceneRoute(steps))
+    files = SumoBackend().files(replace(scene, agents=(agent,)))
+    (route,) = fromstring(files["rou.xml"]).iter("route")
+    edges = route.attrib["edges"].split()
+    assert all(edge.startswith("-main#") for edge in edges)
+    assert edges[-1] == "-main#1"
+
+
+def test_types_of_vehicles_have_different_names() -> None:
+    scene = testing.sample(LOOP)[0].record
+    agents = tuple(
+        replace(agent, kind="road_van", length=length)
+        for agent, length in zip(scene.agents, (4.0, 5.0), strict=True)
+    )
+    routes = fromstring(SumoBackend().files(replace(scene, agents=agents))["rou.xml"])
+    assert [kind.attrib["id"] for kind in routes.iter("vType")] == ["road_van", "road_van_v2"]

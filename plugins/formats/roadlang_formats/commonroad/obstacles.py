@@ -56,7 +56,11 @@ def put_obstacles(root: Element, scene: Scene, trace: Trace | None, numbering: N
         for thing in scene.objects
         if thing.kind not in _ENVIRONMENT
     ]
-    standing += [(agent, "parkedVehicle") for agent in others if not agent.drive]
+    standing += [
+        (agent, "unknown" if _TYPES.get(agent.kind) == "pedestrian" else "parkedVehicle")
+        for agent in others
+        if not agent.drive
+    ]
     for actor, kind in standing:
         found = put(root, "staticObstacle", id=numbering.next())
         put(found, "type", kind)

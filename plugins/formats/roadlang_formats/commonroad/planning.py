@@ -37,12 +37,16 @@ def put_planning_problem(
     numbering: Numbering,
     step: float,
 ) -> None:
-    """One: for the ego; without agents, along the first lanelet that is driven on."""
+    """One: for the ego; without agents, along the first lanelet, preferably for vehicles. None
+    where there is no lanelet."""
     ego = ego_of(scene)
+    drivable = [number for number in ids if lanelets.lanelets[number].drivable]
+    candidates = drivable or list(ids)
+    if not candidates:
+        return
     problem = put(root, "planningProblem", id=numbering.next())
-    driven = [number for number in ids if lanelets.lanelets[number].drivable]
     if ego is None:
-        middle = _middle(lanelets, (driven or list(ids))[0])
+        middle = _middle(lanelets, candidates[0])
         dx, dy = middle[1] - middle[0]
         x, y = middle[:2].mean(axis=0).tolist()
         start, speed = (x, y, math.atan2(dy, dx)), 0.0
@@ -62,7 +66,7 @@ def put_planning_problem(
         float(scene.simulate.options.get("duration", _LONGEST)) if scene.simulate else _LONGEST
     )
     _put_time(goal, max(1, round(duration / step)))
-    target = (driven or list(ids))[0] if ego is None else _goal(scene, ego, lanelets, driven)
+    target = candidates[0] if ego is None else _goal(scene, ego, lanelets, candidates)
     put(put(goal, "position"), "lanelet", ref=ids[target])
 
 
@@ -82,12 +86,12 @@ def _put_time(parent: Element, last: int) -> None:
     put(time, "intervalEnd", last)
 
 
-def _goal(scene: Scene, ego: SceneActor, lanelets: LaneletMap, driven: list[int]) -> int:
+def _goal(scene: Scene, ego: SceneActor, lanelets: LaneletMap, candidates: list[int]) -> int:
     """The lanelet at the end of its route, or of its road."""
     name, lane, station, forward = _end_of_way(scene, ego)
     road = next((road for road in scene.roads if road.name == name), None)
     if road is None:
-        return _nearest(lanelets, driven, np.array([ego.x, ego.y]), ego.heading)
+        return _nearest(lanelets, candidates, np.array([ego.x, ego.y]), ego.heading)
     x, y, heading = (
         float(np.interp(station, road.stations, values))
         for values in (road.x, road.y, road.heading)
@@ -95,7 +99,7 @@ def _goal(scene: Scene, ego: SceneActor, lanelets: LaneletMap, driven: list[int]
     section = road.cross_section()
     away = float(section.offset(lane, station)) if lane in section.ids else ego.offset or 0.0
     point = np.array([x - away * math.sin(heading), y + away * math.cos(heading)])
-    return _nearest(lanelets, driven, point, heading if forward else heading + math.pi)
+    return _nearest(lanelets, candidates, point, heading if forward else heading + math.pi)
 
 
 def _end_of_way(scene: Scene, ego: SceneActor) -> tuple[str, int, float, bool]:
@@ -112,7 +116,7 @@ def _end_of_way(scene: Scene, ego: SceneActor) -> tuple[str, int, float, bool]:
     return road.name, ego.lane or 0, ends[1] if forward else ends[0], forward
 
 
-def _nearest(lanelets: LaneletMap, driven: list[int], point: Floats, heading: float) -> int:
+def _nearest(lanelets: LaneletMap, candidates: list[int], point: Floats, heading: float) -> int:
     """The lanelet nearest to a point of those that run about that way."""
     direction = np.array([math.cos(heading), math.sin(heading)])
 
@@ -124,7 +128,7 @@ def _nearest(lanelets: LaneletMap, driven: list[int], point: Floats, heading: fl
         distance = np.hypot(*(begin + share[:, None] * chord - point).T)
         return float(np.where(chord @ direction > 0.0, distance, np.inf).min())
 
-    return min(driven, key=lambda number: (away(number), number))
+    return min(candidates, key=lambda number: (away(number), number))
 
 
 def _middle(lanelets: LaneletMap, number: int) -> Floats:

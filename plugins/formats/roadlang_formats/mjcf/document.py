@@ -91,8 +91,10 @@ def driven_agent(scene: Scene) -> SceneActor:
     x, y = points[0].tolist()
     dx, dy = (points[1] - points[0]).tolist()
     length, width, height = _SIZE
+    names = {actor.name for actor in scene.agents}
+    name = next(name for name in ("ego", "ego car", "ego car 2") if name not in names)
     return SceneActor(
-        "ego", "ego", "car", x, y, float(np.arctan2(dy, dx)), length, width, height,
+        name, name, "car", x, y, float(np.arctan2(dy, dx)), length, width, height,
         road=road.name, start=start, lane=lane,
     )  # fmt: skip
 
@@ -112,7 +114,7 @@ def _put_roads(scene: Scene, assets: Element, world: Element, grip: float) -> No
         geom = put(world, "geom", name=name, type="mesh", mesh=name, pos=middle.tolist())
         geom.set("rgba", " ".join(map(str, _WALK if raised else _ROAD)))
         geom.set("friction", f"{grip:.6g} 0.005 0.0001")
-    ground = put(world, "geom", name="ground", type="plane", size=(0, 0, 10), rgba=_GROUND)
+    ground = put(world, "geom", name="ground plane", type="plane", size=(0, 0, 10), rgba=_GROUND)
     ground.set("pos", f"0 0 {min(tops) - _BELOW:.6g}")
     ground.set("friction", f"{grip:.6g} 0.005 0.0001")
 

@@ -34,6 +34,8 @@ _CLASSES = {
     "child": "Pedestrian",
 }
 """Of Scenic's driving model, for kinds of agents; all else is an `Object`."""
+_NOT_VEHICLES = ("Object", "Pedestrian")
+"""Classes that need not be on the road; Scenic has pedestrians only on sidewalks."""
 _FOLLOWS_LANE = frozenset(("lane_follow", "pure_pursuit", "stanley"))
 _AVOIDS = frozenset(("car_follow", "traffic"))
 
@@ -75,7 +77,7 @@ class ScenicProgram:
             kind = _CLASSES.get(thing.kind, "Object") if thing.name in agents else "Object"
             at = f"({_number(thing.x)}, {_number(thing.y)})"
             lines += ["", f"{name} = new {kind} at {at}, facing {_number(_heading(thing))},"]
-            is_free = kind == "Object" or thing.name not in inside
+            is_free = kind in _NOT_VEHICLES or thing.name not in inside
             specifiers = ",\n    ".join(self._properties(thing, is_free, thing.name in crowded))
             lines.append(f"    {specifiers}")
         return "\n".join(lines) + "\n"

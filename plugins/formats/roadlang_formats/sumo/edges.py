@@ -15,7 +15,7 @@ from .lane_lines import lane_line, line_length, simplified
 from .vehicle_classes import LaneUse, permissions
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, SceneRoad
+    from roadlang.api import SceneRoad
 
 SPEED = 50.0 / 3.6
 """m/s of lanes without a limit."""
@@ -60,17 +60,6 @@ class SumoEdge:
     def index(self, lane: int) -> int | None:
         """The number in SUMO of a lane of the scene; None where it is not there."""
         return next((n for n, found in enumerate(self.lanes) if found.id == lane), None)
-
-
-def built_roads(scene: Scene) -> list[SceneRoad]:
-    """The roads that are there, without those that junctions have swallowed."""
-    swallowed = {
-        name
-        for network in scene.networks
-        for junction in network.junctions
-        for name in junction.inside
-    }
-    return [road for road in scene.roads if road.derived and road.name not in swallowed]
 
 
 def is_loop(road: SceneRoad) -> bool:

@@ -13,13 +13,14 @@ import numpy as np
 from roadlang.geometry import Floats
 
 from ..opendrive.elements import put
-from .edges import SumoEdge, SumoLane, built_roads, is_loop, road_edges
+from ..surfaces.built import built_junctions, built_roads
+from .edges import SumoEdge, SumoLane, is_loop, road_edges
 from .nodes import SumoNode, dead_end, junction_node, nodes_between
 from .signal_programs import put_program
 from .vehicle_classes import lane_use
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, SceneJunction
+    from roadlang.api import Scene
 
 VERSION = "1.20"
 """Of the format of networks."""
@@ -38,8 +39,11 @@ class SumoNetwork:
         """Of a scene."""
         left_hand = scene.world.get("traffic") == "left"
         roads, use = built_roads(scene), lane_use(scene)
-        names = {road.name for road in roads}
-        junctions = _junctions(scene, names)
+        junctions = [
+            (f"{network}/j{junction.id}", junction)
+            for network, junction in built_junctions(scene)
+            if junction.arms
+        ]
         ends = {(arm.road, arm.end): id for id, found in junctions for arm in found.arms}
         by_road: dict[str, list[SumoEdge]] = {}
         nodes: list[SumoNode] = []
@@ -95,16 +99,6 @@ class SumoNetwork:
         indent(root, " ")
         text = tostring(root, encoding="unicode")
         return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
-
-
-def _junctions(scene: Scene, roads: set[str]) -> list[tuple[str, SceneJunction]]:
-    """Those of networks that are built, with their ids in SUMO."""
-    return [
-        (f"{network.name}/j{junction.id}", junction)
-        for network in scene.networks
-        for junction in network.junctions
-        if junction.arms and {arm.road for arm in junction.arms} <= roads
-    ]
 
 
 def _put_location(root: Element, lines: Sequence[Floats]) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
@@ -38,6 +39,16 @@ class Trip:
     speed: float
 
 
+@dataclass(frozen=True)
+class _Place:
+    """A part of a road that is driven, from one station to another; `back`: against the road."""
+
+    road: str
+    start: float
+    stop: float
+    back: bool
+
+
 def trips_of(scene: Scene, network: SumoNetwork) -> list[Trip]:
     """Of the agents that drive on the network; who walks is left out, and who has no road."""
     found = [_trip(scene, network, actor) for actor in scene.agents if has_wheels(actor)]
@@ -47,11 +58,11 @@ def trips_of(scene: Scene, network: SumoNetwork) -> list[Trip]:
 def _trip(scene: Scene, network: SumoNetwork, actor: SceneActor) -> Trip | None:
     places = _places(scene, actor)
     edges: list[SumoEdge] = []
-    for road, start, stop in places:
-        of_road = in_order(network.by_road.get(road, ()), start <= stop)
-        low, high = min(start, stop), max(start, stop)
+    for place in places:
+        of_road = in_order(network.by_road.get(place.road, ()), not place.back)
+        low, high = min(place.start, place.stop), max(place.start, place.stop)
         inside = [edge for edge in of_road if edge.stop > low and edge.start < high]
-        edges += inside or of_road[:1]
+        edges += inside or sorted(of_road, key=lambda edge: _beyond(edge, place.start))[:1]
     if not edges:
         return None
     first = edges[0]
@@ -59,7 +70,7 @@ def _trip(scene: Scene, network: SumoNetwork, actor: SceneActor) -> Trip | None:
     can_start = number is not None and _may_use(first, number, actor)
     type_ = _type_of(actor)
     limit = min(lane.speed for lane in first.lanes) * float(type_["speedFactor"])
-    start = places[0][1]
+    start = places[0].start
     share = (start - first.start) / max(first.stop - first.start, 1e-9)
     share = share if first.forward else 1.0 - share
     # SUMO counts to the front bumper.
@@ -88,37 +99,46 @@ def _may_use(edge: SumoEdge, number: int, actor: SceneActor) -> bool:
     return not allowed or class_of(actor) in allowed
 
 
-def _places(scene: Scene, actor: SceneActor) -> list[tuple[str, float, float]]:
-    """Roads with the stations from which and to which an agent drives on them."""
+def _beyond(edge: SumoEdge, station: float) -> float:
+    """Meters from a station to an edge of its road."""
+    return max(edge.start - station, station - edge.stop, 0.0)
+
+
+def _places(scene: Scene, actor: SceneActor) -> list[_Place]:
+    """The parts of roads on which an agent drives."""
+    roads = {road.name: road for road in scene.roads}
     if actor.route is not None:
         steps = actor.route.steps
-        found: list[tuple[str, float, float]] = []
+        found: list[_Place] = []
         for step, before in zip(steps, (None, *steps), strict=False):
             if before is not None and before.turn is None and before.road == step.road:
-                found[-1] = (step.road, found[-1][1], step.stop)
+                found[-1] = replace(found[-1], stop=step.stop)
             else:
-                found.append((step.road, step.start, step.stop))
+                back = step.stop < step.start
+                if step.stop == step.start and step.road in roads:
+                    back = _against(roads[step.road], step.lane, back)
+                found.append(_Place(step.road, step.start, step.stop, back))
         return found
-    road = next((road for road in scene.roads if road.name == actor.road), None)
+    road = roads.get(actor.road or "")
     if road is None or actor.start is None:
         return []
-    back = _is_backward(road, actor)
+    back = _against(road, actor.lane, actor.facing == "back")
     if not road.derived:
         return _along(road, actor.start, back)
     first, last = (road.length, 0.0) if back else (0.0, road.length)
-    lap = [(road.name, first, actor.start)] if is_loop(road) else []
-    return [(road.name, actor.start, last), *lap]
+    lap = [_Place(road.name, first, actor.start, back)] if is_loop(road) else []
+    return [_Place(road.name, actor.start, last, back), *lap]
 
 
-def _is_backward(road: SceneRoad, actor: SceneActor) -> bool:
-    """Whether an agent drives against its road: as its lane says, else as it faces."""
-    ways = {lane.direction for lane in road.lane_list if lane.id == actor.lane}
+def _against(road: SceneRoad, lane: int | None, back: bool) -> bool:
+    """Whether a vehicle drives against its road: as its lane says, else as it faces (`back`)."""
+    ways = {found.direction for found in road.lane_list if found.id == lane}
     if ways <= {"both", "none"}:
-        return actor.facing == "back"
+        return back
     return ways == {"backward"}
 
 
-def _along(road: SceneRoad, start: float, back: bool) -> list[tuple[str, float, float]]:
+def _along(road: SceneRoad, start: float, back: bool) -> list[_Place]:
     """Of a road that only runs over others."""
     found, at = [], 0.0
     for part in road.along:
@@ -126,13 +146,16 @@ def _along(road: SceneRoad, start: float, back: bool) -> list[tuple[str, float, 
         found.append((at, at + length, part))
         at += length
     if back:
-        ahead = [(low, high, part) for low, high, part in reversed(found) if low < start]
         return [
-            (part.road, _inside(part, min(high, start) - low), part.start)
-            for low, high, part in ahead
-        ]
-    ahead = [(low, high, part) for low, high, part in found if high > start]
-    return [(part.road, _inside(part, max(low, start) - low), part.stop) for low, _, part in ahead]
+            _Place(part.road, _inside(part, min(high, start) - low), part.start,
+                   part.start <= part.stop)
+            for low, high, part in reversed(found) if low < start
+        ]  # fmt: skip
+    return [
+        _Place(part.road, _inside(part, max(low, start) - low), part.stop, part.stop < part.start)
+        for low, high, part in found
+        if high > start
+    ]
 
 
 def _inside(part: RoadPart, distance: float) -> float:
@@ -143,11 +166,13 @@ def routes_text(trips: Sequence[Trip]) -> str:
     """The `.rou.xml`."""
     root = Element("routes")
     types: dict[tuple[tuple[str, str], ...], str] = {}
+    counts: Counter[str] = Counter()
     for trip in trips:
         attributes = tuple(_type_of(trip.actor).items())
         if attributes not in types:
-            same = sum(id.split("_v")[0] == trip.actor.kind for id in types.values())
-            types[attributes] = f"{trip.actor.kind}_v{same + 1}" if same else trip.actor.kind
+            kind = trip.actor.kind
+            counts[kind] += 1
+            types[attributes] = kind if counts[kind] == 1 else f"{kind}_v{counts[kind]}"
             put(root, "vType", id=types[attributes], **dict(attributes))
     for trip in trips:
         vehicle = put(
