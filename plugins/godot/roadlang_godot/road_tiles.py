@@ -7,6 +7,8 @@ import struct
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang_standard.extraction.cell_links import joined_at_corners
+
 from .frame import SceneOrigin
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart
@@ -41,10 +43,7 @@ def with_corners_joined(road: NDArray[np.bool_]) -> NDArray[np.bool_]:
     neighbors is filled, else the one in the upper row.
     """
     filled = road.copy()
-    rows, columns = np.nonzero(
-        (road[:-1, :-1] & road[1:, 1:] & ~road[:-1, 1:] & ~road[1:, :-1])
-        | (road[:-1, 1:] & road[1:, :-1] & ~road[:-1, :-1] & ~road[1:, 1:])
-    )
+    rows, columns = np.nonzero(joined_at_corners(road).any(axis=-1))
     sides = (neighbor_masks(road)[..., None] >> np.arange(4) & 1).sum(axis=-1)
     for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
         upper = (row, column + int(road[row, column]))

@@ -28,8 +28,8 @@ class Camera(Sensor):
     height: Pixels = option(180.0, minimum=16, maximum=4096, help="height of the picture")
     fov: Angle = option(
         math.pi / 2,
-        above=0,
-        below=math.radians(170),
+        minimum=math.radians(1),
+        maximum=math.radians(170),
         help="horizontal field of view",
         example="60deg",
     )

@@ -23,13 +23,25 @@ _CORNERS = ((1, 1), (1, -1), (-1, -1), (-1, 1))
 def joined_cells(road: NDArray[np.bool_]) -> dict[Cell, list[Cell]]:
     """The cells that each road cell of a grid (h, w) is joined to."""
     cells = {(int(y), int(x)) for y, x in np.argwhere(road)}
+    at_corners = joined_at_corners(road)
     links: dict[Cell, list[Cell]] = {cell: [] for cell in sorted(cells)}
     for y, x in links:
         links[y, x] += [(y + dy, x + dx) for dy, dx in _SIDES if (y + dy, x + dx) in cells]
         for dy, dx in _CORNERS:
-            if (y + dy, x + dx) in cells and (y + dy, x) not in cells and (y, x + dx) not in cells:
+            place = (min(y, y + dy), min(x, x + dx), int(dy != dx))
+            if (y + dy, x + dx) in cells and at_corners[place]:
                 links[y, x].append((y + dy, x + dx))
     return links
+
+
+def joined_at_corners(road: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """(h - 1, w - 1, 2): for each square of four cells of a grid (h, w), whether those from its
+    upper left to its lower right, and from its upper right to its lower left, are joined."""
+    upper_left, upper_right = road[:-1, :-1], road[:-1, 1:]
+    lower_left, lower_right = road[1:, :-1], road[1:, 1:]
+    falling = upper_left & lower_right & ~upper_right & ~lower_left
+    rising = upper_right & lower_left & ~upper_left & ~lower_right
+    return np.stack([falling, rising], axis=-1)
 
 
 def joined_places(road: NDArray[np.bool_]) -> dict[Place, list[Place]]:
