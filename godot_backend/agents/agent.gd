@@ -91,6 +91,12 @@ static func count(spec: Dictionary, key: String, usual: int) -> int:
 	return int(value) if value is float and value >= 0.0 and value < 4294967296.0 else usual
 
 
+## Whether a JSON object has `true` there.
+static func flag(spec: Dictionary, key: String) -> bool:
+	var value: Variant = spec.get(key)
+	return value is bool and value
+
+
 ## Back to the start, at the start's speed.
 func reset(surfaces: PackedVector2Array) -> void:
 	body.place(Vector3(_start.x, 0.0, -_start.y), _start_heading, _start_speed)
@@ -217,7 +223,7 @@ func _add_body(spec: Dictionary) -> void:
 	)
 	var paint := Color.from_string(str(spec.get("color", "")), Color.DIM_GRAY).darkened(0.3)
 	var category := str(spec.get("category", "car"))
-	if spec.get("body", "vehicle") == "walker":
+	if str(spec.get("body", "")) == "walker":
 		var walker := Walker.new()
 		walker.assemble(size)
 		walker.dress(category, size, paint)
@@ -228,7 +234,7 @@ func _add_body(spec: Dictionary) -> void:
 		var known: Dictionary = numbers if numbers is Dictionary else {}
 		var read := func(key: String, usual: float) -> float: return number(known, key, usual)
 		vehicle.assemble(size, read)
-		vehicle.dress(category, paint, bool(spec.get("marked", false)))
+		vehicle.dress(category, paint, flag(spec, "marked"))
 		vehicle.rest()
 		body = vehicle
 	add_child(body)

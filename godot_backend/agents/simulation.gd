@@ -69,7 +69,7 @@ func start(settings: Dictionary) -> String:
 		return "a run is free or lockstep"
 	_last_tick = Agent.count(settings, "ticks", 0)
 	_every = maxi(1, Agent.count(settings, "every", 1))
-	_stop_at_end = settings.get("stop_at_end", false) == true
+	_stop_at_end = Agent.flag(settings, "stop_at_end")
 	tick = 0
 	_hold_from = 0
 	_hold_until = 0

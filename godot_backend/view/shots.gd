@@ -71,7 +71,7 @@ func _picture(wish: Dictionary) -> void:
 	image.convert(Image.FORMAT_RGB8)
 	var bytes := (
 		image.save_jpg_to_buffer(0.92)
-		if wish.get("format") == "jpg"
+		if str(wish.get("format", "")) == "jpg"
 		else image.save_png_to_buffer()
 	)
 	_server.send_parts(Protocol.PICTURE, Agent.count(wish, "id", 0), bytes)

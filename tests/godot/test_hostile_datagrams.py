@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import random
 import socket
 import struct
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
 
 import pytest
 
 from roadlang_godot import protocol
 from roadlang_godot.engine import Engine
+from roadlang_godot.layout import layout_of
+from roadlang_godot.mounted_camera import MountedCamera
 from roadlang_godot.protocol import Message
+from tests.godot.godot_scenes import car, pieces, road, scene, straight
 from tests.godot.test_building import begin, everything
 
 pytestmark = pytest.mark.godot
@@ -71,3 +78,39 @@ def test_hostile_datagrams_harm_nothing(fresh_engine: Engine, count: int) -> Non
     with fresh_engine.connect("after") as session:
         begin(session, things)
         assert session.prove().parts == len(things)
+
+
+WRONG: list[Any] = [None, "x", [], {}, [{}], True, 1e300, -1.0]
+RUN = {"mode": "free", "ticks": 5, "every": 1, "stop_at_end": False}
+LOOK = {"id": 1, "world": 0, "cameras": [1], "format": "png"}
+
+
+def spoilt(document: dict[str, Any]) -> Iterator[bytes]:
+    """A JSON object with each of its values replaced by others of wrong types and sizes."""
+    for key, wrong in product(document, WRONG):
+        yield json.dumps({**document, key: wrong}).encode()
+
+
+def test_values_of_wrong_types_are_no_script_errors(fresh_engine: Engine) -> None:
+    ego = car("ego", road("main", pieces(straight(90))), 10.0)
+    drawn = scene(road("main", pieces(straight(90))), agents=[ego])
+    layout = layout_of(drawn)
+    camera = MountedCamera("ego").part(1, 1)
+    with fresh_engine.connect("types") as session:
+        begin(session, list(layout.parts))
+        number, revision = session.welcome["session"], 100
+        for part in [*layout.parts, camera]:
+            if part.kind in (Message.AGENT, Message.WORLD, Message.CAMERA):
+                for body in spoilt(json.loads(part.body)):
+                    revision += 1
+                    head = struct.pack("<HHII", 0, 0, part.id, revision)
+                    session._link.send(protocol.pack(part.kind, number, 0, head + body))
+                session._link.receive(0.05)
+        for type, wish in ((Message.RUN, RUN), (Message.EXPORT, LOOK), (Message.LOOK, LOOK)):
+            for body in spoilt(wish):
+                session._link.send(protocol.pack(type, number, 0, body))
+            session._link.receive(0.05)
+    with fresh_engine.connect("after") as session:
+        begin(session, list(layout.parts))
+        assert session.prove().parts == len(layout.parts)
+    assert "SCRIPT ERROR" not in fresh_engine.output()
