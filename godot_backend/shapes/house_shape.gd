@@ -15,6 +15,8 @@ const WALLS: Array[Color] = [
 const ROOFS: Array[Color] = [Color(0.3, 0.16, 0.12), Color(0.2, 0.2, 0.22), Color(0.26, 0.2, 0.17)]
 const STORY := 3.0
 const BAY := 3.0
+## Rows and columns of windows on one side: those of larger houses are larger.
+const MOST_WINDOWS := 24
 ## Higher houses have flat roofs.
 const GABLED := 9.5
 const OUTSIDE := 0.03
@@ -93,8 +95,8 @@ static func _add_windows(out: Solid, size: Vector3, eaves: float, side: int, var
 	var turned := Basis(Vector3.UP, side * PI / 2)
 	var along := size.x if side % 2 == 0 else size.z
 	var away := 0.5 * (size.z if side % 2 == 0 else size.x) + OUTSIDE
-	var stories := maxi(1, floori(eaves / STORY + 0.2))
-	var bays := maxi(1, floori(along / BAY))
+	var stories := clampi(floori(eaves / STORY + 0.2), 1, MOST_WINDOWS)
+	var bays := clampi(floori(along / BAY), 1, MOST_WINDOWS)
 	var frame := Looks.plain(Color(0.8, 0.8, 0.78))
 	for story in stories:
 		for bay in bays:
