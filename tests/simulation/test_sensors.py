@@ -370,6 +370,13 @@ def test_a_sensor_that_states_what_cannot_be_is_named(sensor: str, says: str) ->
         runs(agent(f"sense with {text}"), kinds=(Faulty, Replacing))
 
 
+def test_who_looks_for_a_sensor_hears_which_there_are() -> None:
+    with pytest.raises(DiagnosticError, match=r"there is no sensor `ranges`; the agent has none"):
+        runs(agent("drive with emergency_brake"))
+    with pytest.raises(DiagnosticError, match=r"there is no sensor `ranges`; the agent has gps"):
+        runs(agent("drive with emergency_brake\n sense with gps"))
+
+
 def test_an_engine_delivers_what_is_due_and_nothing_else() -> None:
     camera = (
         "sense with camera as front { width: 32px, height: 16px, outputs: [depth], every: 100ms }"

@@ -29,30 +29,44 @@ class Imu(Sensor):
     name: ClassVar[str] = "imu"
 
     noise: Acceleration = option(
-        0.05, minimum=0, help="standard deviation of the accelerations, anew in each reading"
+        0.05,
+        minimum=0,
+        maximum=1000,
+        help="standard deviation of the accelerations, anew in each reading",
     )
     bias: Acceleration = option(
         0.0,
+        minimum=-1000,
+        maximum=1000,
         help="constant error of the accelerations; `..` draws one for each scene",
         example="-0.1m/s^2..0.1m/s^2",
     )
     walk: Acceleration = option(
         0.0,
         minimum=0,
+        maximum=1000,
         help="how far the errors of the accelerations wander in a second: standard deviation of a "
         "random walk",
     )
     yaw_noise: AngularVelocity = option(
         0.002,
         minimum=0,
+        maximum=1000,
         help="standard deviation of the yaw rate, anew in each reading",
         example="0.1deg/s",
     )
     yaw_bias: AngularVelocity = option(
-        0.0, help="constant error of the yaw rate", example="-0.2deg/s..0.2deg/s"
+        0.0,
+        minimum=-1000,
+        maximum=1000,
+        help="constant error of the yaw rate",
+        example="-0.2deg/s..0.2deg/s",
     )
     yaw_walk: AngularVelocity = option(
-        0.0, minimum=0, help="how far the error of the yaw rate wanders in a second"
+        0.0,
+        minimum=0,
+        maximum=1000,
+        help="how far the error of the yaw rate wanders in a second",
     )
 
     def arrays(self) -> dict[str, ReadingArray]:

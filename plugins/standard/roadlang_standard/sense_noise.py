@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -37,9 +38,15 @@ class ObservationNoise(Sensor):
         0.0, minimum=0, maximum=1000, help="standard deviation of x and of y", example="0.3m"
     )
     heading: Angle = option(
-        0.0, minimum=0, help="standard deviation of the heading", example="1deg"
+        0.0,
+        minimum=0,
+        maximum=math.pi,
+        help="standard deviation of the heading",
+        example="1deg",
     )
-    speed: Speed = option(0.0, minimum=0, help="standard deviation of the speed", example="0.2m/s")
+    speed: Speed = option(
+        0.0, minimum=0, maximum=1000, help="standard deviation of the speed", example="0.2m/s"
+    )
 
     def arrays(self) -> dict[str, ReadingArray]:
         """Columns of observations."""

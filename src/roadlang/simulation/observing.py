@@ -11,7 +11,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.control import ObservationBatch
-from ..ir.readings import Reading
+from ..ir.readings import Reading, Readings
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
@@ -27,6 +27,7 @@ from .traffic.right_of_way import RightOfWayGrants
 from .world import World
 
 _NOTHING: Mapping[str, Floats] = {}
+_NO_READINGS = Readings({})
 PROBE = 0.1
 """Meters along a route to each side, to see in which direction of the road it goes."""
 
@@ -249,7 +250,7 @@ class View:
 
     def readings(self, rows: Integers) -> Mapping[str, Reading]:
         """What some agents have got from their sensors."""
-        return {} if self.sensing is None else self.sensing.readings(rows)
+        return _NO_READINGS if self.sensing is None else self.sensing.readings(rows)
 
     def nearby(self, rows: Integers, distance: float) -> Neighbors:
         """Who and what is within a distance of agents."""

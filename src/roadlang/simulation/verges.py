@@ -31,8 +31,8 @@ class Verges:
     """
 
     clear: Floats
-    """meters left and right of its line where an agent is surely on a road; infinite for those on
-    no road and on foot"""
+    """meters left and right of its line where an agent is surely on a road as long as it goes
+    straight; infinite for those on no road and on foot"""
     friction: Floats
     """of the ground beside the road"""
     rolling: Floats
@@ -46,24 +46,24 @@ class Verges:
     @classmethod
     def of(
         cls, scenes: Sequence[Scene], road: Integers, has_route: Booleans, widths: Floats,
-        walks: Booleans, surfaces: Sequence[TireSurface],
+        bodies: Bodies, surfaces: Sequence[TireSurface],
     ) -> Verges:  # fmt: skip
         """`road`: of each agent, -1 for none; `widths`: of their lines, the least; `surfaces`: of
         their roads."""
         roads = np.empty(len(road), dtype=object)
         for agent in range(len(road)):
             roads[agent] = scenes[agent * len(scenes) // len(road)].roads
-        clear = 0.5 * widths
+        clear = 0.5 * (widths - bodies.width)
         for agent in np.flatnonzero((road >= 0) & ~has_route).tolist():
             if roads[agent][road[agent]].center_offset:
-                clear[agent] = 0.0
+                clear[agent] = -np.inf
         ground = [below(BESIDE, surface) for surface in surfaces]
         more = [
             beside.rolling - surface.rolling
             for beside, surface in zip(ground, surfaces, strict=True)
         ]
         return cls(
-            np.where((road < 0) | walks, np.inf, clear),
+            np.where((road < 0) | bodies.walks, np.inf, clear),
             np.array([beside.friction for beside in ground]),
             GRAVITY * np.array(more),
             roads,
@@ -79,8 +79,8 @@ class Verges:
 
     def below(self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans) -> Bodies:
         """The bodies with the grip and the resistance that they have where they are."""
-        reach = np.abs(motion.offset) + 0.5 * bodies.width + bodies.half_base * np.abs(motion.sine)
-        rows = np.flatnonzero(present & (reach > self.clear))
+        near = np.abs(motion.offset) + bodies.half_base * np.abs(motion.sine) > self.clear
+        rows = np.flatnonzero(present & near)
         if not len(rows):
             return bodies
         share = self._beside(bodies, motion, table, rows)

@@ -132,7 +132,7 @@ def _started(
     surfaces = [slot.surface for slot in found]
     bodies = Bodies.of(actors, surfaces, kinds, dt)
     narrowest = lines.column(lines.width).min(axis=1)[row]
-    verges = Verges.of(scenes, road, has_route, narrowest, bodies.walks, surfaces)
+    verges = Verges.of(scenes, road, has_route, narrowest, bodies, surfaces)
     widths = track.lines.width[track.cell(start.along)[0]].tolist()
     offsets = _line_offsets(scenes, slots, zip(actors, road_numbers, widths, strict=True))
     count = len(found)
