@@ -23,6 +23,17 @@ const SIZES := {
 }
 
 
+func test_huge_houses_have_no_more_corners_than_large_ones() -> String:
+	var corners := PackedInt32Array()
+	for length: float in [100.0, 900.0]:
+		var mesh := Props.mesh("building", "", Vector3(length, length, length), 0)
+		var count := 0
+		for surface in mesh.get_surface_count():
+			count += mesh.surface_get_array_len(surface)
+		corners.append(count)
+	return "" if corners[0] == corners[1] else "%s corners" % [corners]
+
+
 func test_vehicles_of_one_size_differ_by_category() -> String:
 	var seen := {}
 	for category: String in SIZES:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene
+from roadlang_godot import boxes
 from roadlang_godot.boxes import SeenThing, seen_things
 from roadlang_godot.camera_frames import CameraFrame
 from roadlang_godot.camera_parts import camera_parts
@@ -190,6 +191,17 @@ def test_what_hides_a_thing_is_counted(look: Looks) -> None:
     assert hidden.occlusion == pytest.approx(0.5, abs=0.03)
     assert hidden.visible is not None
     assert hidden.visible[0] == pytest.approx(160.0, abs=1.0)
+
+
+def test_occlusion_is_counted_in_parts_of_any_size(
+    look: Looks, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def found() -> list[float]:
+        return [seen.occlusion for seen in seen_things(look.frames[0], look.eyes.instances)]
+
+    at_once = found()
+    monkeypatch.setattr(boxes, "_ROWS", 7)
+    assert found() == at_once
 
 
 def test_a_headless_engine_says_that_it_has_no_screen(session: Session) -> None:

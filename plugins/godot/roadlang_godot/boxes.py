@@ -22,6 +22,8 @@ NEAREST = 0.1
 """Meters from the plane of a camera, before which nothing is seen."""
 _SKIN = 0.02
 """Meters: what is this little nearer than a box does not hide it."""
+_ROWS = 256
+"""Of a picture, whose rays are held at once."""
 _SIGNS = np.array([[x, y, z] for x in (1, -1) for y in (1, -1) for z in (1, -1)], dtype=float)
 _EDGES = [(i, j) for i in range(8) for j in range(i) if np.abs(_SIGNS[i] - _SIGNS[j]).sum() == 2]
 
@@ -160,12 +162,16 @@ def _occlusion(solid: SolidBox, frame: CameraFrame, number: int, within: Rectang
     left, top = math.floor(within[0]), math.floor(within[1])
     right, bottom = math.ceil(within[2]), math.ceil(within[3])
     columns: Floats = np.arange(left, right, dtype=np.float64) + 0.5
-    rows: Floats = np.arange(top, bottom, dtype=np.float64) + 0.5
-    entry = _entry_depth(solid.seen_from(frame.pose), frame.camera, columns, rows)
-    region = (slice(top, bottom), slice(left, right))
-    met = np.isfinite(entry)
-    hidden = met & (frame.depth[region] < entry - _SKIN) & (frame.instance[region] != number)
-    return float(hidden.sum() / max(1, met.sum()))
+    in_camera, hidden, met = solid.seen_from(frame.pose), 0, 0
+    for first in range(top, bottom, _ROWS):
+        last = min(first + _ROWS, bottom)
+        rows: Floats = np.arange(first, last, dtype=np.float64) + 0.5
+        entry = _entry_depth(in_camera, frame.camera, columns, rows)
+        region = (slice(first, last), slice(left, right))
+        nearer = (frame.depth[region] < entry - _SKIN) & (frame.instance[region] != number)
+        met += int(np.isfinite(entry).sum())
+        hidden += int(nearer.sum())
+    return hidden / max(1, met)
 
 
 def _entry_depth(solid: SolidBox, camera: MountedCamera, columns: Floats, rows: Floats) -> Floats:
