@@ -136,6 +136,9 @@ def test_who_is_replayed_can_be_hit_and_then_stands(tmp_path: Path) -> None:
     assert trace.agents["ego"].x[-1] == pytest.approx(55.5, abs=0.01)
 
 
+LONG = '"' + "1" * 200_000 + '"'
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [
@@ -145,6 +148,12 @@ def test_who_is_replayed_can_be_hit_and_then_stands(tmp_path: Path) -> None:
         ("time,agent,x,y,heading\n0,eg,0,0,0\n1,eg,1,1,0\n", "it has no agent `ego`"),
         ("{", "it is no trace of a drive"),
         ("time,x\n", "no column `time`"),
+        pytest.param(LONG + "\n", "field larger than field limit", id="long word"),
+        ("time,steering,acceleration\n", "it has no rows"),
+        ("time,steering,acceleration\n0,0,nan\n", "not all of its values are numbers"),
+        pytest.param(
+            f"time,steering,acceleration\n{LONG},0,0\n", "not all of its values", id="long number"
+        ),
     ],
 )
 def test_a_file_that_is_no_recording_is_refused_by_name(
@@ -156,3 +165,10 @@ def test_a_file_that_is_no_recording_is_refused_by_name(
         list(scenes.run("builtin"))
     assert fault.value.diagnostics[0].code == "RL477"
     assert says in str(fault.value)
+
+
+def test_recorded_inputs_may_have_empty_lines_and_quoted_names(tmp_path: Path) -> None:
+    file = tmp_path / "inputs.csv"
+    file.write_bytes(b'"time","steering","acceleration"\r\n0,0,1\r\n\r\n9,0,1\r\n\r\n')
+    (trace,) = drive(recorded(str(file)), duration=2)
+    assert trace.agents["ego"].acceleration[-1] == pytest.approx(1.0 - 0.012 * 9.81, abs=0.01)

@@ -51,12 +51,14 @@ def _inputs(path: str, changed: int) -> RecordedInputs | None:
     import numpy as np
 
     file = Path(path)
-    rows = list(csv.reader(io.StringIO(read_input(file).decode("utf-8-sig", errors="replace"))))
-    if not rows or tuple(rows[0]) != _COLUMNS:
+    text = read_input(file).decode("utf-8-sig", errors="replace")
+    header, _, rest = text.partition("\n")
+    if [name.strip(' "\r') for name in header.split(",")] != list(_COLUMNS):
         return None
     try:
-        table = np.array(rows[1:], dtype=np.float64).reshape(-1, len(_COLUMNS))
-    except ValueError as error:
+        rows = [row for row in csv.reader(io.StringIO(rest)) if row]
+        table = np.array(rows, dtype=np.float64).reshape(-1, len(_COLUMNS))
+    except (ValueError, csv.Error) as error:
         raise _fault(file) from error
     if not len(table) or not np.isfinite(table).all() or not (np.diff(table[:, 0]) > 0.0).all():
         raise _fault(file)

@@ -70,7 +70,10 @@ def _of_trace(file: Path, text: str) -> dict[str, dict[str, Any]]:
 
 def _of_table(file: Path, text: str) -> dict[str, dict[str, Any]]:
     """The columns of a CSV file with a line of names, by its column `agent` if it has one."""
-    rows = list(csv.DictReader(io.StringIO(text), skipinitialspace=True))
+    try:
+        rows = list(csv.DictReader(io.StringIO(text), skipinitialspace=True))
+    except csv.Error as error:
+        raise _fault(file, str(error)) from error
     names = list(rows[0]) if rows else []
     for name in _NEEDED:
         if name not in names:
