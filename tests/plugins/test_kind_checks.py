@@ -79,7 +79,9 @@ FAULTS = {
         "Bad does not implement `displacement` or `displacements` (", 6,
     ),
     "a backend without a method": (
-        kind("Backend"), "Bad does not implement `files` or `collection` or `drive_files` or `send`", 6,
+        kind("Backend"),
+        "Bad does not implement `files` or `collection` or `drive_files` or `send`",
+        6,
     ),
     "a second method misspelled": (
         kind("Backend", "def files(self, scene): return {}", "def colection(self, scenes): ..."),
