@@ -120,3 +120,21 @@ def test_a_game_receives_scenes(game: Path) -> None:
         assert "game: built test with ego on 869 m" in running.output()
         assert "ERROR" not in running.output()
     assert driven.trace["x"][-1] > driven.trace["x"][0]
+
+
+def test_an_interrupt_leaves_the_earlier_addon(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place = install_addon(tmp_path)
+    rename = Path.rename
+
+    def interrupted(path: Path, target: Path) -> Path:
+        if path.name.startswith(".roadlang-new"):
+            raise KeyboardInterrupt
+        return rename(path, target)
+
+    monkeypatch.setattr(Path, "rename", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        install_addon(tmp_path)
+    assert (place / "plugin.cfg").is_file()
+    assert [path.name for path in place.parent.iterdir()] == ["roadlang"]
