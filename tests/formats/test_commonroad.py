@@ -26,6 +26,12 @@ object works is cone on street at 150m { offset: -3m }
 object home is building at (100m, 20m)
 """
 
+ZONES = """
+road a { draw with segments { pieces: [straight(151m)] }, lanes: 2, speed_limit: 14m/s }
+road b { draw with segments { pieces: [straight(103m)] }, lanes: 2, speed_limit: 8m/s }
+road all from a { then: [b] }
+"""
+
 
 def scene_of(text: str) -> Scene:
     return testing.sample(text)[0].record
@@ -165,3 +171,19 @@ def test_pedestrians_who_stand_are_no_parked_vehicles() -> None:
     kinds = [kind.text for kind in root.iterfind("staticObstacle/type")]
     assert "parkedVehicle" not in kinds
     assert "unknown" in kinds
+
+
+def test_lanelets_end_where_the_speed_limit_changes() -> None:
+    root = read(scene_of(ZONES))
+    signs = {
+        sign.attrib["id"]: float(sign.findtext("trafficSignElement/additionalValue", ""))
+        for sign in root.iterfind("trafficSign")
+    }
+    spans = {
+        (round(bound(item, "leftBound")[0][0]), round(bound(item, "leftBound")[-1][0])): [
+            signs[ref] for ref in refs(item, "trafficSignRef")
+        ]
+        for item in root.iterfind("lanelet")
+    }
+    slow, fast = [8.0], [14.0]
+    assert spans == {(0, 151): fast, (151, 254): slow, (254, 151): slow, (151, 0): fast}

@@ -12,6 +12,7 @@ import pytest
 
 import roadlang
 from roadlang import testing
+from roadlang.cli.main import run
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_scenic import ScenicBackend
 from roadlang_formats.scenic.names import variable_names
@@ -164,3 +165,12 @@ agent car is car on main at 50m { lane: -1 }
     walker, car = program.split("new ")[1:]
     assert "regionContainedIn everywhere" in walker
     assert "regionContainedIn" not in car
+
+
+def test_a_converted_program_loads_the_map_beside_it(tmp_path: Path) -> None:
+    (tmp_path / "scene.rl").write_text(SINGLE)
+    target = tmp_path / "my & scene-0000.scenic"
+    assert run(["convert", str(tmp_path / "scene.rl"), str(target)]) == 0
+    found = re.search(r"localPath\((.*)\)", target.read_text())
+    assert found is not None
+    assert (tmp_path / ast.literal_eval(found[1])).is_file()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import escape
@@ -26,9 +28,13 @@ KINDS = {
     ".glb": "gltf",
     ".scenic": "scenic",
     ".mjcf.xml": "mujoco",
+    ".cr.xml": "commonroad",
+    ".lanelet2.osm": "lanelet2",
 }
 """The kind of `emit` for each file name extension."""
 _QUOTES = {'"': "&quot;"}
+_PROGRAMS = ("scenic",)
+"""Files with names in string literals; those of other formats are XML."""
 
 
 @click.command("convert")
@@ -77,13 +83,16 @@ def _stem(name: str, endings: list[str]) -> str:
 
 
 def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, bytes]:
-    """Files that name each other, with the names that they get (in XML)."""
-    names = {f"{before}.{ending}": f"{escape(after, _QUOTES)}.{ending}" for ending in files}
+    """Files that name each other, with the names that they get."""
+    if len(files) < 2:
+        return dict(files)
+    endings = sorted(files, key=len, reverse=True)
+    pattern = re.compile(rf"{re.escape(before)}\.({'|'.join(map(re.escape, endings))})".encode())
+    plain, in_xml = json.dumps(after)[1:-1], escape(after, _QUOTES)
     renamed = {}
     for ending, content in files.items():
-        for old, new in names.items() if len(files) > 1 else ():
-            content = content.replace(old.encode(), new.encode())
-        renamed[ending] = content
+        name = (plain if ending in _PROGRAMS else in_xml).encode()
+        renamed[ending] = pattern.sub(lambda found, name=name: name + b"." + found[1], content)
     return renamed
 
 

@@ -1,4 +1,5 @@
-"""The lanelets of roads: each lane, cut where lanes beside it begin and end."""
+"""The lanelets of roads: each lane, cut where lanes beside it begin and end, and where the speed
+limit changes."""
 
 from __future__ import annotations
 
@@ -39,7 +40,9 @@ def add_road(drafts: Drafts, surface: RoadSurface) -> None:
     """The lanelets of a road, linked with one another."""
     borders = _closed_up(surface)
     parts = [
-        _add_part(drafts, surface, borders[:, first : last + 1], present)
+        _add_part(
+            drafts, surface, borders[:, first : last + 1], present, _limit(surface, first, last)
+        )
         for first, last, present in _parts(surface, borders)
     ]
     name = surface.road.name
@@ -71,10 +74,13 @@ def _closed_up(surface: RoadSurface) -> Floats:
 
 
 def _parts(surface: RoadSurface, borders: Floats) -> list[tuple[int, int, tuple[bool, ...]]]:
-    """First and last station of parts in which the same lanes have a width, and which ones do."""
+    """First and last station of parts in which the same lanes have a width and the speed limit is
+    the same, and which lanes they are."""
     wide = np.linalg.norm(np.diff(borders, axis=0), axis=2) > 0.0
     spans = (wide[:, 1:] | wide[:, :-1]).T
     cuts = [0, *(np.flatnonzero((spans[1:] != spans[:-1]).any(axis=1)) + 1).tolist(), len(spans)]
+    limits = [zone.start for zone in surface.road.zones()[1:]]
+    cuts = sorted({*cuts, *(int(np.abs(surface.stations - limit).argmin()) for limit in limits)})
     if _is_loop(surface):
         even = [round(len(spans) * k / _LOOP_PARTS) for k in range(1, _LOOP_PARTS)]
         cuts = sorted({*cuts, *even})
@@ -85,8 +91,19 @@ def _parts(surface: RoadSurface, borders: Floats) -> list[tuple[int, int, tuple[
     ]
 
 
+def _limit(surface: RoadSurface, first: int, last: int) -> float | None:
+    """The speed limit of the road between two stations, m/s."""
+    middle = (surface.stations[first] + surface.stations[last]) / 2.0
+    zones = surface.road.zones()
+    return [zone.speed_limit for zone in zones if zone.start <= middle or zone is zones[0]][-1]
+
+
 def _add_part(
-    drafts: Drafts, surface: RoadSurface, borders: Floats, present: Sequence[bool]
+    drafts: Drafts,
+    surface: RoadSurface,
+    borders: Floats,
+    present: Sequence[bool],
+    limit: float | None,
 ) -> dict[tuple[int, bool], int]:
     """The numbers of the lanelets of a part, by lane and whether they run along the road."""
     lanes = [
@@ -101,7 +118,7 @@ def _add_part(
     found: dict[tuple[int, bool], int] = {}
     for place, lane in enumerate(lanes):
         for forward in _directions(lane):
-            lanelet = _lanelet(surface, lane, first + place, forward)
+            lanelet = _lanelet(surface.road.name, lane, first + place, forward, limit)
             found[lane.id, forward] = drafts.add(lanelet)
     _add_neighbors(drafts, lanes, found)
     return found
@@ -114,12 +131,12 @@ def _directions(lane: Lane) -> tuple[bool, ...]:
     return (lane.direction != "backward",)
 
 
-def _lanelet(surface: RoadSurface, lane: Lane, border: int, forward: bool) -> Lanelet:
+def _lanelet(road: str, lane: Lane, border: int, forward: bool, limit: float | None) -> Lanelet:
     sides = Side(border, not forward), Side(border + 1, not forward)
     left, right = sides if forward else sides[::-1]
-    limit = surface.road.speed_limit if lane.drivable else None
+    limit = limit if lane.drivable else None
     return Lanelet(
-        surface.road.name,
+        road,
         lane.id,
         left,
         right,

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.geometry import CrossSection, Curve, Floats, offset
+from roadlang.geometry import CrossSection, Curve, Floats, Integers, offset
 
 from ..opendrive.plan_view import whole_turns
 from .built import built_roads
@@ -27,7 +28,8 @@ _MOST = 50
 
 @dataclass(frozen=True)
 class RoadSurface:
-    """A road between its junctions, at n stations. A loop ends where it begins.
+    """A road between its junctions, at n stations, also where its speed limit changes. A loop ends
+    where it begins.
 
     `borders` (L + 1, n, 3) are the borders of its L lanes from left to right, x east, y north and
     z up in meters; `left` (n, 2) is the unit vector to the left, `slope` (n,) the rise per meter.
@@ -63,7 +65,11 @@ def _surface(road: SceneRoad, tolerance: float) -> RoadSurface | None:
     if stop - start <= _SAME:
         return None
     even = np.linspace(start, stop, int((stop - start) / _SPACING) + 2)
-    inner = own[(own > start + _SAME) & (own < stop - _SAME)]
+    limits = np.array([zone.start for zone in road.zones()[1:]])
+    inner, limits = (
+        row[(row > start + _SAME) & (row < stop - _SAME)]
+        for row in (np.append(own, limits), limits)
+    )
     stations = np.union1d(even, inner)
     stations = stations[np.append(True, np.diff(stations) > _SAME)]
     stations[-1] = stop
@@ -75,12 +81,22 @@ def _surface(road: SceneRoad, tolerance: float) -> RoadSurface | None:
     heights = road_heights(road, stations)
     aside = section.border_offsets(stations)
     borders = np.stack([np.column_stack((_beside(curve, to, places), heights)) for to in aside])
-    chosen = thinned(borders, tolerance, _MOST)
+    chosen = _chosen(borders, tolerance, np.searchsorted(stations, limits - _SAME))
     slope = np.gradient(heights, stations)
     left = curve.normal(places)
     return RoadSurface(
         road, section, stations[chosen], borders[:, chosen], left[chosen], slope[chosen]
     )
+
+
+def _chosen(borders: Floats, tolerance: float, always: Integers) -> Integers:
+    """The stations that borders (l, n, 3) need to be within a tolerance, and `always` those."""
+    ends = [0, *always.tolist(), borders.shape[1] - 1]
+    parts = [
+        first + thinned(borders[:, first : last + 1], tolerance, _MOST)
+        for first, last in pairwise(ends)
+    ]
+    return np.unique(np.concatenate(parts))
 
 
 def _beside(curve: Curve, away: Floats, places: Floats) -> Floats:
