@@ -91,8 +91,8 @@ def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, b
     plain, in_xml = json.dumps(after)[1:-1], escape(after, _QUOTES)
     renamed = {}
     for ending, content in files.items():
-        name = (plain if ending in _PROGRAMS else in_xml).encode()
-        renamed[ending] = pattern.sub(lambda found, name=name: name + b"." + found[1], content)
+        name = (plain if ending in _PROGRAMS else in_xml).encode().replace(b"\\", rb"\\")
+        renamed[ending] = pattern.sub(name + rb".\1", content)
     return renamed
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from roadlang.api import CURB_HEIGHT, PAINT_HEIGHT
 from roadlang.geometry import Floats
 
+from ..surfaces.built import is_loop
 from ..surfaces.road_surface import RoadSurface
 from .materials import lane_material
 from .meshes import Faces, strip
@@ -54,7 +55,7 @@ def curb_parts(surface: RoadSurface) -> Iterator[Faces | None]:
             yield strip("curb", low, high, sides)
         elif right < left:
             yield strip("curb", high, low, -sides)
-    if not surface.road.closed:
+    if not is_loop(surface.road):
         for place in range(last):
             if lane_height(surface, place):
                 yield from _ends(surface, place)

@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from roadlang.geometry import Floats, Lane
+from roadlang_formats.surfaces.built import is_loop
 from roadlang_formats.surfaces.road_surface import RoadSurface
 
 from .model import Border, Lanelet, Side
@@ -46,7 +47,7 @@ def add_road(drafts: Drafts, surface: RoadSurface) -> None:
         for first, last, present in _parts(surface, borders)
     ]
     name = surface.road.name
-    following = [*pairwise(parts), *([(parts[-1], parts[0])] if _is_loop(surface) else [])]
+    following = [*pairwise(parts), *([(parts[-1], parts[0])] if is_loop(surface.road) else [])]
     for one, other in following:
         for (lane, forward), source in one.items():
             target = other.get((lane, forward))
@@ -58,17 +59,13 @@ def add_road(drafts: Drafts, surface: RoadSurface) -> None:
             (drafts.leaving if leaves else drafts.entering)[name, end, lane] = number
 
 
-def _is_loop(surface: RoadSurface) -> bool:
-    return surface.road.closed and surface.road.trim == (0.0, 0.0)
-
-
 def _closed_up(surface: RoadSurface) -> Floats:
     """(L + 1, n, 3) borders, where lanes without width have one border on both sides."""
     borders = surface.borders.copy()
     widths = np.linalg.norm(np.diff(borders, axis=0), axis=2)
     for place, width in enumerate(widths):
         borders[place + 1, width < _GONE] = borders[place, width < _GONE]
-    if _is_loop(surface):
+    if is_loop(surface.road):
         borders[:, -1] = borders[:, 0]
     return np.round(borders, 6)
 
@@ -81,7 +78,7 @@ def _parts(surface: RoadSurface, borders: Floats) -> list[tuple[int, int, tuple[
     cuts = [0, *(np.flatnonzero((spans[1:] != spans[:-1]).any(axis=1)) + 1).tolist(), len(spans)]
     limits = [zone.start for zone in surface.road.zones()[1:]]
     cuts = sorted({*cuts, *(int(np.abs(surface.stations - limit).argmin()) for limit in limits)})
-    if _is_loop(surface):
+    if is_loop(surface.road):
         even = [round(len(spans) * k / _LOOP_PARTS) for k in range(1, _LOOP_PARTS)]
         cuts = sorted({*cuts, *even})
     return [

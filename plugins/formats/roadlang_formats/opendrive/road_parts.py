@@ -12,7 +12,7 @@ import numpy as np
 
 from roadlang.geometry import CrossSection, Curve, Floats
 
-from ..surfaces.built import built_roads
+from ..surfaces.built import built_roads, is_loop
 from .both_ways import one_way, reversed_road, shared_lane
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import (
@@ -80,7 +80,7 @@ def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
     parts: list[OpenDriveRoad] = []
     for road in built_roads(scene):
         count = _RETURNING_PARTS if road.name in returning else 1
-        if road.closed and road.trim == (0.0, 0.0):
+        if is_loop(road):
             count = _LOOP_PARTS
         first = len(parts) + 1
         found = _parts(road, count, first, left_hand, tolerance)

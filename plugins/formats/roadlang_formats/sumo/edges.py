@@ -11,6 +11,7 @@ import numpy as np
 
 from roadlang.geometry import CrossSection, Floats, Lane
 
+from ..surfaces.built import is_loop
 from .lane_lines import lane_line, line_length, simplified
 from .vehicle_classes import LaneUse, permissions
 
@@ -60,11 +61,6 @@ class SumoEdge:
     def index(self, lane: int) -> int | None:
         """The number in SUMO of a lane of the scene; None where it is not there."""
         return next((n for n, found in enumerate(self.lanes) if found.id == lane), None)
-
-
-def is_loop(road: SceneRoad) -> bool:
-    """Whether nothing interrupts a closed road."""
-    return road.closed and road.trim == (0.0, 0.0)
 
 
 def road_edges(

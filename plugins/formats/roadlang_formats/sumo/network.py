@@ -13,8 +13,8 @@ import numpy as np
 from roadlang.geometry import Floats
 
 from ..opendrive.elements import put
-from ..surfaces.built import built_junctions, built_roads
-from .edges import SumoEdge, SumoLane, is_loop, road_edges
+from ..surfaces.built import built_junctions, built_roads, is_loop
+from .edges import SumoEdge, SumoLane, road_edges
 from .nodes import SumoNode, dead_end, junction_node, nodes_between
 from .signal_programs import put_program
 from .vehicle_classes import lane_use

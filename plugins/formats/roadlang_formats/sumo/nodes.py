@@ -10,8 +10,9 @@ import numpy as np
 
 from roadlang.geometry import Floats, poses_along
 
+from ..surfaces.built import is_loop
 from .acyclic import without_circles
-from .edges import GAP, SumoEdge, in_order, is_loop, pairs_of_edges
+from .edges import GAP, SumoEdge, in_order, pairs_of_edges
 from .lane_lines import TOLERANCE, simplified
 
 if TYPE_CHECKING:

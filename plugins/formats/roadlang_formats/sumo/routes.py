@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
 from ..opendrive.elements import put
-from .edges import SumoEdge, in_order, is_loop
+from ..surfaces.built import is_loop
+from .edges import SumoEdge, in_order
 from .vehicle_classes import class_of, has_wheels
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Which roads and junctions of a scene are built."""
+"""Which roads and junctions of a scene are built, and which roads are loops."""
 
 from __future__ import annotations
 
@@ -17,6 +17,11 @@ def built_roads(scene: Scene) -> tuple[SceneRoad, ...]:
         for name in junction.inside
     }
     return tuple(road for road in scene.roads if road.derived and road.name not in swallowed)
+
+
+def is_loop(road: SceneRoad) -> bool:
+    """Whether no junction interrupts a closed road."""
+    return road.closed and road.trim == (0.0, 0.0)
 
 
 def built_junctions(scene: Scene) -> tuple[tuple[str, SceneJunction], ...]:

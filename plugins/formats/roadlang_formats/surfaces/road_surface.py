@@ -12,7 +12,7 @@ import numpy as np
 from roadlang.geometry import CrossSection, Curve, Floats, Integers, offset
 
 from ..opendrive.plan_view import whole_turns
-from .built import built_roads
+from .built import built_roads, is_loop
 from .thinning import thinned
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def _surface(road: SceneRoad, tolerance: float) -> RoadSurface | None:
     curve = Curve.hermite(np.column_stack((road.x, road.y)), road.heading, closed=road.closed)
     section = road.cross_section()
     places = stations * (curve.length / road.length)
-    if curve.closed and road.trim != (0.0, 0.0):  # a loop that is open at its junction
+    if road.closed and not is_loop(road):  # open at its junction
         curve, places = curve.between(places[0], places[-1]), places - places[0]
     heights = road_heights(road, stations)
     aside = section.border_offsets(stations)
