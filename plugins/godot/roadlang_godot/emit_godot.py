@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Backend, Integer, String, Word, option
 
+from .protocol import USUAL_PORT
+
 if TYPE_CHECKING:
     from roadlang.api import Scene
 
@@ -24,7 +26,7 @@ class GodotBackend(Backend):
     )
     transport: Word = option("udp", words=("udp", "websocket"), help="transport protocol")
     host: String = option("127.0.0.1", help="host on which Godot listens")
-    port: Integer = option(4242, minimum=1, maximum=65535, help="port on which Godot listens")
+    port: Integer = option(USUAL_PORT, minimum=1, maximum=65535, help="port on which Godot listens")
 
     def send(self, scene: Scene) -> None:
         """Build, and compare what the engine holds with what was sent."""

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from roadlang.commands import echo
+from roadlang_godot.protocol import USUAL_PORT
 
 
 @click.command("godot")
@@ -15,7 +16,7 @@ from roadlang.commands import echo
 @click.option(
     "--port",
     type=click.IntRange(1, 65535),
-    default=4242,
+    default=USUAL_PORT,
     show_default=True,
     help="Port to listen on.",
 )

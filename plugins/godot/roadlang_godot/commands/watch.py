@@ -16,6 +16,7 @@ from roadlang_godot.commands.finite_range import FiniteRange
 from roadlang_godot.edited_text import EditedText
 from roadlang_godot.faults import EngineError
 from roadlang_godot.held_agent import NOBODY, held_agent
+from roadlang_godot.protocol import USUAL_PORT
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
@@ -38,7 +39,7 @@ BYTE_ORDER_MARK = "\ufeff"
 @click.option(
     "--port",
     type=click.IntRange(1, 65535),
-    default=4242,
+    default=USUAL_PORT,
     show_default=True,
     help="Port of that Godot.",
 )
