@@ -54,8 +54,8 @@ static func record(member: Member, tick: int) -> PackedByteArray:
 
 
 ## All agents in the order of worlds and numbers: tick, how many, how many contacts, then five
-## float32 for each, the contacts that were not yet told, and what humans want: world, agent, steering
-## angle and acceleration of each agent that is driven by hand.
+## float32 for each, the contacts that were not yet told, and what humans want: world, agent,
+## steering angle and acceleration of each agent that is driven by hand.
 static func state(
 	members: Array[Member], tick: int, touched: Array[Contacts.Contact]
 ) -> PackedByteArray:
