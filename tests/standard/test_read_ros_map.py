@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import cv2
@@ -133,6 +134,12 @@ def test_an_option_sets_the_width(tmp_path: Path) -> None:
         ("image: map.pgm\nresolution: wide", "`resolution` is not a number: 'wide'"),
         ("image: map.pgm\nresolution: .nan", "`resolution` is not a number"),
         ("image: map.pgm\nresolution: 0", "must be above 0"),
+        ("image: map.pgm\nresolution: true", "`resolution` is not a number: True"),
+        ("image: map.pgm\nresolution: 1" + 400 * "0", "`resolution` is not a number: 1"),
+        ("image: map.pgm\nresolution: 1.0e+4", "100km is the most"),
+        ("image: map.pgm\nresolution: 1\norigin: [1.0e+300, 0]", "more than 10,000km away"),
+        ("image: map.pgm\nresolution: 1\norigin: [0, 1, .inf]", "`origin` is not a number: inf"),
+        ("image: map.pgm\nresolution: 1\nnegate: [1]", "`negate` is not a number"),
         ("image: map.pgm\nresolution: 1\norigin: 3", "`origin` is not"),
         ("image: map.pgm\nresolution: 1\norigin: [a, 0]", "`origin` is not a number: 'a'"),
         ("image: map.pgm\nresolution: 1\nmode: scale", "its mode is `scale`"),
@@ -152,6 +159,31 @@ def test_what_is_no_map_is_said(text: str, reason: str, tmp_path: Path) -> None:
     assert reason in words
     assert "scene.rl:1:" in words
     assert "RL470" not in words
+
+
+@pytest.mark.parametrize("key", ["resolution", "negate", "mode", "origin"])
+def test_aliases_of_aliases_are_not_written_out(key: str, tmp_path: Path) -> None:
+    """Nine levels of nine stand for 387 million items."""
+    write(tmp_path, hall())
+    names = "abcdefghi"
+    steps = [
+        f"{name}: &{name} [{', '.join(9 * [f'*{before}'])}]" for before, name in pairwise(names)
+    ]
+    lines = ["a: &a [x]", *steps, "image: map.pgm", f"{key}: [*i, 0]"]
+    (tmp_path / "map.yaml").write_text("\n".join(["resolution: 1", *lines]))
+    with pytest.raises(roadlang.DiagnosticError, match="RL428") as caught:
+        scene_of(tmp_path)
+    assert len(str(caught.value)) < 1000
+
+
+@pytest.mark.parametrize("written", ["5e-2", "'0.05'", "5.0e-02"])
+def test_a_resolution_may_be_written_as_other_tools_do(written: str, tmp_path: Path) -> None:
+    """YAML 1.1 wants a point in `5e-2`, of which other writers know nothing."""
+    write(tmp_path, hall())
+    plain = scene_of(tmp_path).roads["way"]
+    path = tmp_path / "map.yaml"
+    path.write_text(path.read_text() + f"resolution: {written}\n")
+    assert scene_of(tmp_path).roads["way"].length == pytest.approx(plain.length)
 
 
 @pytest.mark.parametrize("kind", [b"P5", b"P2"])

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from pathlib import Path
+from reprlib import Repr
 from typing import TYPE_CHECKING, Any
 
 from roadlang.api import Code, DiagnosticError, diagnose, read_image, read_input
@@ -22,6 +23,13 @@ if TYPE_CHECKING:
 
 _LARGEST = 100_000
 """bytes of a YAML file: it has six lines"""
+_LARGEST_SIDE = 1e5
+"""meters"""
+_FARTHEST = 1e7
+"""meters of the origin from (0, 0)"""
+_SHORT = Repr()
+"""What is quoted of a wrong value: aliases of aliases may stand for billions of items."""
+_SHORT.maxlevel = 2
 
 
 @dataclass(frozen=True)
@@ -61,6 +69,9 @@ def read_map(path: Path) -> GridMap:
     mean = pixels.astype(np.float64).mean(axis=2)
     occupied = (mean if record.negate else 255.0 - mean) / 255.0
     free = occupied < record.free_thresh
+    side = record.resolution * max(free.shape)
+    if side > _LARGEST_SIDE:
+        raise _fault(path, f"it is {side / 1e3:g}km wide, and 100km is the most; see `resolution`")
     if not free.any():
         raise _fault(path, "no pixel of its image is free; look at `negate` and `free_thresh`")
     return GridMap(free, record.resolution, record.origin)
@@ -78,7 +89,8 @@ def read_record(path: Path) -> MapRecord:
         raise _fault(path, "it is not a map of `image`, `resolution`, `origin`, ...")
     mode = record.get("mode", "trinary")
     if mode != "trinary":
-        raise _fault(path, f"its mode is `{mode}`, and `trinary` can be read")
+        shown = mode if isinstance(mode, str) else _SHORT.repr(mode)
+        raise _fault(path, f"its mode is `{shown}`, and `trinary` can be read")
     image = record.get("image")
     if not isinstance(image, str) or not image or "\0" in image:
         raise _fault(path, "`image` is not the name of a file")
@@ -86,7 +98,7 @@ def read_record(path: Path) -> MapRecord:
         image,
         _number(path, record, "resolution", None),
         _origin(path, record),
-        bool(_number(path, record, "negate", 0.0)),
+        _is_set(path, record, "negate"),
         _number(path, record, "occupied_thresh", 0.65),
         _number(path, record, "free_thresh", 0.196),
     )
@@ -97,12 +109,19 @@ def read_record(path: Path) -> MapRecord:
     return found
 
 
+def _is_set(path: Path, record: dict[Any, Any], key: str) -> bool:
+    value = record.get(key, False)
+    return value if isinstance(value, bool) else bool(_number(path, record, key, None))
+
+
 def _origin(path: Path, record: dict[Any, Any]) -> tuple[float, float, float]:
     written = record.get("origin", [0.0, 0.0, 0.0])
     if not isinstance(written, list) or len(written) not in (2, 3):
         raise _fault(path, "`origin` is not [x, y, yaw]")
     numbers = {str(index): value for index, value in enumerate(written)}
     x, y, yaw = (_number(path, numbers, str(index), 0.0, "origin") for index in range(3))
+    if math.hypot(x, y) > _FARTHEST:
+        raise _fault(path, "`origin` is more than 10,000km away")
     return x, y, yaw
 
 
@@ -112,9 +131,14 @@ def _number(
     value = record.get(key, default)
     if value is None:
         raise _fault(path, f"`{key}` is missing")
-    if not isinstance(value, int | float) or not math.isfinite(value):
-        raise _fault(path, f"`{shown or key}` is not a number: {value!r}")
-    return float(value)
+    try:
+        # YAML 1.1 takes `1e-2`, which other writers use, for text.
+        number = math.nan if isinstance(value, bool | list | dict) else float(value)
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise _fault(path, f"`{shown or key}` is not a number: {_SHORT.repr(value)}")
+    return number
 
 
 def _fault(path: Path, reason: str) -> DiagnosticError:

@@ -45,10 +45,22 @@ def _backends(scenario: Scenario, registry: Registry, named: bool) -> list[KindI
     writing = [backend for backend in found if implements(type(backend.kind), "drive_files")]
     if named:
         faults = [
-            diagnose(Code.NO_DRIVE_FILES, kind=backend.entry.name)
+            diagnose(Code.NO_DRIVE_FILES, kind=backend.entry.name, help=_drive_kinds(registry))
             for backend in found
             if backend not in writing
         ]
         if faults:
             raise DiagnosticError(*faults)
     return writing
+
+
+def _drive_kinds(registry: Registry) -> list[str]:
+    """One line of help that lists the kinds that write files of drives."""
+    from ..semantics.checker import ResolvedKind
+    from ..semantics.infer.kinds import loaded
+
+    found = [loaded(entry) for entry in registry.of("emit")]
+    kinds = [kind for kind in found if isinstance(kind, ResolvedKind)]
+    names = [kind.entry.name for kind in kinds if implements(kind.kind, "drive_files")]
+    listed = ", ".join(f"`{name}`" for name in names)
+    return [f"those that do are {listed}"] if names else []

@@ -1,7 +1,7 @@
 """Faults that every scene would have: `check` finds them before anything is sampled.
 
 What the scenario alone decides is found without numpy. Only where a position may be beyond the end
-of a road is the road drawn.
+of a road, where a road may not close, and where a table or map is named, is the road made.
 """
 
 from __future__ import annotations
@@ -28,18 +28,20 @@ from ..plugins.registry import Registry
 from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
 from .fixed_closed_roads import fixed_closed_roads
-from .fixed_junctions import fixed_junctions
 from .fixed_overlaps import fixed_overlaps
 from .fixed_positions import drawer_of, intervals_off_road, position_fault
+from .fixed_roads import fixed_roads
+from .fixed_runs import equal_outputs, large_grid
 from .refused_options import refused_options
 from .unsupported import unsupported_parts
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
     """Kinds that refuse their options, images without scale, lanes that are not there,
-    positions and intervals beyond their roads, things in one place, junctions that are not there,
-    formulas that cannot be evaluated on closed roads, and what backends and the simulator do not
-    support.
+    positions and intervals beyond their roads, things in one place, formulas that cannot be
+    evaluated on closed roads, equal outputs, and what backends and the simulator do not support.
+    Where there are none: roads that cannot be made, parts of maps that are not there, and grids
+    that are too large.
 
     Roads from picture files are not checked: they are read when scenes are made.
     """
@@ -53,8 +55,9 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
         if actor.on in scenario.roads:
             fault = _lane_fault(actor, scenario) or position_fault(actor, scenario)
             found += [fault] if fault is not None else []
-    found += [*fixed_overlaps(scenario), *fixed_junctions(scenario), *fixed_closed_roads(scenario)]
-    return [*found, *unsupported_parts(scenario)]
+    found += [*fixed_overlaps(scenario), *fixed_closed_roads(scenario), *equal_outputs(scenario)]
+    found += unsupported_parts(scenario)
+    return found or [*fixed_roads(scenario), *large_grid(scenario)]
 
 
 def _nothing_measured(call: PassCall, candidates: Any, element: int) -> Any:

@@ -153,7 +153,7 @@ def _plain(node: yaml.Node, budget: Iterator[int]) -> Any:
 
     if next(budget, None) is None:  # aliases of aliases grow without end
         raise ValueError("too many items")
-    if isinstance(node, yaml.SequenceNode):
+    if isinstance(node, yaml.SequenceNode) and node.tag.endswith(":seq"):
         return [_plain(item, budget) for item in node.value]
     if isinstance(node, yaml.ScalarNode):
         return yaml.constructor.SafeConstructor().construct_object(node)

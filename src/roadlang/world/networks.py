@@ -129,14 +129,15 @@ def _perturbed_edge(
     trims = root.junctions.frozen(edge, batch.stations, found.length)
     window = junction_window(root.network, found, batch.stations, trims=trims)
     for call in calls:
-        if edge in _chosen_edges(call, root.network, candidates):
+        if edge in chosen_edges(call, root.network, candidates):
             batch = perturbed(batch, call, candidates, edge, window)
     return batch
 
 
-def _chosen_edges(
+def chosen_edges(
     call: PassCall, network: RoadNetwork, candidates: CandidateBatch
 ) -> frozenset[int]:
+    """The ids of the edges that a pass is about: all, or those of its `roads`. Raises RL411."""
     option = call.common.get("roads")
     every = frozenset(edge.id for edge in network.edges)
     if option is None:

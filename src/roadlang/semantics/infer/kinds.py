@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from ...diagnostics import Code, Span
@@ -138,6 +139,8 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
         meant = None  # `object b is car` means the agent, not an object with a similar name
     help_ = [] if meant else _of_other_verbs(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
+        help_ = _described(checker, verb, name)
+    if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
     if not meant:
         help_ += registry.hints
@@ -149,6 +152,23 @@ def _not_installed(checker: Checker, name: str) -> list[str]:
     plugin, dot, _ = name.rpartition(".")
     there = {entry.origin.plugin for entry in checker.registry.entries}
     return [f"no plugin called `{plugin}` is installed"] if dot and plugin not in there else []
+
+
+def _described(checker: Checker, verb: str, word: str) -> list[str]:
+    """Kinds of a verb that say in the first line of their help that they are such a thing, as
+    `ranges` is "a lidar"."""
+    kinds = [loaded(entry) for entry in checker.registry.of(verb)]
+    lines = {
+        kind.entry.name: (kind.kind.__doc__ or "").strip().partition("\n")[0].rstrip(".")
+        for kind in kinds
+        if isinstance(kind, ResolvedKind)
+    }
+    is_named = re.compile(rf"\ban? {re.escape(word)}\b", re.IGNORECASE).search
+    return [
+        f"`{display_name(verb, name)}`: {line[0].lower()}{line[1:]}"
+        for name, line in lines.items()
+        if is_named(line)
+    ]
 
 
 def _of_other_verbs(checker: Checker, verb: str, name: str) -> list[str]:

@@ -30,16 +30,32 @@ def check_limits(
     word, limit, number = fault
     meant = subtraction_as_range(typed.span.text)
     verb = "can be" if low != high else "is"
+    advice = f"to draw a value between the two, write `{meant}`" if meant else ""
     checker.report(
         Code.VALUE_OUT_OF_BOUNDS,
         typed.span,
         what=what,
         expected=f"be {word} {_quantity(limit, dimension)}",
         found=f"{verb} {_quantity(number, dimension)}",
-        help=f"to draw a value between the two, write `{meant}`" if meant else (),
+        help=advice or _advice(limits, dimension, is_drawn=low != high),
         fixes=[Fix(typed.span, meant)] if meant else (),
     )
     return False
+
+
+def _advice(limits: Constraints, dimension: Dimension, is_drawn: bool) -> str:
+    """What may be written instead: `write 1 to 32`, `write more than 0s`."""
+    least = limits.minimum if limits.minimum is not None else limits.above
+    most = limits.maximum if limits.maximum is not None else limits.below
+    low, high = (None if end is None else _quantity(end, dimension) for end in (least, most))
+    ends = [f"more than `{low}`" if limits.minimum is None else f"at least `{low}`"] if low else []
+    if high:
+        ends.append(f"less than `{high}`" if limits.maximum is None else f"at most `{high}`")
+    allowed = " and ".join(ends)
+    if limits.minimum is not None and limits.maximum is not None:
+        allowed = f"`{low}` to `{high}`"
+    drawn = "a random value keeps to the bounds over its whole range: " if is_drawn else ""
+    return f"{drawn}write {allowed}"
 
 
 def subtraction_as_range(text: str) -> str | None:
