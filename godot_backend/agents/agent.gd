@@ -102,6 +102,8 @@ func reset(surfaces: PackedVector2Array) -> void:
 	body.place(Vector3(_start.x, 0.0, -_start.y), _start_heading, _start_speed)
 	body.set_surfaces(surfaces)
 	driver.reset()
+	x = _start.x
+	y = _start.y
 	traveled = 0.0
 	contacts = 0
 	acceleration = 0.0

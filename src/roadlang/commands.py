@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
+from .cli.finite_range import FiniteRange
 from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
@@ -48,6 +49,7 @@ __all__ = [
     "Code",
     "Diagnostic",
     "DiagnosticError",
+    "FiniteRange",
     "Handle",
     "ProgressBar",
     "diagnose",

@@ -130,8 +130,6 @@ def test_an_agent_that_is_put_down_where_it_was_taken_drives_on_from_there(
         for y, done in ((20.0, False), (0.0, True)):
             watched.do(HandEdit("move", ego, (place[0], y), 1, done, place))
         assert watched.file.read_text() == text
-        for _ in range(10):  # the first state may be of the body before it is placed
-            watched.live.listen(0.02)
         assert x_of_ego(watched) > 44.0, "not at its start, 5 m"
         watched.do(HandEdit("move", ego, (30.0, 0.0), 2, True, (x_of_ego(watched), 0.0)))
         assert "main at 30m" in watched.file.read_text()

@@ -11,6 +11,7 @@ import click
 from ..diagnostics import Code
 from . import exit_codes
 from .console import echo, report
+from .finite_range import FiniteRange
 
 if TYPE_CHECKING:
     from ..ir.picture import Extraction, Picture
@@ -47,15 +48,13 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
 @click.option(
     "--with", "kind", default="auto", metavar="KIND", help="Extractor: a kind of `extract`."
 )
-@click.option(
-    "--scale", type=click.FloatRange(1e-4, 1e4), help="Ground resolution in meters per pixel."
-)
+@click.option("--scale", type=FiniteRange(1e-4, 1e4), help="Ground resolution in meters per pixel.")
 @click.option(
     "--threshold",
-    type=click.FloatRange(0, 1, min_open=True, max_open=True),
+    type=FiniteRange(0, 1, min_open=True, max_open=True),
     help="Threshold of the extractor.",
 )
-@click.option("--width", type=click.FloatRange(0, min_open=True), help="Road width in pixels.")
+@click.option("--width", type=FiniteRange(0, min_open=True), help="Road width in pixels.")
 @click.option(
     "--through",
     type=_Numbers(2, "X,Y"),

@@ -11,6 +11,7 @@ import click
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
 from .console import echo, note, report, shown, style
+from .finite_range import FiniteRange
 
 if TYPE_CHECKING:
     from ..session.falsification import Failure, Falsification
@@ -34,14 +35,10 @@ _SHOWN = 10
 @click.option(
     "--failures", type=click.IntRange(min=1), help="Stop after this many distinct failures."
 )
-@click.option(
-    "--seconds", type=click.FloatRange(min=0, min_open=True), help="Stop after this time."
-)
+@click.option("--seconds", type=FiniteRange(min=0, min_open=True), help="Stop after this time.")
 @click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together, at most.")
 @click.option("--islands", type=click.IntRange(min=1), help="Independent searches side by side.")
-@click.option(
-    "--random", type=click.FloatRange(0, 1), help="Fraction of candidates drawn at random."
-)
+@click.option("--random", type=FiniteRange(0, 1), help="Fraction of candidates drawn at random.")
 @shared_options.engine
 @shared_options.duration
 @shared_options.seed

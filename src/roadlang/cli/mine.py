@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from .console import echo, report
+from .finite_range import FiniteRange
 
 if TYPE_CHECKING:
     from ..stl.explain.mining import Mined, Parameter
@@ -26,7 +27,9 @@ if TYPE_CHECKING:
     help="Parameter in FORMULA and its bounds; the first one is tightened first.",
 )
 @click.option(
-    "--margin", type=float, help="Minimum robustness; by default the formula only has to hold."
+    "--margin",
+    type=FiniteRange(),
+    help="Minimum robustness; by default the formula only has to hold.",
 )
 @click.option(
     "--digits", type=click.IntRange(1, 12), default=6, help="Significant digits of the result."

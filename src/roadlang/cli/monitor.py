@@ -10,6 +10,7 @@ import click
 
 from . import exit_codes
 from .console import echo, report
+from .finite_range import FiniteRange
 
 if TYPE_CHECKING:
     from ..stl import Formula
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--wrap",
-    type=float,
+    type=FiniteRange(),
     metavar="LENGTH",
     help="Length of the closed road that the traces go around.",
 )

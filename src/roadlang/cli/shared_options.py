@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import click
 
+from .finite_range import FiniteRange
+
 output = click.option(
     "-o",
     "--output",
@@ -45,7 +47,7 @@ params = click.option(
 )
 engine = click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
 duration = click.option(
-    "--duration", type=click.FloatRange(min=0.1), help="Maximum duration of a drive in seconds."
+    "--duration", type=FiniteRange(min=0.1), help="Maximum duration of a drive in seconds."
 )
 emit = click.option(
     "--emit",

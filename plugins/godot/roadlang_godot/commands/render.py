@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from roadlang.commands import Code, DiagnosticError, diagnose, echo, report
-from roadlang_godot.commands.finite_range import FiniteRange
+from roadlang.commands import Code, DiagnosticError, FiniteRange, diagnose, echo, report
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import DiagnosticError, echo, report
-from roadlang_godot.commands.finite_range import FiniteRange
+from roadlang.commands import DiagnosticError, FiniteRange, echo, report
 from roadlang_godot.edited_text import EditedText
 from roadlang_godot.faults import EngineError
 from roadlang_godot.held_agent import NOBODY, held_agent

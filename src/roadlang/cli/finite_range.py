@@ -9,13 +9,13 @@ import click
 
 
 class FiniteRange(click.FloatRange):
-    """A number between bounds. `click.FloatRange` takes `nan` for one."""
+    """A number between bounds. `click.FloatRange` takes `nan` and `inf` for one."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
         """The number. Raises `click.BadParameter`."""
         number = float(super().convert(value, param, ctx))
-        if math.isnan(number):
-            self.fail(f"{value!r} is not a number.", param, ctx)
+        if not math.isfinite(number):
+            self.fail(f"{value!r} is not a finite number.", param, ctx)
         return number
