@@ -106,6 +106,22 @@ def test_a_taper_takes_at_most_half_of_a_road() -> None:
     assert section.lane_width(-3, 130.0) == pytest.approx(3.5)
 
 
+@pytest.mark.parametrize("rounding", [-1e-12, -2e-14, 0.0, 2e-14, 1e-12])
+def test_widths_that_change_a_rounding_beside_the_taper_are_no_fault(rounding: float) -> None:
+    before, after = (
+        part(Curve.through([(0.0, 0.0), (1000.0, 0.0)]), 1),
+        part(Curve.through([(0.0, 0.0), (40.0, 0.0)]), 2),
+    )
+    lane = after.section.lanes[0]
+    width = WidthProfile(np.array([0.0, 20.0 + rounding]), np.array([3.0, 3.5]))
+    lanes = (replace(lane, width=width), *after.section.lanes[1:])
+    joined = joined_section(
+        [before, replace(after, section=replace(after.section, lanes=lanes))], 50.0
+    )
+    widest = max(joined.lanes, key=lambda lane: float(lane.width.at(1040.0)))
+    assert widest.width.at(1040.0) == pytest.approx(3.5)
+
+
 def test_lanes_of_the_same_kind_go_on_outside_of_one_that_ends() -> None:
     def section(*kinds: str) -> CrossSection:
         lanes = CrossSection.of_lane_count(1, WidthProfile.constant(3.0), oneway=True).lanes

@@ -136,15 +136,17 @@ def _stations(parts: Sequence[RoadToJoin], taper: float) -> list[Floats]:
     found = []
     for part in parts:
         length = part.curve.length
-        near = min(taper, length / 2.0)
+        near, close = min(taper, length / 2.0), 2.0 * _SEAM
         count = max(2, math.ceil(near / SPACING) + 1)
         listed = [lane.width.stations for lane in part.section.lanes]
         offset = part.section.center_offset
         listed += [] if offset is None else [offset.stations]
         inner = np.concatenate(listed)
-        inner = inner[(inner > 0.0) & (inner < length)]
+        inner = inner[(inner > close) & (inner < length - close)]
         ends = np.linspace(0.0, near, count), np.linspace(length - near, length, count)
-        found.append(np.unique(np.concatenate([*ends, inner])))
+        every = np.unique(np.concatenate([*ends, inner]))
+        # Two that differ by rounding alone may be one along the joined road.
+        found.append(every[np.append(True, np.diff(every) > close)])
     return found
 
 
