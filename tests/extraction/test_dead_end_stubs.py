@@ -55,3 +55,18 @@ def test_a_stub_is_a_road_and_a_corner_is_none() -> None:
     assert len(found.roads) == 3
     ends = {tuple(np.round(found.nodes[n])) for road in found.roads for n in (road.start, road.end)}
     assert any(abs(x - 99.5) <= 2 and abs(y - 32) <= 2 for x, y in ends)
+
+
+@pytest.mark.parametrize(("below", "roads"), [(14, 4), (2, 3)], ids=["a street", "a bay"])
+def test_a_stub_without_a_line_in_the_skeleton_is_a_road(below: int, roads: int) -> None:
+    """A crossing with rounded corners, roads 16 px wide: below, little shows beyond them."""
+    surface = np.zeros((140, 200), np.float32)
+    surface[60:76, 10:190] = surface[10:76, 92:108] = 1
+    surface[76 : 76 + below, 92:108] = 1
+    for side, corner in ((-1, 91), (1, 108)):
+        for step in range(7):
+            surface[76 + step, corner : corner + side * (7 - step) : side] = 1 if below > 7 else 0
+    found = roads_of_surface(surface, "plan")
+    assert len(found.roads) == roads
+    lowest = max(float(point[1]) for road in found.roads for point in road.points)
+    assert lowest == pytest.approx(90.0 if below > 7 else 68.0, abs=2.5)

@@ -44,7 +44,9 @@ def test_a_picture_that_is_too_large_is_refused(tmp_path: Path) -> None:
         road_mask(scene, 0.005, 10.0)
 
 
-@pytest.mark.parametrize(("name", "share"), [("drawn_town", 0.96), ("signals", 0.99)])
+@pytest.mark.parametrize(
+    ("name", "share"), [("drawn_town", 0.97), ("signals", 0.99), ("typed_town", 0.97)]
+)
 def test_networks_come_back_from_their_masks(tmp_path: Path, name: str, share: float) -> None:
     """Of the length of the roads so much is found within 1.5 m, and nothing else."""
     scene = load(EXAMPLES / f"{name}.rl").sample(1)[0].record

@@ -15,6 +15,7 @@ from .graph import trace
 from .graph_cleanup import contract, drop_crumbs, extend_to_border, join, prune
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
+from .square_stubs import add_square_stubs
 
 Layer = NDArray[np.float32]
 
@@ -45,7 +46,9 @@ def roads_of_surface(
     typical = typical_width_of(graph, mask)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     drop_corners(graph, inner, typical)
-    short = stubs(graph, inner, typical) if least is None else []
+    short = []
+    if least is None:
+        short = [*add_square_stubs(graph, mask, typical), *stubs(graph, inner, typical)]
     contract(graph, 1.2 * typical)
     shortest = 1.1 * typical if least is None else least
     prune(graph, shortest, mask.shape, margin=0.6 * typical + 2, sure=short)
