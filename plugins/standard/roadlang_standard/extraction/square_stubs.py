@@ -118,9 +118,9 @@ def _branching(graph: Graph, end: SquareEnd, width: float) -> int | None:
         return None
     line, at = best
     nodes = [n for n, count in graph.degree().items() if count > 1]
-    away = [float(np.hypot(*(graph.nodes[n] - line.points[at]))) for n in nodes]
-    if away and min(away) < _SAME_NODE * width:
-        return nodes[int(np.argmin(away))]
+    distances = [float(np.hypot(*(graph.nodes[n] - line.points[at]))) for n in nodes]
+    if distances and min(distances) < _SAME_NODE * width:
+        return nodes[int(np.argmin(distances))]
     return _split(graph, line, at)
 
 
