@@ -15,8 +15,8 @@ from roadlang.geometry import Curve
 from roadlang.ir.scene import Scene
 from roadlang_formats.read_geojson import GeoJson
 from roadlang_formats.read_scene import SceneMap
+from tests.formats.read_maps import CROSSING_TURNS, turns_of
 from tests.formats.small_maps import crossing, straight, xodr
-from tests.formats.test_read_opendrive import CROSSING_TURNS, turns_of
 
 DRAWN = '''image plan from """
 ...#...

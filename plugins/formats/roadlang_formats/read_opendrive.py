@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Reader
+from roadlang.api import Flag, Reader, option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -19,10 +19,11 @@ class OpenDriveMap(Reader):
     name: ClassVar[str] = "opendrive"
     suffixes: ClassVar[tuple[str, ...]] = (".xodr",)
     reads: ClassVar[tuple[str, ...]] = ("network",)
+    objects: Flag = option(True, help="whether trees, poles, buildings and barriers are read")
 
     def read(self, path: Path) -> Any:
         """An `Extraction` in the coordinates of the file. Raises RL479."""
         from .map_xml import read_map_xml
         from .opendrive_map.network import network_of
 
-        return network_of(read_map_xml(path, "OpenDRIVE"))
+        return network_of(read_map_xml(path, "OpenDRIVE"), objects=self.objects)

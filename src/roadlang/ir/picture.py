@@ -86,7 +86,10 @@ class Picture(Frozen):
 
 @dataclass(frozen=True)
 class FoundObject:
-    """Something that a legend named: `kind`, and its outline's center and size in meters."""
+    """Something that a legend or map named: `kind`, and its outline's center and size in meters.
+
+    `height` in meters; None: that of the kind.
+    """
 
     kind: str
     x: float
@@ -94,6 +97,7 @@ class FoundObject:
     length: float
     width: float
     heading: float = 0.0
+    height: float | None = None
 
 
 @dataclass(frozen=True)

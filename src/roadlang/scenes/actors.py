@@ -46,7 +46,7 @@ def scene_actors(
 
 
 def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
-    """What the legends of the images name, in addition to roads: `town/tree[0]`."""
+    """What legends of images, and maps, name in addition to roads: `town/tree[0]`."""
     found: list[SceneActor] = []
     networks = candidates.scenario.networks.values()
     bottoms = [
@@ -58,8 +58,10 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
             group = f"{network.name}/{drawn.kind.rpartition('.')[2]}"
             number = numbers[group] = numbers.get(group, -1) + 1
             options = _kind_defaults(drawn.kind, candidates)
-            height = float(options.get("height", _UNUSUAL_HEIGHT))
+            height = drawn.height or float(options.get("height", _UNUSUAL_HEIGHT))
             options |= {"length": drawn.length, "width": drawn.width}
+            if drawn.height is not None:
+                options["height"] = drawn.height
             found.append(
                 SceneActor(
                     f"{group}[{number}]",

@@ -12,6 +12,7 @@ from roadlang_formats.map_xml import MapFile
 
 from .built_roads import BuiltRoad
 from .controls import map_controls
+from .objects import objects_of
 from .parsing import parsed_map
 from .records import OpenDriveRecord
 from .turns import RoadEnd, TurnReader
@@ -22,8 +23,9 @@ _TOGETHER = 1e-7
 """Share of their coordinates by which ends at one node may differ."""
 
 
-def network_of(file: MapFile) -> Extraction:
-    """Roads outside of junctions with their ids, and the junctions as the file states them."""
+def network_of(file: MapFile, *, objects: bool = True) -> Extraction:
+    """Roads outside of junctions with their ids, the junctions as the file states them, and the
+    objects that vehicles must not touch."""
     record = parsed_map(file)
     roads = {id: BuiltRoad.of(file, road) for id, road in record.roads.items()}
     outside = [
@@ -57,7 +59,8 @@ def network_of(file: MapFile) -> Extraction:
         )
     controls = map_controls(record, numbers)
     network = RoadNetwork(nodes, tuple(edges), record.origin, junctions, controls)
-    return Extraction(network, remarks=(*_remarks(record), *reader.remarks))
+    found = objects_of(file, roads) if objects else ()
+    return Extraction(network, found, remarks=(*_remarks(record), *reader.remarks))
 
 
 def numbered(ids: Sequence[str]) -> Mapping[str, int]:

@@ -23,6 +23,7 @@ from .records import (
     RoadRecord,
     SignalRecord,
 )
+from .short_roads import without_short_roads
 from .speeds import speed_of
 
 _PLAIN_PROJECTIONS = ("tmerc", "aeqd", "stere", "sterea", "laea", "ortho", "gnom")
@@ -57,7 +58,8 @@ def parsed_map(file: MapFile) -> OpenDriveRecord:
         if junction.id in junctions:
             raise file.fault(element, f"two junctions have the id `{junction.id}`")
         junctions[junction.id] = junction
-    return with_both_ways(OpenDriveRecord(roads, junctions, _origin(file)))
+    record = without_short_roads(OpenDriveRecord(roads, junctions, _origin(file)))
+    return with_both_ways(record)
 
 
 def _origin(file: MapFile) -> tuple[float, float] | None:

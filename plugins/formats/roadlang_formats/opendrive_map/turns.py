@@ -9,7 +9,7 @@ from roadlang.geometry import LaneEnd, MapJunction, MapTurn
 from roadlang_formats.map_xml import MapFile
 
 from .built_roads import BuiltRoad
-from .records import ConnectionRecord, Contact, JunctionRecord, RoadRecord
+from .records import ConnectionRecord, Contact, JunctionRecord
 
 Roads = Mapping[str, BuiltRoad]
 RoadEnd = tuple[str, Contact]
@@ -50,26 +50,26 @@ class TurnReader:
                 link = self._roads[id].record.link(end)
                 if link is None or link.kind == "junction":
                     continue
-                self._require_road(self._roads[id].record, link.id)
+                if link.id not in self._roads:
+                    self._remark(
+                        id, f"leads to road {link.id}, which does not exist: it ends there"
+                    )
+                    continue
                 pair = (id, end), (link.id, link.contact)
                 if link.id in self._numbers and self._are_near(*pair):
                     found.setdefault(frozenset(pair), pair)
         return [pair for pair in found.values() if pair[0] != pair[1]]
 
-    def _require_road(self, road: RoadRecord, id: str) -> None:
-        if id not in self._roads:
-            reason = f"road `{road.id}` leads to road `{id}`, which does not exist"
-            raise self._file.fault(road.element.first("link") or road.element, reason)
+    def _remark(self, id: str, what: str) -> None:
+        line = self._file.line(self._roads[id].record.element)
+        self.remarks.setdefault(f"road {id} (line {line}) {what}")
 
     def _are_near(self, one: RoadEnd, other: RoadEnd) -> bool:
         """Whether two ends meet; if not, a remark is added, because real maps have such links."""
         gap = math.dist(*(self._roads[id].point(end) for id, end in (one, other)))
         if gap > _FARTHEST:
-            line = self._file.line(self._roads[one[0]].record.element)
-            found = (
-                f"road {one[0]} (line {line}) leads to road {other[0]}, which is {gap:.3g} m away"
-            )
-            self.remarks.setdefault(f"{found}: they are not joined")
+            far = f"road {other[0]}, which is {gap:.3g} m away"
+            self._remark(one[0], f"leads to {far}: they are not joined")
         return gap <= _FARTHEST
 
     def _passed(self, one: RoadEnd, other: RoadEnd) -> Iterator[MapTurn]:
