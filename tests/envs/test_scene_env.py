@@ -230,6 +230,14 @@ def test_scenes_themselves_are_a_source_too() -> None:
     assert (from_scenes.reset(seed=5)[0] == from_file.reset(seed=5)[0]).all()
 
 
+def test_records_of_scenes_need_no_file() -> None:
+    (scene,) = roadlang.loads(ALONE).sample(1, seed=9)
+    read = roadlang.Scene.from_json(scene.to_json())
+    expected = SceneEnv([scene]).reset(seed=5)[0]
+    for source in (scene.record, read, read.record):
+        assert (SceneEnv([source]).reset(seed=5)[0] == expected).all()
+
+
 def test_without_gymnasium_the_error_names_the_extra() -> None:
     code = "import sys; sys.modules['gymnasium'] = None; import roadlang.envs"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)

@@ -145,3 +145,12 @@ def test_a_car_that_is_added_takes_no_name_away() -> None:
     assert free.get("name") == "ego car"
     names = [geom.get("name") for geom in root.iter("geom") if geom.get("name")]
     assert len(names) == len(set(names))
+
+
+@pytest.mark.parametrize("lengths", [(40, 90), (90, 40)])
+def test_of_several_roads_the_longest_gets_the_car(lengths: tuple[int, int]) -> None:
+    text = "".join(
+        f"road r{m} {{ draw with waypoints {{ points: [(0m, {m}m), ({m}m, {m}m)] }} }}\n"
+        for m in lengths
+    )
+    assert driven_agent(testing.sample(text)[0].record).road == "r90"

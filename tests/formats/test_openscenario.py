@@ -14,6 +14,7 @@ from roadlang import testing
 from roadlang.cli.main import run
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_openscenario import OpenScenarioBackend
+from roadlang_formats.openscenario.actions import assign_route
 from tests.formats.opendrive_reader import ReadFile, number
 from tests.formats.tool_environments import ask_tool
 
@@ -257,3 +258,11 @@ def test_asam_has_nothing_to_object_to(tmp_path: Path) -> None:
     paths.append(str(tmp_path / "scene-0000.drive.xosc"))
     found = ask_tool("asam", "asam_openscenario.py", {"files": paths})
     assert found == [[17, []]] * len(paths)
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_only_a_route_in_a_circle_is_closed(closed: bool) -> None:
+    action = Element("Action")
+    assign_route("tour", [], closed)(action)
+    (route,) = action.iter("Route")
+    assert route.get("closed") == ("true" if closed else "false")

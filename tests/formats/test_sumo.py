@@ -21,6 +21,8 @@ from roadlang.ir.scene import Scene
 from roadlang.ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from roadlang_formats.emit_sumo import SumoBackend
 from roadlang_formats.sumo.acyclic import without_circles
+from roadlang_formats.sumo.edges import GAP, road_edges
+from roadlang_formats.sumo.vehicle_classes import lane_use
 from tests.formats.tool_environments import run_tool, tool_program
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -357,3 +359,15 @@ def test_types_of_vehicles_have_different_names() -> None:
     )
     routes = fromstring(SumoBackend().files(replace(scene, agents=agents))["rou.xml"])
     assert [kind.attrib["id"] for kind in routes.iter("vType")] == ["road_van", "road_van_v2"]
+
+
+def test_parts_of_a_road_leave_room_for_the_nodes_between_them_alone() -> None:
+    """Edges end at the ends of their road, and half the length of a link before a cut."""
+    scene, _, _ = written(SCENES["ending lane"])
+    road = next(road for road in scene.roads if road.name == "all")
+    edges = road_edges(road, ("a", "b"), False, lane_use(scene))
+    assert len(edges) == 3
+    assert (edges[0].start, edges[-1].stop) == (0.0, pytest.approx(road.length))
+    for before, after in itertools.pairwise(edges):
+        assert after.start - before.stop == pytest.approx(GAP)
+        assert before.target == after.source

@@ -22,6 +22,8 @@ from roadlang.ir.trace import AgentTrace, Trace
 from roadlang.report.draw_charts import separation
 from roadlang.report.page_text import embedded, page_text
 from roadlang.report.report import read_results
+from roadlang.report.results import ResultRow
+from roadlang.report.tables import table_record
 from roadlang.session.reports import write_report
 from roadlang.session.scene import installed
 from tests.report.made_results import BEND, made
@@ -253,3 +255,14 @@ def test_data_never_ends_its_element() -> None:
     written = embedded(value)
     assert json.loads(written) == value
     assert not set("<>&\u2028\u2029") & set(written)
+
+
+def test_cells_of_the_table_are_values_as_json_has_them(search: Path) -> None:
+    """What a drive does not have is null, not the word `None`."""
+    values = {"speed": 10.0, "wet": True, "copies": 3, "apart": None, "kind": "car"}
+    results = dataclasses.replace(
+        read_results(search, installed()), rows=(ResultRow(0, False, values, {}),)
+    )
+    table = table_record(results, {"speed": "m/s"}, {})
+    shown = dict(zip([c["name"] for c in table["columns"]], table["rows"][0][0], strict=True))
+    assert json.loads(json.dumps(shown)) == values

@@ -209,3 +209,17 @@ def test_a_limit_that_is_excluded_is_too_little(value: str, tmp_path: Path) -> N
     (found,) = found_in(ROAD + f"road bent from main {{ {passes} }}\n", tmp_path)
     assert found.code == "RL208"
     assert "greater than 0m" in found.message
+
+
+@pytest.mark.parametrize(
+    ("over", "taper"),
+    [("[10m, 30m]", "5m"), ("[10m, 90m]", "10m"), ("[9m, 2 * 20m]", "10m"), ("[0m, 40m]", "10m")],
+)
+def test_an_abrupt_interval_gets_a_taper_of_a_quarter_of_its_length_or_10_m(
+    over: str, taper: str, tmp_path: Path
+) -> None:
+    perturb = f"perturb with sine {{ amplitude: 1m, wavelength: 50m, over: {over} }}"
+    text = ROAD + f"road bent from main {{ {perturb} }}\n"
+    _, (warning,) = check_text(text, tmp_path / "scene.rl", {}, load_registry())
+    assert warning.code == "RL193"
+    assert [fix.replacement for fix in warning.fixes] == [f"over: {over}, taper: {taper}"]

@@ -1,0 +1,38 @@
+"""When, where and for whom a drive goes wrong."""
+
+from __future__ import annotations
+
+import pytest
+
+from roadlang import testing
+from roadlang.falsification.descriptors import moment_of
+from roadlang.falsification.outcome import Moment
+from roadlang.plugins.discovery import load_registry
+
+TEXT = """road main {{ draw with waypoints {{ points: [(0m, 0m), (200m, 0m)] }} }}
+agent ego is car on main at 10m {{ drive with lane_follow {{ speed: 10m/s }} }}
+agent lead is truck on main at 60m {{ drive with lane_follow {{ speed: 2m/s }} }}
+expect it: {0}
+"""
+
+
+def moment(formula: str) -> Moment:
+    scene = testing.sample(TEXT.format(formula))[0]
+    drive = scene.run()
+    (verdict,) = drive.verdicts.values()
+    found = moment_of(verdict, scene.record, drive.trace, load_registry())
+    assert found is not None
+    return found
+
+
+def test_of_two_agents_the_moment_names_the_other_and_how_fast_they_close() -> None:
+    found = moment("always (gap(ego, lead) > 20m)")
+    assert (found.agent, found.partner, found.partner_kind) == ("ego", "lead", "truck")
+    assert found.closing == pytest.approx(8.0, abs=0.5)
+    assert found.station is not None
+    assert found.station > 10.0
+
+
+def test_of_one_agent_there_is_no_other() -> None:
+    found = moment("always (ego.progress < 50%)")
+    assert (found.agent, found.partner, found.partner_kind, found.closing) == ("ego", "", "", None)
