@@ -10,6 +10,9 @@ from gymnasium.vector import AutoresetMode
 
 import roadlang
 from roadlang.envs import SceneEnv, SceneVectorEnv
+from roadlang.envs.episodes import can_restart
+from roadlang.envs.scene_pool import pool_of
+from roadlang.envs.settings import EnvSettings
 from tests.envs.scene_texts import ALONE, CUT_IN, FOLLOWED
 
 COUNT, STEPS = 6, 120
@@ -103,3 +106,36 @@ def test_wrong_calls_say_what_is_wrong() -> None:
         env.step(np.zeros((COUNT, 2), dtype=np.float32))
     with pytest.raises(RuntimeError, match="is over"):
         env.step(np.zeros((COUNT, 2), dtype=np.float32))
+
+
+TOWN = '''image plan from """
+.#.
+###
+.#.
+""" { scale: 30m/px }
+network town from plan { lanes: 2 }
+agent ego is car on town at random
+'''
+FAST = "when: other.speed > 5m/s"
+TRUCK = ALONE + "agent other is truck on main at 80m { length: %gm, drive with lane_follow }\n"
+MET = "expect far: always (ego.speed < 1m/s)\nagent other is car on main at 90m { %s }\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "together"),
+    [
+        (ALONE, True),
+        (FOLLOWED, True),
+        (TRUCK % 6.5, True),
+        (TRUCK % 12, False),
+        (
+            ALONE + MET % "drive with lane_follow, drive with brake { when: other.speed > 5m/s }",
+            False,
+        ),
+        (ALONE + MET % "drive with lane_follow, drive with brake", True),
+    ],
+)
+def test_scenes_begin_again_beside_others_unless_something_waits(text: str, together: bool) -> None:
+    """For a condition, at a junction, or for a long vehicle in a bend."""
+    pool = pool_of(roadlang.loads(text), EnvSettings(scenes=2))
+    assert can_restart(pool) is together

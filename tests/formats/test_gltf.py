@@ -9,6 +9,8 @@ from roadlang import testing
 from roadlang.api import CURB_HEIGHT
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_gltf import GltfBackend
+from roadlang_formats.surfaces.prisms import road_prisms
+from roadlang_formats.surfaces.road_surface import road_surfaces
 from tests.formats.glb_reader import ReadGlb
 
 STREET = """
@@ -154,3 +156,13 @@ def test_convex_meshes_for_unreal_cover_what_is_solid(scene: Scene) -> None:
     lanes = [name for name in file.nodes if " lane " in name or name.endswith(" area")]
     lanes = [name for name in lanes if not name.startswith("UCX_")]
     assert ground == pytest.approx(sum(area(file.triangles(name)) for name in lanes), rel=0.01)
+
+
+def test_neighboring_lanes_of_one_height_are_one_prism() -> None:
+    """Two sidewalks and the roadway between them: three for each span, as wide as their lanes."""
+    text = "road main { draw with waypoints { points: [(0m, 0m), (50m, 0m)] }, left: [drive(3m), "
+    text += "bike(1m), sidewalk(2m)], right: [drive(3.5m), sidewalk(1.5m)] }\n"
+    (surface,) = road_surfaces(testing.sample(text)[0].record, 0.1)
+    found = [(round(np.ptp(p[:, 1]), 6), raised) for p, raised in road_prisms(surface, 0.5)]
+    spans = len(surface.stations) - 1
+    assert sorted(found) == sorted([(2.0, True), (7.5, False), (1.5, True)] * spans)

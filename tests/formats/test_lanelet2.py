@@ -123,3 +123,24 @@ def test_the_same_scene_gives_the_same_bytes() -> None:
     scene = testing.sample(CROSSING % "lanes: 2, control with signals")[0].record
     first, second = (Lanelet2Backend().files(scene) for _ in range(2))
     assert first == second
+
+
+def test_a_light_lies_across_the_lane_that_it_is_for() -> None:
+    """A line of some width, whose middle is on the stop line's side of the road."""
+    found = ReadMap.of(CROSSING % "lanes: 2, control with signals")
+    places = {
+        node.attrib["id"]: (float(tags_of(node)["local_x"]), float(tags_of(node)["local_y"]))
+        for node in found.root.iterfind("node")
+    }
+    ways = {
+        way.attrib["id"]: [places[nd.attrib["ref"]] for nd in way.iterfind("nd")]
+        for way in found.root.iterfind("way")
+    }
+    rules = found.tagged("relation", subtype="traffic_light")
+    assert rules
+    for rule in rules:
+        (light,) = (ways[id] for id in members(rule, "refers"))
+        (line,) = (ways[id] for id in members(rule, "ref_line"))
+        assert math.dist(*light) > 0.2
+        along, across = (complex(*b) - complex(*a) for a, *_, b in (light, line))
+        assert abs((along / across).imag) < 0.01 * abs(along / across)

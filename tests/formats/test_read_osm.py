@@ -255,3 +255,24 @@ def test_signals_and_signs_at_the_node_of_a_junction(
     path.write_text(osm(way(1, "31 m 35"), way(2, "13 m 53"), nodes=middle))
     scene = testing.sample(f'network town from "{path}"')[0].record
     assert scene.networks[0].junctions[0].control.kind == kind
+
+
+@pytest.mark.parametrize(
+    ("forward", "backward", "marks", "middle"),
+    [
+        (1, 1, "solid solid", "broken"),
+        (2, 2, "solid broken broken solid", "double"),
+        (3, 0, "broken broken solid", "solid"),
+        (2, 1, "solid broken solid", "broken"),
+    ],
+)
+def test_the_outermost_lines_are_solid(
+    forward: int, backward: int, marks: str, middle: str, tmp_path: Path
+) -> None:
+    """Lanes have the line on their outer side; the left edge of a one-way street is its center."""
+    tags = {"lanes": f"{forward + backward}", "lanes_backward": f"{backward}"}
+    tags |= {} if backward else {"oneway": "yes"}
+    (edge,) = read(tmp_path, osm(way(1, "31 33", **tags))).network.edges
+    section = lanes_of(edge)
+    found = [lane.marking for lane in section.lanes]
+    assert (" ".join(found), section.center_marking) == (marks, middle)

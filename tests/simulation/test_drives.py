@@ -159,6 +159,9 @@ def test_car_follow_enters_a_lower_speed_limit_at_that_speed() -> None:
     ego = trace.agents["ego"]
     assert ego.speed.max() > 13.5
     assert (ego.speed - ego.speed_limit).max() < 0.3
+    begins = ego.station[np.flatnonzero(ego.speed > 13.5)[-1]]
+    needed = (ego.speed.max() ** 2 - (30 / 3.6) ** 2) / 2  # at half of the usual 2 m/s^2
+    assert needed < 150.0 - begins < needed + ego.speed.max(), (needed, begins)
 
 
 def test_car_following_keeps_its_gap() -> None:
