@@ -234,8 +234,8 @@ def test_records_of_scenes_need_no_file() -> None:
     (scene,) = roadlang.loads(ALONE).sample(1, seed=9)
     read = roadlang.Scene.from_json(scene.to_json())
     expected = SceneEnv([scene]).reset(seed=5)[0]
-    for source in (scene.record, read, read.record):
-        assert (SceneEnv([source]).reset(seed=5)[0] == expected).all()
+    for made in (SceneEnv([scene.record]), SceneEnv([read]), SceneEnv([read.record])):
+        assert (made.reset(seed=5)[0] == expected).all()
 
 
 def test_without_gymnasium_the_error_names_the_extra() -> None:
