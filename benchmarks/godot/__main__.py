@@ -14,6 +14,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from benchmarks.godot.drags import drags
 from roadlang.api import Scene
 from roadlang_godot import driving, engine
 from roadlang_godot.frame import SceneOrigin
@@ -154,7 +155,7 @@ def _build(session: Session, made: Scene) -> None:
 
 
 BARS: dict[str, Callable[[], None]] = {
-    one.__name__: one for one in (long_road, storms, live_edits, speed, repeats, grip)
+    one.__name__: one for one in (long_road, storms, live_edits, drags, speed, repeats, grip)
 }
 
 if __name__ == "__main__":

@@ -21,13 +21,21 @@ if TYPE_CHECKING:
     from .files.staging import staged_set
     from .files.writing import replace_file, write_all, write_file
     from .handles.handle import Handle
-    from .handles.handles import dragged, handles_of, inserted, removed
+    from .handles.handles import (
+        dragged,
+        handles_of,
+        inserted,
+        is_at_point,
+        nearest_on_road,
+        removed,
+    )
     from .handles.networks import network_motion
     from .ir.edited_starts import edited_starts
     from .judging.running_drives import judge_so_far
     from .session.params import parse_overrides
     from .session.scene_files import read_scene_file
     from .syntax.moved_places import moved_places_of
+    from .syntax.scene_edits import offset_of, waypoints_of
 
 _LATER = {
     ".files.staging": "staged_set",
@@ -37,11 +45,12 @@ _LATER = {
     ".ir.edited_starts": "edited_starts",
     ".judging.running_drives": "judge_so_far",
     ".handles.handle": "Handle",
-    ".handles.handles": "dragged handles_of inserted removed",
+    ".handles.handles": "dragged handles_of inserted is_at_point nearest_on_road removed",
     ".handles.networks": "network_motion",
     ".session.params": "parse_overrides",
     ".syntax.moved_places": "moved_places_of",
     ".session.scene_files": "read_scene_file",
+    ".syntax.scene_edits": "offset_of waypoints_of",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
@@ -59,10 +68,13 @@ __all__ = [
     "exit_codes",
     "handles_of",
     "inserted",
+    "is_at_point",
     "judge_so_far",
     "moved_places_of",
+    "nearest_on_road",
     "network_motion",
     "note",
+    "offset_of",
     "parse_overrides",
     "python_controllers",
     "read_scene_file",
@@ -71,6 +83,7 @@ __all__ = [
     "report",
     "staged_set",
     "style",
+    "waypoints_of",
     "write_all",
     "write_file",
 ]

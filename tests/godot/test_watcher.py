@@ -11,6 +11,7 @@ import pytest
 import roadlang
 from roadlang.cli.main import run
 from roadlang.commands import Handle, handles_of
+from roadlang_godot.commands import watch
 from roadlang_godot.commands.watch import Watcher, _lines
 from roadlang_godot.engine import Engine
 from roadlang_godot.live import HandEdit
@@ -191,6 +192,55 @@ def dense(line: np.ndarray) -> np.ndarray:
     at = np.arange(len(line))
     fine = np.linspace(0, len(line) - 1, 250 * len(line))
     return np.column_stack([np.interp(fine, at, column) for column in line.T])
+
+
+@pytest.mark.parametrize("name", ["main", "kiosk", "tree", "ego"])
+def test_what_is_dragged_is_shown_before_it_is_compiled(
+    engine: Engine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    monkeypatch.setattr(watch, "REST", float("inf"))
+    watched = Watched(engine, tmp_path / "scene.rl", save=True)
+    with watched.session:
+        handle, before = watched.handle(name, 1 if name == "main" else 0), watched.live.scene
+        for x in (1.0, 4.0):
+            place = (handle.x + x, handle.y + 2.0)
+            watched.watcher.take(watched.live, HandEdit("move", handle, place, 1, False))
+            watched.watcher.look(watched.live)
+            assert watched.watcher._compiling is None, "not while the mouse moves"
+        shown = watched.live.scene
+        assert shown != before
+        watched.watcher.settle(watched.live)
+        compiled = watched.live.scene
+        (seen,), (road,) = shown.roads, compiled.roads
+        at, on = (np.linspace(0, 1, len(one.x)) for one in (seen, road))
+        np.testing.assert_allclose(np.interp(on, at, seen.x), road.x, atol=0.01)
+        np.testing.assert_allclose(np.interp(on, at, seen.y), road.y, atol=0.01)
+        if name != "main":  # What stands on a road stays until it is compiled.
+            one, other = ([(a.x, a.y) for a in (*s.agents, *s.objects)] for s in (shown, compiled))
+            np.testing.assert_allclose(one, other, atol=0.01)
+
+
+def test_a_drag_in_progress_that_has_no_scene_says_so_in_the_window(
+    engine: Engine, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = TEXT % 0 + "require short: length(main) < 82m\n"
+    watched = Watched(engine, tmp_path / "scene.rl", save=True, content=text.encode())
+    with watched.session:
+        end, first = watched.handle("main", 2), watched.live.scene
+        watched.watcher.take(watched.live, HandEdit("move", end, (80.0, 30.0), 1, False))
+        dragged = watched.live.scene
+        watched.watcher.settle(watched.live)
+        (problem,) = watched.watcher._problems
+        assert problem.startswith("RL600")
+        assert watched.live.scene == dragged, "it stays in the hand"
+        assert capsys.readouterr().err == ""
+        watched.do(HandEdit("move", end, (80.0, 5.0), 1, True))
+        assert watched.watcher._problems == ()
+        assert "(80m, 5m)" in watched.file.read_text()
+        watched.do(HandEdit("move", watched.handle("main", 2), (80.0, 30.0), 2, True))
+        assert "RL600" in capsys.readouterr().err
+        assert watched.live.scene != first
+        assert "(80m, 5m)" in watched.file.read_text()
 
 
 def test_undo_restores_the_file_byte_for_byte(engine: Engine, tmp_path: Path) -> None:

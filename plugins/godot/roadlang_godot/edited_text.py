@@ -60,20 +60,22 @@ class EditedText:
             return self._commit(inserted(self.text, scene, edit.handle, edit.to, MOVING_KIND))
         return self._commit(removed(self.text, edit.handle))
 
-    def preview(self) -> Scene | None:
-        """What is shown, where that is known without compiling: while a place of a road is
-        dragged."""
-        from roadlang.commands import moved_places_of
-
-        from .dragged_road import with_dragged_road  # imports numpy
+    def preview(self, scene: Scene) -> Scene | None:
+        """A scene with what is dragged where it is now, where that is known without compiling:
+        unless a network is dragged."""
+        from .dragged_scene import dragged_scene  # imports numpy
 
         drag = self._drag
-        if drag is None or drag.handle.sort != "place":
+        if drag is None:
             return None
-        handle = drag.handle
-        by = (drag.to[0] - handle.x, drag.to[1] - handle.y)
-        length = moved_places_of(drag.text, handle.name).length
-        return with_dragged_road(drag.scene, handle.name, handle.station, by, length)
+        return dragged_scene(scene, drag.scene, (drag.text, self.shown), drag.handle, drag.to)
+
+    @property
+    def dragged_agent(self) -> frozenset[str]:
+        """The name of the agent that is dragged, if one is."""
+        drag = self._drag
+        held = drag is not None and drag.handle.sort == "agent"
+        return frozenset([drag.handle.name] if drag is not None and held else ())
 
     def motion(self, compiled: str) -> PlaneMap | None:
         """How what is dragged moves what was built of a text that was compiled, where a network is

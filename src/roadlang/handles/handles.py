@@ -55,7 +55,7 @@ def dragged(text: str, scene: Scene, handle: Handle, to: Place, kind: str) -> st
         return network_dragged(text, handle, to)
     actor = next((a for a in (*scene.agents, *scene.objects) if a.name == handle.name), None)
     road = None if actor is None else _road(scene, actor.road)
-    if actor is None or road is None or _is_at_point(text, handle.name):
+    if actor is None or road is None or is_at_point(text, handle.name):
         return thing_moved(text, handle.name, to)
     start, offset = nearest_on_road(road, to)
     return thing_moved_along(text, handle.name, start, offset - (actor.offset or 0.0))
@@ -157,10 +157,11 @@ def _of_things(text: str, scene: Scene) -> Iterator[Handle]:
 def _can_be_moved(text: str, scene: Scene, actor: SceneActor) -> bool:
     if not isinstance(declared(text, actor.name), Actor):
         return False
-    return _is_at_point(text, actor.name) or _road(scene, actor.road) is not None
+    return is_at_point(text, actor.name) or _road(scene, actor.road) is not None
 
 
-def _is_at_point(text: str, name: str) -> bool:
+def is_at_point(text: str, name: str) -> bool:
+    """Whether a text has the place of an agent or object in numbers."""
     found = declared(text, name)
     return isinstance(found, Actor) and place_of(found.at) is not None
 

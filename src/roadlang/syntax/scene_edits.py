@@ -52,6 +52,19 @@ def thing_moved_along(text: str, name: str, start: float, sideways: float) -> st
     return replaced(text, changes)
 
 
+def offset_of(text: str, name: str) -> float | None:
+    """The `offset` of an agent or object, meters, positive to the left; None where it is not
+    written as a number."""
+    found = declared(text, name)
+    if not isinstance(found, Actor) or found.block is None:
+        return None
+    options = {option.key.text: option.value for option in found.block.options}
+    offset = meters_of(options.get("offset"))
+    if offset is None:
+        return None
+    return -offset if getattr(options.get("side"), "text", "") == "right" else offset
+
+
 def waypoints_of(text: str, road: str) -> list[Place] | None:
     """The waypoints of a road; None where it is not drawn through points written as numbers."""
     found = [place_of(item) for item in _waypoint_items(text, road)]

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 import click
 
 from roadlang.commands import DiagnosticError, FiniteRange, echo, report
+from roadlang_godot.compiled_edit import CompiledEdit, compiled
 from roadlang_godot.edited_text import EditedText
 from roadlang_godot.faults import EngineError
 from roadlang_godot.held_agent import NOBODY, held_agent
@@ -19,15 +19,15 @@ from roadlang_godot.protocol import USUAL_PORT
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
-    from roadlang.api import Controller
     from roadlang.api import Scene as SceneRecord
-    from roadlang.commands import Handle
     from roadlang_godot.live import HandEdit, LiveScene
     from roadlang_godot.session import Session
 
 LISTEN, BRIEFLY = 0.05, 0.005
 """Seconds between checks of the file, and of what is being compiled."""
 JUDGE_EVERY = 0.5
+REST = 0.25
+"""Seconds for which what is dragged stays where it is before it is compiled."""
 BYTE_ORDER_MARK = "\ufeff"
 
 
@@ -86,23 +86,12 @@ def command(  # noqa: PLR0913 - one parameter per option
         watcher.run(session, scenes, deadline)
 
 
-@dataclass(frozen=True)
-class CompiledEdit:
-    """What an edit of the text makes of the scene, with what drives its agents."""
-
-    loaded: LoadedScenario
-    scene: SceneRecord
-    controllers: Mapping[str, Controller]
-    handles: Sequence[Handle]
-    seconds: float
-    """that compiling took"""
-
-
 class Watcher:
     """Looks after one file and one simulator. Edits are compiled beside the drive, which goes on.
 
     After an edit, the agents go on where they are; one whose own start was edited starts anew.
-    What is dragged in the window is an edit of the text, at each move of the mouse.
+    What is dragged in the window is an edit of the text, at each move of the mouse: it is shown at
+    once, and compiled when the mouse rests or lets go.
     """
 
     def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
@@ -117,6 +106,8 @@ class Watcher:
         self._compiling: Future[CompiledEdit] | None = None
         self._is_previewed = self._is_moved = False
         self._held = NOBODY
+        self._moved_at = 0.0
+        self._problems: tuple[str, ...] = ()
 
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
@@ -129,7 +120,7 @@ class Watcher:
                 self.look(live)
                 if time.monotonic() - judged > JUDGE_EVERY:
                     judged = time.monotonic()
-                    live.show(_lines(live, scenes))
+                    live.show([*self._problems, *_lines(live, scenes)])
 
     def start(self, session: Session, scene: SceneRecord) -> LiveScene:
         """Build the scene, and start to drive in it."""
@@ -150,8 +141,9 @@ class Watcher:
                 raise
             report(error.diagnostics)
 
-    def look(self, live: LiveScene) -> None:
-        """See whether the file has changed, and change the scene once that is compiled."""
+    def look(self, live: LiveScene, at_rest: bool = False) -> None:
+        """See whether the file has changed, and change the scene once that is compiled. `at_rest`:
+        whether what is dragged is known to rest."""
         if self._compiling is not None and self._compiling.done():
             compiling, self._compiling = self._compiling, None
             self._change(live, compiling)
@@ -159,8 +151,10 @@ class Watcher:
         if text is not None and text != self._saved:
             self._saved = text
             self._edited.replace(text)
-        wanted = self._edited.text if self._is_previewed else self._edited.shown
-        if self._compiling is None and wanted != self._compiled:
+        wanted = self._edited.shown
+        is_shown = self._is_previewed or self._is_moved
+        waits = is_shown and not at_rest and time.monotonic() - self._moved_at < REST
+        if self._compiling is None and wanted != self._compiled and not waits:
             self._compiled = wanted
             loaded = self._loaded.with_text(self._compiled)
             self._compiling = self._compiler.submit(compiled, loaded, self._seed)
@@ -168,19 +162,21 @@ class Watcher:
 
     def settle(self, live: LiveScene) -> None:
         """Drive on until what has changed so far is in the simulator."""
-        self.look(live)
+        self.look(live, at_rest=True)
         while self._compiling is not None:
             self.listen(live)
-            self.look(live)
+            self.look(live, at_rest=True)
 
     def take(self, live: LiveScene, edit: HandEdit) -> None:
         """Apply changes made in the window to the text."""
+        self._moved_at = time.monotonic()
         self._held = held_agent(self._held, edit, live, self._edited.text)
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
             echo(f"`{edit.handle.name}` is unchanged: {self._file} cannot express this edit")
         was_previewed, self._is_previewed = self._is_previewed, self._preview(live)
         if was_previewed and not self._is_previewed:
             self._compiled = ""  # what is shown is of no text: the text is compiled anew
+            self._problems = ()
         self._show_moved(live)
 
     def _show_moved(self, live: LiveScene) -> None:
@@ -196,11 +192,12 @@ class Watcher:
         """Show what is dragged, where that needs no compiling; whether it does not."""
         from roadlang.commands import handles_of, python_controllers
 
-        scene = self._edited.preview()
+        scene = self._edited.preview(live.scene)
         if scene is None:
             return False
         controllers = python_controllers(scene, self._loaded.registry)
-        live.change(scene, controllers, handles=handles_of(self._edited.shown, scene))
+        handles, moved = handles_of(self._edited.shown, scene), self._edited.dragged_agent
+        live.change(scene, controllers, moved, handles, self._held.poses_in(self._edited.shown))
         return True
 
     def _read(self) -> str | None:
@@ -221,17 +218,29 @@ class Watcher:
             poses = self._held.poses_in(edit.loaded.text)
             count = live.change(edit.scene, edit.controllers, restarted, edit.handles, poses)
         except DiagnosticError as error:
-            if self._compiled == self._edited.text:  # no moment of a drag
-                report(error.diagnostics)
-            self._edited.withdraw(self._compiled)
+            self._refuse(live, error)
             return
-        self._loaded = edit.loaded
+        self._loaded, self._problems = edit.loaded, ()
         self._is_moved = False
+        if edit.loaded.text != self._edited.shown:  # what is dragged has moved on
+            self._is_previewed = self._preview(live)
         if edit.loaded.text != self._edited.text:
             self._show_moved(live)  # a moment of a drag
             return
         sent, took = 1000 * (time.monotonic() - began), 1000 * edit.seconds
         echo(f"{count} changes in {sent:.0f} ms, after {took:.0f} ms of compiling")
+
+    def _refuse(self, live: LiveScene, error: DiagnosticError) -> None:
+        """What was changed by hand has no scene: that is shown, and what is not dragged any more is
+        as before."""
+        found = [one for one in error.diagnostics if one.is_error]
+        self._problems = tuple(f"{one.code}  {one.message}" for one in found)
+        live.show([*self._problems])
+        if self._compiled == self._edited.text:  # no moment of a drag
+            report(error.diagnostics)
+        elif self._is_previewed or self._is_moved:
+            return
+        self._edited.withdraw(self._compiled)
 
     def _keep(self) -> None:
         """Save what was changed by hand, once it has a scene."""
@@ -251,17 +260,6 @@ def _last_moves(edits: Sequence[HandEdit]) -> Iterator[HandEdit]:
     for edit, later in zip_longest(edits, edits[1:]):
         if later is None or edit.what != "move" or later.drag != edit.drag:
             yield edit
-
-
-def compiled(loaded: LoadedScenario, seed: int) -> CompiledEdit:
-    """The scene of a text."""
-    from roadlang.commands import handles_of, python_controllers
-
-    began = time.monotonic()
-    (scene,) = loaded.sample(1, seed=seed)
-    controllers = python_controllers(scene.record, loaded.registry)
-    handles = handles_of(loaded.text, scene.record)
-    return CompiledEdit(loaded, scene.record, controllers, handles, time.monotonic() - began)
 
 
 def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
