@@ -10,6 +10,7 @@ import numpy as np
 
 from roadlang import geometry as g
 from roadlang.geometry.clearances import clearance
+from roadlang.geometry.displacement import undisplaced
 from roadlang.geometry.distances import lp_norm, pointwise, quadrature
 from roadlang.geometry.folding import fold_of_points, turns_too_much
 from tests.golden.road_views import bends
@@ -52,8 +53,8 @@ def _is_not_surely_smooth(frame: g.CurveFrame, moves: Any) -> Any:
 
 
 def _has_short_steps(frame: g.CurveFrame, moves: Any) -> Any:
-    points = g.displace(frame, frame.stations, moves).points
-    return fold_of_points(points, frame.steps.gaps, frame.closed, frame.points[None])
+    points, line = g.displace(frame, frame.stations, moves).points, undisplaced(frame)
+    return fold_of_points(points, frame.steps.gaps, frame.closed, (line.points, line.steps))
 
 
 def _turns_too_much(frame: g.CurveFrame, moves: Any) -> Any:

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .arrays import Booleans, Floats, SharedArrays, cached_array, finite, left_of, norm, read_only
+from .arrays import Booleans, Floats, SharedArrays, cached_array, finite, norm, read_only
 from .curvature import curvature_of_points
 from .curve import Curve
 from .differences import derivative, station_gaps
@@ -85,7 +85,10 @@ class CurveBatch(SharedArrays):
     @property
     def normal(self) -> Floats:
         """(V, S, 2) unit vectors to the left."""
-        return left_of(_tangents(self.heading))
+        normal = np.empty((*self.heading.shape, 2))
+        np.negative(np.sin(self.heading), out=normal[..., 0])
+        np.cos(self.heading, out=normal[..., 1])
+        return normal
 
     @cached_array
     def steps(self) -> Floats:
@@ -128,7 +131,3 @@ class CurveBatch(SharedArrays):
         for name in _COMPUTED & computed.keys():
             vars(batch)[name] = read_only(computed[name][rows])
         return batch
-
-
-def _tangents(heading: Floats) -> Floats:
-    return np.stack([np.cos(heading), np.sin(heading)], axis=-1)

@@ -23,7 +23,13 @@ def derivative(
 ) -> Floats:
     """The first or second derivative of `values` (..., S) along `stations` (S,); see
     `Differences`."""
-    return Differences(stations, period).derivative(values, order)
+    return _differences(stations.tobytes(), period).derivative(values, order)
+
+
+@lru_cache(maxsize=64)
+def _differences(stations: bytes, period: float | None) -> Differences:
+    """Kept, as batch after batch is differentiated on the same stations."""
+    return Differences(np.frombuffer(stations), period)
 
 
 class Differences:

@@ -142,7 +142,7 @@ class MovedBatch(CurveBatch):
     @cached_array
     def folded(self) -> Booleans:
         """(V,) True where a curve, or one that it was made from, is folded."""
-        follows = self.base.points if self.along_base else None
+        follows = (self.base.points, self.base.steps) if self.along_base else None
         folded = fold_of_points(self.points, self.gaps, self.closed, follows)
         folded |= turns_too_much(self.curvature, self.steps, self.closed)
         return np.asarray(folded | self.base.folded)
@@ -188,7 +188,11 @@ def undisplaced(frame: CurveFrame) -> DisplacedBatch:
 
 def _pushed(base: CurveBatch, displacement: Floats) -> MovedBatch:
     """Along the normal of a batch."""
-    points = base.points + displacement[..., None] * base.normal
+    points = np.empty((max(len(displacement), base.variants), *base.points.shape[1:]))
+    left = base.normal
+    for axis in (0, 1):
+        np.multiply(displacement, left[..., axis], out=points[..., axis])
+        points[..., axis] += base.points[..., axis]
     forward = base.speed * (1.0 - base.curvature * displacement)
     sideways = derivative(displacement, base.stations, base.period)
     return MovedBatch(base, points, (forward, sideways), along_base=True)

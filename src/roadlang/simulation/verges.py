@@ -40,6 +40,9 @@ class Verges:
     roads: NDArray[np.object_]
     """those of their scenes"""
     has_route: Booleans
+    edges: Floats
+    """(N, 2) how far left of their lines the left and right edges of roads are, of agents without a
+    route on roads that are equally wide all along; NaN until they were looked up"""
     known: dict[Any, Any] = field(default_factory=dict, repr=False)
     """edges of roads that were looked up, which are the same for every lookup"""
 
@@ -68,13 +71,14 @@ class Verges:
             GRAVITY * np.array(more),
             roads,
             has_route,
+            np.full((len(road), 2), np.nan),
         )
 
     def take(self, agents: Integers) -> Verges:
         """Those of some agents."""
         return Verges(
             self.clear[agents], self.friction[agents], self.rolling[agents], self.roads[agents],
-            self.has_route[agents], self.known,
+            self.has_route[agents], self.edges[agents], self.known,
         )  # fmt: skip
 
     def below(self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans) -> Bodies:
@@ -117,6 +121,14 @@ class Verges:
 
     def _edges_at(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
         """(R, 2) how far left of their lines the left and right edges of roads are."""
+        edges = self.edges[rows]
+        unknown = np.flatnonzero(np.isnan(edges[:, 0]))
+        if len(unknown):
+            edges[unknown] = self._looked_up(table, motion, rows[unknown])
+        return edges
+
+    def _looked_up(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
+        """The same, of each agent by itself. What cannot change is kept."""
         place = table.place(rows, motion.along[rows])
         edges = np.full((len(rows), 2), (np.inf, -np.inf))
         for i in np.flatnonzero(place.turn < 0).tolist():
@@ -125,6 +137,8 @@ class Verges:
             lane = int(place.lane[i]) if self.has_route[agent] else None
             left, right = self._edges(road, lane, float(place.station[i]))
             edges[i] = (left, right) if place.direction[i] > 0 else (-right, -left)
+            if lane is None and isinstance(self.known[id(road), lane], tuple):
+                self.edges[agent] = edges[i]
         return edges
 
     def _edges(self, road: SceneRoad, lane: int | None, station: float) -> tuple[float, float]:
