@@ -125,6 +125,20 @@ def test_what_is_no_scene_is_refused(tmp_path: Path, text: str) -> None:
     assert caught.value.diagnostics[0].code == "RL479"
 
 
+@pytest.mark.parametrize("length", [1e9, 1e308])
+def test_turns_of_impossible_lengths_are_refused(tmp_path: Path, length: float) -> None:
+    """Without hanging, and without a fault of the reader."""
+    (tmp_path / "town.xodr").write_text(crossing())
+    text = testing.sample(f'network town from "{tmp_path}/town.xodr"')[0].to_json()
+    content = json.loads(text)
+    content["networks"][0]["junctions"][0]["connections"][0]["pieces"][0][0] = length
+    path = tmp_path / "scene.json"
+    path.write_text(json.dumps(content))
+    with pytest.raises(roadlang.DiagnosticError, match="a turn has a piece") as caught:
+        testing.sample(f'network town from "{path}"')
+    assert caught.value.diagnostics[0].code == "RL479"
+
+
 def test_lines_meet_where_they_share_a_point(tmp_path: Path) -> None:
     path = geojson(tmp_path, line((0, 0), (1, 0), (2, 0)), line((1, -1), (1, 0), oneway=True))
     network = GeoJson().read(path).network

@@ -276,3 +276,46 @@ def test_the_outermost_lines_are_solid(
     section = lanes_of(edge)
     found = [lane.marking for lane in section.lanes]
     assert (" ".join(found), section.center_marking) == (marks, middle)
+
+
+def restriction(rule: str, source: int, node: str, target: int) -> str:
+    members = (("way", source, "from"), ("node", node, "via"), ("way", target, "to"))
+    listed = "".join(f'<member type="{t}" ref="{ref}" role="{role}"/>' for t, ref, role in members)
+    tags = f'<tag k="type" v="restriction"/><tag k="restriction" v="{rule}"/>'
+    return f'<relation id="{source}{target}">{listed}{tags}</relation>'
+
+
+@pytest.mark.parametrize(("rule", "left", "turns"), [
+    ("", False, {"left", "straight", "right"}), ("no_left_turn", False, {"straight", "right"}),
+    ("only_left_turn", False, {"left"}), ("no_left_turn", True, {"straight", "right"}),
+])  # fmt: skip
+def test_restrictions_forbid_turns(tmp_path: Path, rule: str, left: bool, turns: set[str]) -> None:
+    """From the south; the way to the west runs from west to east, against the turn."""
+    ways = way(1, "13 33"), way(2, "33 53"), way(3, "31 33"), way(4, "33 35", name="East")
+    more = restriction(rule, 1, "33", 3) if rule else ""
+    path = tmp_path / "town.osm"
+    path.write_text(osm(*ways, more))
+    side = "traffic: left" if left else "service: true"
+    world = "world { traffic: left }" if left else ""
+    scene = testing.sample(f'network town from "{path}" {{ read with osm {{ {side} }} }}\n{world}')
+    (junction,) = scene[0].record.networks[0].junctions
+    found: dict[str, set[str]] = {}
+    for connection in junction.connections:
+        found.setdefault(connection.source.road, set()).add(connection.turn)
+    assert found.pop("town/1") == turns
+    assert all(len(others) == 3 for others in found.values())
+
+
+@pytest.mark.parametrize(("tags", "level"), [
+    ({}, 0), ({"bridge": "yes"}, 1), ({"tunnel": "yes"}, -1), ({"bridge": "no"}, 0),
+    ({"bridge": "viaduct", "layer": "2"}, 2), ({"layer": "up", "tunnel": "yes"}, -1),
+])  # fmt: skip
+def test_bridges_cross_without_touching(tmp_path: Path, tags: dict[str, str], level: int) -> None:
+    """Ways that cross without a common node overlap, unless they are at different levels."""
+    path = tmp_path / "town.osm"
+    path.write_text(osm(way(1, "31 35"), way(2, "13 53", **tags)))
+    edges = OpenStreetMap().read(path).network.edges
+    assert [edge.level for edge in edges] == [0, level]
+    scenes = testing.sample(f'network town from "{path}"')
+    assert any(found.code == "RL436" for found in scenes.diagnostics) == (level == 0)
+    assert scenes[0].record.networks[0].junctions == ()

@@ -23,6 +23,7 @@ class SceneMap(Reader):
     def read(self, path: Path) -> Any:
         """A `RoadNetwork`. Raises RL479."""
         import roadlang
+        from roadlang.geometry import GeometryError
 
         from .json_maps import read_json
         from .map_xml import fault_at
@@ -35,4 +36,7 @@ class SceneMap(Reader):
             raise fault_at(path, text, 0, f"it is not a scene: {error}") from None
         if not scene.record.roads:
             raise fault_at(path, text, 0, "it has no roads")
-        return network_of(scene.record)
+        try:
+            return network_of(scene.record)
+        except (GeometryError, ArithmeticError) as error:
+            raise fault_at(path, text, 0, f"its roads cannot be built: {error}") from None

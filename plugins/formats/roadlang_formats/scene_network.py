@@ -14,6 +14,7 @@ from roadlang.geometry import (
     Curve,
     Edge,
     Floats,
+    GeometryError,
     LaneEnd,
     MapJunction,
     MapTurn,
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 _SPACING = 0.5
 _SHORTEST = 1e-6
 """Meters of a road, and of a piece of a turn."""
+_LONGEST = 10_000.0
+"""Meters of a piece of a turn."""
 
 
 def network_of(scene: Scene) -> RoadNetwork:
@@ -117,6 +120,8 @@ def _line(connection: SceneConnection) -> Curve | None:
     for length, curvature in connection.pieces:
         if length <= _SHORTEST:
             continue
+        if not length <= _LONGEST:
+            raise GeometryError(f"a turn has a piece of {length:g} m")
         stations = np.linspace(0.0, length, max(2, math.ceil(length / _SPACING) + 1))
         poses = poses_along(pose, (curvature, curvature), stations)
         found += list(poses[1:])

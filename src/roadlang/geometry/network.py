@@ -17,6 +17,7 @@ from .arrays import Floats, SharedArrays, finite, norm
 from .cross_section import CrossSection
 from .curve import Curve
 from .errors import GeometryError
+from .junctions.model import End
 from .map_junctions import MapControl, MapJunction
 from .road import Road
 from .width import WidthProfile
@@ -47,8 +48,10 @@ class Edge(SharedArrays):
     without it the lanes are those that the network's options say. `Edge.of` makes one of them.
     `forward` is True where all lanes run from the start to the end node, False where they run the
     other way, None where the lanes say themselves how they run.
-    What maps say besides: the `name` of the street, and `elevations` (n,), meters above the origin
-    at even arc lengths, which nothing uses yet.
+    What maps say besides: the `name` of the street, `elevations` (n,), meters above the origin at
+    even arc lengths, the `level` of bridges (1 and more) and tunnels (-1 and less), which roads of
+    other levels cross without touching, and `no_turns`: from an end of this road into which ends
+    of other roads nobody may turn.
     """
 
     id: int
@@ -61,6 +64,8 @@ class Edge(SharedArrays):
     name: str = ""
     elevations: Floats | None = None
     forward: bool | None = None
+    level: int = 0
+    no_turns: tuple[tuple[End, int, End], ...] = ()
 
     @classmethod
     def of(cls, id: int, start: int, end: int, curve: Curve, section: CrossSection) -> Edge:

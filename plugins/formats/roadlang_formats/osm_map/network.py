@@ -25,7 +25,8 @@ from roadlang_formats.map_xml import MapFile
 from .buildings import buildings_of
 from .controls import map_controls
 from .records import OsmExtract, osm_extract
-from .way_lanes import Tags, WayLanes, is_driven, one_way, way_lanes
+from .restrictions import no_turns
+from .way_lanes import Tags, WayLanes, is_driven, level_of, one_way, way_lanes
 
 Place = tuple[float, float]
 
@@ -52,10 +53,26 @@ class OsmOptions:
 
 @dataclass(frozen=True)
 class Street:
-    """A part of a way, or of several that go on as one, between junctions or changes of lanes."""
+    """A part of a way, or of several that go on as one, between junctions or changes of lanes.
+
+    `ways`: the ids of the ways at its start and at its end. `level`: 0 on the ground.
+    """
 
     nodes: tuple[str, ...]
     tags: Tags
+    ways: tuple[str, str] = ("", "")
+    level: int = 0
+
+    @property
+    def reversed(self) -> Street:
+        """The same street against its direction."""
+        return replace(self, nodes=self.nodes[::-1], ways=self.ways[::-1])
+
+    def and_then(self, other: Street) -> Street:
+        """This street and one that begins where it ends, with the tags of this one."""
+        level = max(self.level, other.level, key=abs)
+        ways = self.ways[0], other.ways[1]
+        return Street(self.nodes + other.nodes[1:], self.tags, ways, level)
 
 
 def network_of(file: MapFile, options: OsmOptions) -> Extraction:
@@ -85,8 +102,13 @@ def network_of_ways(
         reason = f"its ways extend up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
         raise fault(reason, "set an `origin` nearby, or use a smaller extract")
     network, built = _built(streets, points, options)
-    controls = map_controls(built, extract.nodes, points)
-    network = replace(network, origin=origin, controls=controls)
+    controls = map_controls(
+        {id: street.nodes for id, street in built.items()}, extract.nodes, points
+    )
+    ends = {id: (street.nodes[0], street.nodes[-1], *street.ways) for id, street in built.items()}
+    banned = no_turns(extract.restrictions, ends)
+    edges = tuple(replace(edge, no_turns=banned.get(edge.id, ())) for edge in network.edges)
+    network = replace(network, edges=edges, origin=origin, controls=controls)
     objects = buildings_of(extract, projection) if options.buildings else ()
     return Extraction(network, objects)
 
@@ -103,7 +125,7 @@ def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
 def _streets(extract: OsmExtract, options: OsmOptions) -> list[Street]:
     """The ways for vehicles, split where others meet them, joined where one continues another."""
     ways = [
-        Street(way.nodes, way.tags)
+        Street(way.nodes, way.tags, (way.id, way.id), level_of(way.tags))
         for way in extract.ways
         if is_driven(way.tags) and (options.service or way.tags["highway"] != "service")
     ]
@@ -121,7 +143,7 @@ def _cut(way: Street, visits: Mapping[str, int], ends: Mapping[str, int]) -> Ite
             continue
         nodes.append(node)
         if visits[node] > 1 or ends[node] > 0:
-            yield Street(tuple(nodes), way.tags)
+            yield replace(way, nodes=tuple(nodes))
             nodes = [node]
 
 
@@ -163,21 +185,20 @@ def _joined(one: Street, other: Street, node: str) -> Street | None:
     if one.nodes[0] == node and other.nodes[-1] == node:
         one, other = other, one
     if one.nodes[-1] == node and other.nodes[0] == node:
-        return Street(one.nodes + other.nodes[1:], one.tags)
+        return one.and_then(other)
     lanes = way_lanes(one.tags)
     if one_way(one.tags) is not None or lanes.forward != lanes.backward:
         return None
     if one.nodes[0] == node:
-        return Street(one.nodes[::-1] + other.nodes[1:], one.tags)
-    return Street(one.nodes + other.nodes[-2::-1], one.tags)
+        return one.reversed.and_then(other)
+    return one.and_then(other.reversed)
 
 
 def _built(
     streets: Sequence[Street], points: Mapping[str, Place], options: OsmOptions
-) -> tuple[RoadNetwork, dict[int, tuple[str, ...]]]:
-    """The edges, numbered from 1 in the order of the file, and by their numbers the nodes that they
-    run through."""
-    built: dict[int, tuple[str, ...]] = {}
+) -> tuple[RoadNetwork, dict[int, Street]]:
+    """The edges, numbered from 1 in the order of the file, and by their numbers the streets."""
+    built: dict[int, Street] = {}
     numbers: dict[str, int] = {}
     edges: list[Edge] = []
     for street in _open(streets):
@@ -194,8 +215,8 @@ def _built(
         ]
         lanes = cross_section(way_lanes(street.tags), options)
         edge = Edge.of(len(edges) + 1, ends[0], ends[1], curve, lanes)
-        edges.append(replace(edge, name=street.tags.get("name", "")))
-        built[edge.id] = street.nodes
+        edges.append(replace(edge, name=street.tags.get("name", ""), level=street.level))
+        built[edge.id] = street
     nodes = tuple(Node(number, points[node]) for node, number in numbers.items())
     return RoadNetwork(nodes, tuple(edges)), built
 
@@ -205,8 +226,8 @@ def _open(streets: Sequence[Street]) -> Iterator[Street]:
     for street in streets:
         if street.nodes[0] == street.nodes[-1] and len(street.nodes) > 3:
             half = len(street.nodes) // 2
-            yield Street(street.nodes[: half + 1], street.tags)
-            yield Street(street.nodes[half:], street.tags)
+            yield replace(street, nodes=street.nodes[: half + 1])
+            yield replace(street, nodes=street.nodes[half:])
         else:
             yield street
 

@@ -24,6 +24,18 @@ class OsmWay:
 
     nodes: tuple[str, ...]
     tags: Mapping[str, str]
+    id: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class OsmRestriction:
+    """Turns from a way into another at a node that nobody may make, or, with `only`, the one that
+    everybody must make."""
+
+    source: str
+    node: str
+    target: str
+    only: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +44,7 @@ class OsmExtract:
 
     nodes: Mapping[str, OsmNode]
     ways: tuple[OsmWay, ...]
+    restrictions: tuple[OsmRestriction, ...] = ()
 
 
 def osm_extract(file: MapFile) -> OsmExtract:
@@ -60,8 +73,27 @@ def osm_extract(file: MapFile) -> OsmExtract:
         seen.add(id)
         listed = [file.attribute(child, "ref") for child in element.all("nd")]
         tags = _tags(element)
-        ways += [OsmWay(run, tags) for run in _runs(listed, nodes)]
-    return OsmExtract(nodes, tuple(ways))
+        ways += [OsmWay(run, tags, id) for run in _runs(listed, nodes)]
+    return OsmExtract(nodes, tuple(ways), tuple(_restrictions(file)))
+
+
+def _restrictions(file: MapFile) -> Iterator[OsmRestriction]:
+    """Those for cars at a node; others, such as those for a time of day, are left out."""
+    for element in file.root.all("relation"):
+        tags = _tags(element)
+        rule = tags.get("restriction", "")
+        is_one = tags.get("type") == "restriction" and not _is_deleted(element)
+        if not is_one or "motorcar" in tags.get("except", ""):
+            continue
+        members: dict[tuple[str, str], list[str]] = {}
+        for child in element.all("member"):
+            key = child.attributes.get("type", ""), child.attributes.get("role", "")
+            members.setdefault(key, []).append(child.attributes.get("ref", ""))
+        keys = (("way", "from"), ("node", "via"), ("way", "to"))
+        found = [members.get(key, []) for key in keys]
+        if rule.startswith(("no_", "only_")) and [len(ids) for ids in found] == [1, 1, 1]:
+            (source,), (node,), (target,) = found
+            yield OsmRestriction(source, node, target, rule.startswith("only_"))
 
 
 def _is_deleted(element: MapElement) -> bool:

@@ -66,6 +66,13 @@ def one_way(tags: Tags) -> bool | None:
     return True if implied and written != "no" else None
 
 
+def level_of(tags: Tags) -> int:
+    """`layer`; without it 1 on bridges, -1 in tunnels, and 0 on the ground."""
+    usual = int(tags.get("bridge", "no") != "no") - int(tags.get("tunnel", "no") != "no")
+    written = tags.get("layer", "")
+    return int(written) if re.fullmatch(r"-?\d", written) else usual
+
+
 def way_lanes(tags: Tags) -> WayLanes:
     """From `lanes`, `lanes:forward` and `lanes:backward`; with an odd number, the extra lane runs
     forward."""

@@ -112,7 +112,14 @@ def _fitted(place: JunctionSite, trims: Mapping[ArmKey, float]) -> Connected:
         ArmLanes.of(arm.lanes(trims[arm.key]), face.heading, arm.edge.id in place.ring)
         for arm, face in zip(arms, faces, strict=True)
     )
-    pairs = lane_pairs(lanes)
+    places = {arm.key: number for number, arm in enumerate(arms)}
+    banned = {
+        (source, places[edge, into])
+        for source, arm in enumerate(arms)
+        for end, edge, into in arm.edge.no_turns
+        if end == arm.key[1] and (edge, into) in places
+    }
+    pairs = lane_pairs(lanes, banned)
     fits = fitted(_ends(place, faces, lanes, pairs), _hull(arms, faces))
     return Connected(arms, faces, lanes, pairs, fits)
 

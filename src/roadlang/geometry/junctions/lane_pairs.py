@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from .arms import ArmLane
@@ -53,8 +53,11 @@ def turn_of(angle: float) -> Turn:
     return "left" if angle > 0.0 else "right"
 
 
-def lane_pairs(arms: Sequence[ArmLanes]) -> tuple[LanePair, ...]:
-    """All turns from each arm into every other arm with a lane that leads away.
+def lane_pairs(
+    arms: Sequence[ArmLanes], banned: Collection[tuple[int, int]] = ()
+) -> tuple[LanePair, ...]:
+    """All turns from each arm into every other arm with a lane that leads away, but for those from
+    arm to arm that are `banned`.
 
     From right to left each turn gets lanes that cross none of the others: right turns those at the
     curb, left turns those in the middle, the straightest all that are left, or all where there are
@@ -67,7 +70,7 @@ def lane_pairs(arms: Sequence[ArmLanes]) -> tuple[LanePair, ...]:
         targets = sorted(
             (_turned(arm, other), place)
             for place, other in enumerate(arms)
-            if place != source and other.outbound
+            if place != source and other.outbound and (source, place) not in banned
         )
         angles = [angle for angle, _ in targets]
         shares = _shared(angles, len(arm.inbound), exclusive=not arm.circles)

@@ -23,7 +23,7 @@ def overlaps(
     trims: Mapping[int, tuple[float, float]],
     known: Collection[frozenset[int]],
 ) -> tuple[Problem, ...]:
-    """Pairs of roads that overlap between their trims, but for those that are `known`."""
+    """Pairs of roads of one level that overlap between their trims, but for those `known`."""
     import shapely
 
     edges = sorted(network.edges, key=lambda edge: edge.id)
@@ -37,7 +37,7 @@ def overlaps(
     for i, j in sorted(zip(first.tolist(), second.tolist(), strict=True)):
         a, b = present[i], present[j]
         ids = edges[a].id, edges[b].id
-        if a >= b or frozenset(ids) in known:
+        if a >= b or frozenset(ids) in known or edges[a].level != edges[b].level:
             continue
         box = shapely.bounds(shapely.intersection(surfaces[a], surfaces[b]))
         along = float(np.hypot(box[2] - box[0], box[3] - box[1]))
