@@ -128,10 +128,8 @@ MET = "expect far: always (ego.speed < 1m/s)\nagent other is car on main at 90m 
         (FOLLOWED, True),
         (TRUCK % 6.5, True),
         (TRUCK % 12, False),
-        (
-            ALONE + MET % "drive with lane_follow, drive with brake { when: other.speed > 5m/s }",
-            False,
-        ),
+        (ALONE + MET % f"drive with lane_follow, drive with brake {{ {FAST} }}", False),
+        (TOWN, False),
         (ALONE + MET % "drive with lane_follow, drive with brake", True),
     ],
 )
