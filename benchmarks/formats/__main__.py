@@ -1,5 +1,5 @@
-"""OpenDRIVE files of random networks, judged by the ASAM checker and by netconvert:
-`python -m benchmarks.formats --qc .../qc_opendrive --netconvert .../netconvert`."""
+"""Files of random networks, judged by the ASAM checker, by netconvert and by SUMO:
+`python -m benchmarks.formats --qc .../qc_opendrive --netconvert .../netconvert --sumo .../sumo`."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 from benchmarks.formats.corpus import example_scenes, random_scenes
+from benchmarks.formats.drives import driven_in_mujoco, driven_in_sumo
 from benchmarks.formats.judges import checked, converted
 from roadlang_formats.emit_opendrive import OpenDriveBackend
 
@@ -20,7 +21,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--qc", help="the ASAM OpenDRIVE checker, qc_opendrive")
     parser.add_argument("--netconvert", help="of SUMO")
+    parser.add_argument("--sumo", help="the program: scenes with traffic are driven in it")
+    parser.add_argument(
+        "--mujoco", help="a Python with MuJoCo, in which one car of each scene drives"
+    )
     parser.add_argument("--networks", type=int, default=2, help="of each kind")
+    parser.add_argument("--examples", action=argparse.BooleanOptionalAction, default=True)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--version", default="1.8")
     options = parser.parse_args()
@@ -28,7 +34,8 @@ def main() -> None:
     sums: Counter[str] = Counter()
     spent = 0.0
     with tempfile.TemporaryDirectory() as folder:
-        scenes = (example_scenes(options.seed), random_scenes(options.networks, options.seed))
+        made = random_scenes(options.networks, options.seed, bool(options.sumo or options.mujoco))
+        scenes = (example_scenes(options.seed) if options.examples else (), made)
         for name, scene in itertools.chain(*scenes):
             begun = time.process_time()
             text = backend.files(scene)["xodr"]
@@ -43,6 +50,10 @@ def main() -> None:
                 faults += [f"only {completed} rules checked"] if completed < 22 else []
             if options.netconvert:
                 faults += converted(options.netconvert, file)
+            if options.sumo:
+                faults += driven_in_sumo(options.sumo, scene, Path(folder))
+            if options.mujoco:
+                faults += driven_in_mujoco(options.mujoco, scene, Path(folder))
             sums["faulty"] += bool(faults)
             for fault in faults:
                 print(f"{name}: {fault}", flush=True)

@@ -51,14 +51,30 @@ def example_scenes(seed: int) -> Iterator[tuple[str, Scene]]:
         yield path.stem, roadlang.load(path).sample(1, seed=seed)[0].record
 
 
-def random_scenes(count: int, seed: int) -> Iterator[tuple[str, Scene]]:
+_TRAFFIC = """
+agent cars is choice(car, car, van, bus, truck, motorcycle, bicycle) on town at random {
+  count: integer(3, 12), drive with traffic
+}
+"""
+_WALKERS = """
+road street from town { select: longest }
+agent walkers is pedestrian on street at random { count: 3, side: right, drive with walk }
+"""
+
+
+def random_scenes(count: int, seed: int, with_traffic: bool = False) -> Iterator[tuple[str, Scene]]:
     """`count` scenes of every kind of network, with their names."""
     for number in range(count):
         for place, kind in enumerate(KINDS):
-            yield f"{kind} {number}", random_scene(kind, seed * 1000 + number, number + place)
+            found = random_scene(kind, seed * 1000 + number, number + place, with_traffic)
+            yield f"{kind} {number}", found
 
 
-def random_scene(kind: str, seed: int, turn: int) -> Scene:
-    """A scene of a kind of network. `turn`: sidewalks, or the rule of its junctions."""
-    text = _TEXT.format(kind=kind, seed=seed, more=_MORE[turn % len(_MORE)])
+def random_scene(kind: str, seed: int, turn: int, with_traffic: bool = False) -> Scene:
+    """A scene of a kind of network. `turn`: sidewalks, or the rule of its junctions. Traffic has
+    pedestrians where there are sidewalks."""
+    more = _MORE[turn % len(_MORE)]
+    text = _TEXT.format(kind=kind, seed=seed, more=more)
+    if with_traffic:
+        text += _TRAFFIC + (_WALKERS if "sidewalks" in more else "")
     return sample(text, 1, kinds=[MadeUp], seed=seed)[0].record

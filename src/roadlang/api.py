@@ -121,6 +121,7 @@ if TYPE_CHECKING:
     )
     from .images.plugin_input import read_image, read_input
     from .ir.batch import BatchRandom, RoadBatch
+    from .ir.category import ON_FOOT, VEHICLES
     from .ir.control import Control, ControlBatch, Observation, ObservationBatch
     from .ir.dataset import Dataset, DatasetFrame
     from .ir.encoding import scene_from_json, to_json
@@ -165,7 +166,7 @@ if TYPE_CHECKING:
     from .scenes.paint_rings import paint_rings
     from .scenes.signal_heads import SignalHead, signal_heads
     from .scenes.surface_heights import CURB_HEIGHT, PAINT_HEIGHT
-    from .simulation.bodies import Body, vehicle_parameters
+    from .simulation.bodies import Body, body_of, vehicle_parameters
     from .simulation.contacts import Contact
     from .simulation.decision import Decision
     from .simulation.line_steering import line_steering
@@ -179,6 +180,7 @@ if TYPE_CHECKING:
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
     ".ir.batch": "BatchRandom RoadBatch",
+    ".ir.category": "ON_FOOT VEHICLES",
     ".ir.placed_batch": "PlacedBatch",
     ".ir.control": "Control ControlBatch Observation ObservationBatch",
     ".ir.dataset": "Dataset DatasetFrame",
@@ -208,7 +210,7 @@ _LATER = {
     ".scenes.paint_rings": "paint_rings",
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".scenes.surface_heights": "CURB_HEIGHT PAINT_HEIGHT",
-    ".simulation.bodies": "Body vehicle_parameters",
+    ".simulation.bodies": "Body body_of vehicle_parameters",
     ".simulation.contacts": "Contact",
     ".simulation.decision": "Decision",
     ".simulation.line_steering": "line_steering",
@@ -223,30 +225,32 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 
 __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURB_HEIGHT", "CURVATURE", "FORCE",
-    "FREQUENCY", "JERK", "LENGTH", "MASS", "PAINT_HEIGHT", "PIXELS", "PURE", "SCALE", "SPEED",
-    "STANDING_GAP", "TIME", "Acceleration", "Adjuster", "AgentKind", "AgentName", "AgentOrObject",
-    "AgentTrace", "Angle", "Anything", "Axis", "Backend", "BatchRandom", "Between", "Body", "Call",
-    "CameraGeometry", "Code", "Condition", "ConstraintNames", "Contact", "Control", "ControlBatch",
-    "Controller", "Curvature", "Dataset", "DatasetFrame", "Decision", "Diagnostic",
-    "DiagnosticError", "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal",
-    "DueReading", "Duration", "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag",
-    "FoundObject", "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl",
-    "Kind", "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length",
-    "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
-    "Number", "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "OptionError",
-    "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point",
-    "PointInSpace", "Position", "Profile", "Provenance", "Reader", "Reading", "ReadingArray",
-    "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace",
-    "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor",
-    "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
-    "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
-    "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector", "SensedBatch", "Sensor",
-    "Signal", "SignalHead", "SignalPhase", "Simulator", "Source", "Span", "Speed", "Standing",
-    "String", "Trace", "Verdict", "ViolatedSegment", "Word", "call_of", "diagnose", "did_you_mean",
-    "geometry", "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of",
-    "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input",
-    "record_of", "road_surface", "route_points", "scene_from_json", "signal_heads",
-    "simulate_scenes", "surface_names", "to_json", "vehicle_parameters",
+    "FREQUENCY", "JERK", "LENGTH", "MASS", "ON_FOOT", "PAINT_HEIGHT", "PIXELS", "PURE", "SCALE",
+    "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration", "Adjuster", "AgentKind",
+    "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
+    "BatchRandom", "Between", "Body", "Call", "CameraGeometry", "Code", "Condition",
+    "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "Curvature",
+    "Dataset", "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError", "Dimension",
+    "Distribution", "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration",
+    "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
+    "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
+    "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval",
+    "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors", "Number",
+    "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "OptionError",
+    "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch",
+    "Point", "PointInSpace", "Position", "Profile", "Provenance", "Reader", "Reading",
+    "ReadingArray", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber",
+    "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale",
+    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
+    "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode",
+    "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor", "SceneSignal", "Search",
+    "Searcher", "Selector", "SensedBatch", "Sensor", "Signal", "SignalHead", "SignalPhase",
+    "Simulator", "Source", "Span", "Speed", "Standing", "String", "Trace", "Verdict",
+    "ViolatedSegment", "Word", "body_of", "call_of", "diagnose", "did_you_mean", "geometry",
+    "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of", "one_of",
+    "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input", "record_of",
+    "road_surface", "route_points", "scene_from_json", "signal_heads", "simulate_scenes",
+    "surface_names", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

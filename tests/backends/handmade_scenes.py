@@ -17,6 +17,7 @@ from roadlang.ir.scene import (
     Verdict,
     ViolatedSegment,
 )
+from tests.kind_categories import category_of_kind
 
 STATIONS = 400
 
@@ -66,6 +67,7 @@ def actor(name: str, kind: str, x: float, y: float, **changes: object) -> SceneA
         length=4.5,
         width=1.8,
         height=1.5,
+        category=category_of_kind(kind),
     )
     return replace(plain, **changes)  # type: ignore[arg-type]
 

@@ -7,7 +7,7 @@ import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from xml.etree.ElementTree import Element, fromstring, parse
+from xml.etree.ElementTree import Element, fromstring
 
 import numpy as np
 import pytest
@@ -16,6 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import roadlang
+from benchmarks.formats.drives import driven_in_sumo
 from roadlang import testing
 from roadlang.ir.scene import Scene
 from roadlang.ir.scene_route import RouteStep, RouteTurn, SceneRoute
@@ -23,7 +24,7 @@ from roadlang_formats.emit_sumo import SumoBackend
 from roadlang_formats.sumo.acyclic import without_circles
 from roadlang_formats.sumo.edges import GAP, road_edges
 from roadlang_formats.sumo.vehicle_classes import lane_use
-from tests.formats.tool_environments import run_tool, tool_program
+from tests.formats.tool_environments import tool_program
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 MAP = '''image plan from """
@@ -44,6 +45,13 @@ ENDING = """road before { draw with segments { pieces: [straight(150m)] }, lanes
 road beside { draw with segments { pieces: [straight(150m)] }, lanes: 3, oneway: true }
 road all from before { then: [beside, before], taper: 40m }
 agent ego is car on all at 200m { lane: -3, drive with car_follow }
+"""
+WALKS = """road main { draw with waypoints { points: [(0m, 0m), (90m, 0m), (90m, 70m), (0m, 70m)] },
+  closed: true, lanes: 2, sidewalks: 2m }
+agent a is pedestrian on main at 20m { offset: 6m, drive with walk }
+agent b is child on main at 30m { offset: -6m, facing: back, drive with walk { speed: 2m/s } }
+agent c is pedestrian on main at 40m { offset: -6m, drive with walk }
+agent d is pedestrian on main at 50m { offset: -6m }
 """
 SCENES = {
     "right first": MAP % "lanes: 2",
@@ -275,37 +283,37 @@ def test_drives_are_floating_car_data() -> None:
     assert float(first["ego"]["x"]) == pytest.approx(ego.x + 2.25 * math.cos(ego.heading), abs=0.01)
 
 
-def arrived(sumo: Path, folder: Path, scene: Scene) -> list[str]:
-    """Warnings, and vehicles that did not arrive, of a run of one scene."""
-    files = SumoBackend(objects=True).files(scene)
-    for ending, content in files.items():
-        (folder / f"{scene.stem}.{ending}").write_text(content)
-    statistics = folder / "statistics.xml"
-    options: list[str | Path] = ["--no-step-log", "--end", "3600", "--statistic-output", statistics]
-    done = run_tool([sumo, "-c", f"{scene.stem}.sumocfg", *options], folder=folder)
-    found = [line for line in done.stderr.splitlines() if line.startswith(("Warning", "Error"))]
-    if done.returncode:
-        return [*found, f"exit {done.returncode}"]
-    root = parse(statistics).getroot()
-    numbers = {element.tag: element.attrib for element in root}
-    vehicles, trips = numbers["vehicles"], len(list(fromstring(files["rou.xml"]).iter("vehicle")))
-    counts = [int(vehicles[name]) for name in ("inserted", "running", "waiting")]
-    if counts != [trips, 0, 0]:
-        found.append(f"{counts} of {trips} inserted, running, waiting")
-    for kind, name in (("teleports", "total"), ("safety", "collisions")):
-        if numbers[kind][name] != "0":
-            found.append(f"{numbers[kind][name]} {kind}")
-    return found
+def test_who_walks_along_a_sidewalk_is_a_person_that_walks_the_way_it_faces() -> None:
+    _, net, routes = written(WALKS)
+    walks = {person.attrib["id"]: person.find("walk") for person in routes.iter("person")}
+    edges = {name: walk.attrib["edges"].split() for name, walk in walks.items() if walk is not None}
+    assert edges == {
+        "a": ["-main#2", "-main#1", "-main#0"],  # against the edges that have its sidewalk
+        "b": ["main#0"],
+        "c": ["main#0", "main#1", "main#2"],
+    }
+    lanes = edges_of(net)
+    for person in routes.iter("person"):
+        walk = person.find("walk")
+        assert walk is not None
+        first, last = walk.attrib["edges"].split()[0], walk.attrib["edges"].split()[-1]
+        begin, end = float(person.attrib["departPos"]), float(walk.attrib["arrivalPos"])
+        assert 0.0 < begin < float(lanes[first][0].attrib["length"])
+        whole = float(lanes[last][0].attrib["length"])
+        assert end == (whole if person.attrib["id"] == "c" else 0.0)
+    types = {kind.attrib["id"]: kind.attrib for kind in routes.iter("vType")}
+    assert types["type_of_b"]["maxSpeed"] == "2.000"
 
 
 @pytest.mark.slow
 def test_every_trip_arrives_in_sumo(tmp_path: Path) -> None:
     sumo = tool_program("sumo", "sumo")
-    scenes = {name: testing.sample(text)[0].record for name, text in SCENES.items()}
+    texts = {**SCENES, "walks": WALKS}
+    scenes = {name: testing.sample(text)[0].record for name, text in texts.items()}
     for path in sorted(EXAMPLES.glob("*.rl")):
         if path.stem in ("signals", "on_ramp", "roundabout", "network", "traffic"):
             scenes[path.stem] = roadlang.load(path).sample()[0].record
-    found = {name: arrived(sumo, tmp_path, scene) for name, scene in scenes.items()}
+    found = {name: driven_in_sumo(sumo, scene, tmp_path) for name, scene in scenes.items()}
     assert found == {name: [] for name in scenes}
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from roadlang.api import Call, Scene, SceneActor, SceneNetwork, SceneNode, SceneRoad
 from roadlang.ir.scene import Provenance
+from tests.kind_categories import category_of_kind
 
 PROVENANCE = Provenance(roadlang="0.1.0", seed=1, scene=0, attempt=0)
 
@@ -98,6 +99,7 @@ def car(
         length=size[0],
         width=size[1],
         height=size[2],
+        category=category_of_kind(kind),
         road=on.name,
         start=at,
         options={} if kind == "pedestrian" else {"mass": 1200.0, "wheelbase": 2.7},
@@ -117,7 +119,10 @@ def thing(
 ) -> SceneActor:
     """An object in the world."""
     shown = name or f"{kind}s[{x:g}]"
-    return SceneActor(shown, shown.partition("[")[0], kind, x, y, 0.0, length, width, height)
+    return SceneActor(
+        shown, shown.partition("[")[0], kind, x, y, 0.0, length, width, height,
+        category=category_of_kind(kind),
+    )  # fmt: skip
 
 
 def scene(

@@ -221,6 +221,10 @@ FAULTS = {
         kind("Signal", 'cost: ClassVar[str] = "high"', "def values(self): return 0"),
         "`cost` of Bad is 'high', not a float", 9,
     ),
+    "a category that is none": (
+        kind("AgentKind", 'category: ClassVar[str] = "buss"', ""),
+        "`category` of Bad is 'buss': did you mean 'bus'?", 9,
+    ),
     "one word where a tuple is expected": (
         kind("Reader", 'reads: ClassVar[str] = "network"', "def read(self, path): return 0"),
         "`reads` of Bad is 'network', not a tuple of words", 9,

@@ -30,12 +30,12 @@ class SumoBackend(Backend):
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .sumo.configuration import configuration_text
         from .sumo.network import SumoNetwork
-        from .sumo.routes import routes_text, trips_of
+        from .sumo.routes import routes_text, trips_of, walks_of
 
         network = SumoNetwork.of(scene)
         found = {
             "net.xml": network.text(),
-            "rou.xml": routes_text(trips_of(scene, network)),
+            "rou.xml": routes_text(trips_of(scene, network), walks_of(scene, network)),
         }
         if self.objects and scene.objects:
             from .sumo.polygons import polygons_text

@@ -11,7 +11,6 @@ from roadlang_standard import objects as standard_objects
 from roadlang_standard import street_objects
 from roadlang_standard.engine_tables import BODIES
 
-from .drives import is_walker
 from .names import plain_name
 
 if TYPE_CHECKING:
@@ -25,6 +24,9 @@ _COLORS = (
 )  # fmt: skip
 """Of agents that have none: muted, and none like that of `ego`."""
 _GOLDEN = 0.618033988749895
+_ROLE_SHAPES = {
+    "taxi": "taxi", "police": "police_car", "ambulance": "ambulance", "fire": "fire_truck",
+}  # fmt: skip
 _UNIFORM = {"taxi", "police_car", "ambulance", "fire_truck", "tractor", "animal", "dog"}
 """Told by their colors: they keep them."""
 _VARIED = {"tree", "building", "parked_car", "parked_van", "parked_truck", "parked_bus"}
@@ -70,15 +72,9 @@ def color_of(number: int) -> str:
 
 
 def category_of(actor: SceneActor) -> str:
-    """Which of the shapes in `godot_backend/shapes` an agent has: of a kind that a plugin brings,
-    the one with sizes like its own."""
+    """Which of the shapes in `godot_backend/shapes` an agent has: that of its kind, else of its
+    role, else of its category."""
     name = plain_name(actor.kind)
     if name in BODIES:
         return name
-    if is_walker(actor):
-        return "pedestrian"
-    if actor.width <= 1.2:
-        return "bicycle" if actor.length <= 2.0 else "motorcycle"
-    if actor.height > 2.8:
-        return "bus" if actor.length > 10.0 else "truck"
-    return "van" if actor.height > 1.95 else "car"
+    return _ROLE_SHAPES.get(actor.role) or actor.category

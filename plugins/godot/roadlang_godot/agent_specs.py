@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from roadlang.api import vehicle_parameters
+from roadlang.api import body_of, vehicle_parameters
 from roadlang_standard.engine_tables import BODIES
 
 from .conditions import engine_condition
@@ -67,7 +67,7 @@ def agent_spec(
         "drives": _drives(actor, scene, frame),
     }
     if not is_walker(actor):
-        spec["vehicle"] = asdict(vehicle_parameters(actor, BODIES.get(plain_name(actor.kind))))
+        spec["vehicle"] = asdict(vehicle_parameters(actor, body_of(actor, BODIES)))
     name = _path_name(actor)
     if actor.route is not None:
         spec |= {"path": paths[name], "start": 0.0, "offset": 0.0, "direction": 1}

@@ -6,8 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from roadlang.api import LanePlace
-from roadlang_standard.engine_tables import BODIES
+from roadlang.api import ON_FOOT, LanePlace
 
 from .conditions import is_known
 from .names import plain_name
@@ -25,8 +24,7 @@ IN_ENGINE = frozenset(
 
 def is_walker(actor: SceneActor) -> bool:
     """Whether the engine builds it as someone on foot."""
-    body = BODIES.get(plain_name(actor.kind))
-    return body is not None and body.walks
+    return actor.category in ON_FOOT
 
 
 def drives_alone(scene: Scene) -> bool:

@@ -13,6 +13,7 @@ from roadlang.api import Contact, Mirror
 from roadlang_standard.engine_tables import BODIES
 
 from .agent_specs import AgentPose
+from .drives import is_walker
 from .driving import ControlForm, EngineControl
 from .eyes import Eyes
 from .layout import Layout
@@ -43,8 +44,7 @@ class FollowedScene:
         self._eyes = eyes
         self._mirror = Mirror(scene, controllers or {}, step, BODIES)
         self._names = [actor.name for actor in scene.agents]
-        self._walks = [BODIES[actor.kind].walks if actor.kind in BODIES else False
-                       for actor in scene.agents]  # fmt: skip
+        self._walks = [is_walker(actor) for actor in scene.agents]
         self._numbers = [layout.agents[name] for name in self._names]
         # The engine reports agents in the order of their numbers.
         self._place = np.argsort(np.argsort(self._numbers))

@@ -7,12 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from .drives import is_walker
 from .lane_strips import Surface
-from .names import plain_name
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import Key, ScenePart
-from .semantic_classes import SemanticClass, class_of_kind
+from .semantic_classes import SemanticClass, class_of_category
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
@@ -50,18 +48,12 @@ class Instance:
 def instances_of(scene: Scene, sent: Mapping[int, Sequence[str]]) -> tuple[Instance, ...]:
     """The agents of a scene, then its objects in the order in which they are sent, as far as there
     are numbers. `sent`: names of objects by the ids of the things that hold them."""
-    out = []
-    for actor in scene.agents:
-        walks = is_walker(actor)
-        default = SemanticClass.PEDESTRIAN if walks else SemanticClass.OTHER_VEHICLE
-        out.append((actor, class_of_kind(plain_name(actor.kind), default)))
     objects = {actor.name: actor for actor in scene.objects}
-    for id in sorted(sent):
-        for name in sent[id]:
-            kind = plain_name(objects[name].kind)
-            out.append((objects[name], class_of_kind(kind, SemanticClass.STREET_OBJECT)))
-    numbered = enumerate(out[:MOST_INSTANCES], start=1)
-    return tuple(Instance(number, actor, category) for number, (actor, category) in numbered)
+    out = [*scene.agents, *(objects[name] for id in sorted(sent) for name in sent[id])]
+    return tuple(
+        Instance(number, actor, class_of_category(actor.category))
+        for number, actor in enumerate(out[:MOST_INSTANCES], start=1)
+    )
 
 
 def label_parts(

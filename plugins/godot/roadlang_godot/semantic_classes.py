@@ -45,34 +45,39 @@ class SemanticClass(IntEnum):
         return self.name.lower()
 
 
-_KINDS = {
-    SemanticClass.VEGETATION: "tree bush hedge",
-    SemanticClass.BUILDING: "building house bus_stop",
-    SemanticClass.WALL: "wall",
-    SemanticClass.FENCE: "fence guardrail",
-    SemanticClass.BARRIER: "barrier",
-    SemanticClass.POLE: "pole lamp bollard",
-    SemanticClass.TRAFFIC_SIGN: "sign",
-    SemanticClass.TRAFFIC_LIGHT: "traffic_light",
-    SemanticClass.WATER: "water",
-    SemanticClass.CONE: "cone",
-    SemanticClass.CAR: "car taxi police_car parked_car",
-    SemanticClass.VAN: "van ambulance parked_van",
-    SemanticClass.TRUCK: "truck fire_truck parked_truck",
-    SemanticClass.BUS: "bus parked_bus",
-    SemanticClass.MOTORCYCLE: "motorcycle scooter parked_motorcycle",
-    SemanticClass.BICYCLE: "bicycle parked_bicycle",
-    SemanticClass.OTHER_VEHICLE: "tractor trailer",
-    SemanticClass.PEDESTRIAN: "pedestrian child",
-    SemanticClass.ANIMAL: "animal dog",
+_CATEGORIES = {
+    "tree": SemanticClass.VEGETATION,
+    "bush": SemanticClass.VEGETATION,
+    "hedge": SemanticClass.VEGETATION,
+    "building": SemanticClass.BUILDING,
+    "shelter": SemanticClass.BUILDING,
+    "wall": SemanticClass.WALL,
+    "fence": SemanticClass.FENCE,
+    "guardrail": SemanticClass.FENCE,
+    "barrier": SemanticClass.BARRIER,
+    "pole": SemanticClass.POLE,
+    "lamp": SemanticClass.POLE,
+    "sign": SemanticClass.TRAFFIC_SIGN,
+    "traffic_light": SemanticClass.TRAFFIC_LIGHT,
+    "water": SemanticClass.WATER,
+    "cone": SemanticClass.CONE,
+    "obstacle": SemanticClass.STREET_OBJECT,
+    "car": SemanticClass.CAR,
+    "van": SemanticClass.VAN,
+    "truck": SemanticClass.TRUCK,
+    "bus": SemanticClass.BUS,
+    "motorcycle": SemanticClass.MOTORCYCLE,
+    "bicycle": SemanticClass.BICYCLE,
+    "tractor": SemanticClass.OTHER_VEHICLE,
+    "trailer": SemanticClass.OTHER_VEHICLE,
+    "pedestrian": SemanticClass.PEDESTRIAN,
+    "animal": SemanticClass.ANIMAL,
 }
-_BY_KIND = {kind: found for found, kinds in _KINDS.items() for kind in kinds.split()}
 
 
-def class_of_kind(kind: str, default: SemanticClass) -> SemanticClass:
-    """The class of a kind of agent or object; `default` of one that is not among the standard
-    kinds."""
-    return _BY_KIND.get(kind, default)
+def class_of_category(category: str) -> SemanticClass:
+    """The class of agents and objects of a category."""
+    return _CATEGORIES.get(category, SemanticClass.OTHER)
 
 
 def class_table() -> dict[str, int]:

@@ -42,6 +42,7 @@ class Car(AgentKind):
     """A passenger car."""
 
     name: ClassVar[str] = "car"
+    category: ClassVar[str] = "car"
     length: Length = _length(4.5)
     width: Length = _width(1.8)
     height: Length = _height(1.5)
@@ -56,6 +57,7 @@ class Van(AgentKind):
     """A delivery van."""
 
     name: ClassVar[str] = "van"
+    category: ClassVar[str] = "van"
     length: Length = _length(5.9)
     width: Length = _width(2.0)
     height: Length = _height(2.5)
@@ -70,6 +72,7 @@ class Truck(AgentKind):
     """A truck."""
 
     name: ClassVar[str] = "truck"
+    category: ClassVar[str] = "truck"
     length: Length = _length(9.0)
     width: Length = _width(2.5)
     height: Length = _height(3.5)
@@ -84,6 +87,7 @@ class Bus(AgentKind):
     """A city bus."""
 
     name: ClassVar[str] = "bus"
+    category: ClassVar[str] = "bus"
     length: Length = _length(12.0)
     width: Length = _width(2.55)
     height: Length = _height(3.1)
@@ -98,6 +102,7 @@ class Motorcycle(AgentKind):
     """A motorcycle."""
 
     name: ClassVar[str] = "motorcycle"
+    category: ClassVar[str] = "motorcycle"
     length: Length = _length(2.2)
     width: Length = _width(0.8)
     height: Length = _height(1.4)
@@ -112,6 +117,7 @@ class Bicycle(AgentKind):
     """A bicycle with its rider."""
 
     name: ClassVar[str] = "bicycle"
+    category: ClassVar[str] = "bicycle"
     length: Length = _length(1.8)
     width: Length = _width(0.6)
     height: Length = _height(1.7)
@@ -126,6 +132,7 @@ class Pedestrian(AgentKind):
     """A pedestrian."""
 
     name: ClassVar[str] = "pedestrian"
+    category: ClassVar[str] = "pedestrian"
     length: Length = option(0.4, above=0, maximum=2, help="front-to-back depth")
     width: Length = option(0.6, above=0, maximum=2, help="shoulder width")
     height: Length = option(1.75, above=0, maximum=3, help="height")
@@ -138,6 +145,7 @@ class Animal(AgentKind):
     """A deer or another animal that runs onto the road."""
 
     name: ClassVar[str] = "animal"
+    category: ClassVar[str] = "animal"
     length: Length = option(1.5, above=0, maximum=4, help="length from head to tail")
     width: Length = option(0.5, above=0, maximum=2, help="width")
     height: Length = option(1.2, above=0, maximum=4, help="height")
@@ -150,6 +158,8 @@ class Taxi(AgentKind):
     """A taxi."""
 
     name: ClassVar[str] = "taxi"
+    category: ClassVar[str] = "car"
+    role: ClassVar[str] = "taxi"
     length: Length = _length(4.6)
     width: Length = _width(1.85)
     height: Length = _height(1.5)
@@ -164,6 +174,8 @@ class PoliceCar(AgentKind):
     """A police car."""
 
     name: ClassVar[str] = "police_car"
+    category: ClassVar[str] = "car"
+    role: ClassVar[str] = "police"
     length: Length = _length(4.8)
     width: Length = _width(1.85)
     height: Length = _height(1.5)
@@ -178,6 +190,8 @@ class Ambulance(AgentKind):
     """An ambulance."""
 
     name: ClassVar[str] = "ambulance"
+    category: ClassVar[str] = "van"
+    role: ClassVar[str] = "ambulance"
     length: Length = _length(6.2)
     width: Length = _width(2.1)
     height: Length = _height(2.7)
@@ -192,6 +206,8 @@ class FireTruck(AgentKind):
     """A fire truck."""
 
     name: ClassVar[str] = "fire_truck"
+    category: ClassVar[str] = "truck"
+    role: ClassVar[str] = "fire"
     length: Length = _length(8.5)
     width: Length = _width(2.5)
     height: Length = _height(3.3)
@@ -206,6 +222,7 @@ class Tractor(AgentKind):
     """A farm tractor."""
 
     name: ClassVar[str] = "tractor"
+    category: ClassVar[str] = "tractor"
     length: Length = _length(4.6)
     width: Length = _width(2.3)
     height: Length = _height(2.9)
@@ -220,6 +237,7 @@ class Scooter(AgentKind):
     """An electric kick scooter with its rider."""
 
     name: ClassVar[str] = "scooter"
+    category: ClassVar[str] = "bicycle"
     length: Length = _length(1.2)
     width: Length = _width(0.6)
     height: Length = _height(1.75)
@@ -234,6 +252,7 @@ class Child(AgentKind):
     """A child on foot."""
 
     name: ClassVar[str] = "child"
+    category: ClassVar[str] = "pedestrian"
     length: Length = option(0.3, above=0, maximum=2, help="front-to-back depth")
     width: Length = option(0.4, above=0, maximum=2, help="shoulder width")
     height: Length = option(1.1, above=0, maximum=3, help="height")
@@ -246,6 +265,7 @@ class Dog(AgentKind):
     """A dog."""
 
     name: ClassVar[str] = "dog"
+    category: ClassVar[str] = "animal"
     length: Length = option(0.9, above=0, maximum=2, help="length from head to tail")
     width: Length = option(0.3, above=0, maximum=2, help="width")
     height: Length = option(0.6, above=0, maximum=3, help="height")

@@ -16,6 +16,7 @@ class Tree(ObjectKind):
     """A tree."""
 
     name: ClassVar[str] = "tree"
+    category: ClassVar[str] = "tree"
     length: Length = length_option(4.0)
     width: Length = width_option(4.0)
     height: Length = height_option(8.0)
@@ -27,6 +28,7 @@ class Bush(ObjectKind):
     """A bush."""
 
     name: ClassVar[str] = "bush"
+    category: ClassVar[str] = "bush"
     length: Length = length_option(1.5)
     width: Length = width_option(1.5)
     height: Length = height_option(1.2)
@@ -38,6 +40,7 @@ class Building(ObjectKind):
     """A building."""
 
     name: ClassVar[str] = "building"
+    category: ClassVar[str] = "building"
     length: Length = length_option(12.0)
     width: Length = width_option(10.0)
     height: Length = height_option(7.0)
@@ -49,6 +52,7 @@ class Wall(ObjectKind):
     """A wall."""
 
     name: ClassVar[str] = "wall"
+    category: ClassVar[str] = "wall"
     length: Length = length_option(10.0)
     width: Length = width_option(0.3)
     height: Length = height_option(2.0)
@@ -60,6 +64,7 @@ class ParkedCar(ObjectKind):
     """A parked car."""
 
     name: ClassVar[str] = "parked_car"
+    category: ClassVar[str] = "car"
     length: Length = length_option(4.5)
     width: Length = width_option(1.8)
     height: Length = height_option(1.5)
@@ -71,6 +76,7 @@ class ParkedVan(ObjectKind):
     """A parked van."""
 
     name: ClassVar[str] = "parked_van"
+    category: ClassVar[str] = "van"
     length: Length = length_option(5.9)
     width: Length = width_option(2.0)
     height: Length = height_option(2.5)
@@ -82,6 +88,7 @@ class ParkedTruck(ObjectKind):
     """A parked truck."""
 
     name: ClassVar[str] = "parked_truck"
+    category: ClassVar[str] = "truck"
     length: Length = length_option(9.0)
     width: Length = width_option(2.5)
     height: Length = height_option(3.5)
@@ -93,6 +100,7 @@ class Cone(ObjectKind):
     """A traffic cone."""
 
     name: ClassVar[str] = "cone"
+    category: ClassVar[str] = "cone"
     length: Length = length_option(0.35)
     width: Length = width_option(0.35)
     height: Length = height_option(0.75)
@@ -104,6 +112,7 @@ class Barrier(ObjectKind):
     """A construction barrier."""
 
     name: ClassVar[str] = "barrier"
+    category: ClassVar[str] = "barrier"
     length: Length = length_option(2.0)
     width: Length = width_option(0.4)
     height: Length = height_option(1.0)
@@ -115,6 +124,7 @@ class Sign(ObjectKind):
     """A traffic sign on a post."""
 
     name: ClassVar[str] = "sign"
+    category: ClassVar[str] = "sign"
     length: Length = length_option(0.1)
     width: Length = width_option(0.7)
     height: Length = height_option(2.5)
@@ -126,6 +136,7 @@ class TrafficLight(ObjectKind):
     """A traffic light on a post."""
 
     name: ClassVar[str] = "traffic_light"
+    category: ClassVar[str] = "traffic_light"
     length: Length = length_option(0.3)
     width: Length = width_option(0.4)
     height: Length = height_option(3.2)
@@ -137,6 +148,7 @@ class Lamp(ObjectKind):
     """A street lamp."""
 
     name: ClassVar[str] = "lamp"
+    category: ClassVar[str] = "lamp"
     length: Length = length_option(0.3)
     width: Length = width_option(0.3)
     height: Length = height_option(6.0)

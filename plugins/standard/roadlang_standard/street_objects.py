@@ -15,6 +15,7 @@ class BusStop(ObjectKind):
     """The shelter of a bus stop."""
 
     name: ClassVar[str] = "bus_stop"
+    category: ClassVar[str] = "shelter"
     length: Length = length_option(4.0)
     width: Length = width_option(1.5)
     height: Length = height_option(2.5)
@@ -26,6 +27,7 @@ class Fence(ObjectKind):
     """A fence."""
 
     name: ClassVar[str] = "fence"
+    category: ClassVar[str] = "fence"
     length: Length = length_option(10.0)
     width: Length = width_option(0.1)
     height: Length = height_option(1.2)
@@ -37,6 +39,7 @@ class Guardrail(ObjectKind):
     """A guardrail."""
 
     name: ClassVar[str] = "guardrail"
+    category: ClassVar[str] = "guardrail"
     length: Length = length_option(20.0)
     width: Length = width_option(0.4)
     height: Length = height_option(0.8)
@@ -48,6 +51,7 @@ class Hedge(ObjectKind):
     """A hedge."""
 
     name: ClassVar[str] = "hedge"
+    category: ClassVar[str] = "hedge"
     length: Length = length_option(5.0)
     width: Length = width_option(1.0)
     height: Length = height_option(1.5)
@@ -59,6 +63,7 @@ class Pole(ObjectKind):
     """A pole."""
 
     name: ClassVar[str] = "pole"
+    category: ClassVar[str] = "pole"
     length: Length = length_option(0.3)
     width: Length = width_option(0.3)
     height: Length = height_option(7.0)
@@ -70,6 +75,7 @@ class Bollard(ObjectKind):
     """A bollard."""
 
     name: ClassVar[str] = "bollard"
+    category: ClassVar[str] = "pole"
     length: Length = length_option(0.2)
     width: Length = width_option(0.2)
     height: Length = height_option(1.0)
@@ -103,6 +109,7 @@ class Trailer(ObjectKind):
     """A trailer that was left standing."""
 
     name: ClassVar[str] = "trailer"
+    category: ClassVar[str] = "trailer"
     length: Length = length_option(7.5)
     width: Length = width_option(2.5)
     height: Length = height_option(3.2)
@@ -114,6 +121,7 @@ class ParkedBus(ObjectKind):
     """A parked bus."""
 
     name: ClassVar[str] = "parked_bus"
+    category: ClassVar[str] = "bus"
     length: Length = length_option(12.0)
     width: Length = width_option(2.55)
     height: Length = height_option(3.1)
@@ -125,6 +133,7 @@ class ParkedBicycle(ObjectKind):
     """A parked bicycle."""
 
     name: ClassVar[str] = "parked_bicycle"
+    category: ClassVar[str] = "bicycle"
     length: Length = length_option(1.8)
     width: Length = width_option(0.6)
     height: Length = height_option(1.1)
@@ -136,6 +145,7 @@ class ParkedMotorcycle(ObjectKind):
     """A parked motorcycle."""
 
     name: ClassVar[str] = "parked_motorcycle"
+    category: ClassVar[str] = "motorcycle"
     length: Length = length_option(2.2)
     width: Length = width_option(0.8)
     height: Length = height_option(1.2)

@@ -66,7 +66,7 @@ def drive_figure(
 
 def _while_there(agent: AgentTrace) -> AgentTrace:
     """Without the places to which it is recorded after it has left."""
-    left = agent.present == 0.0
+    left = agent.has_left
     if not left.any() or left.all():
         return agent
     return replace(agent, x=np.where(left, np.nan, agent.x), y=np.where(left, np.nan, agent.y))

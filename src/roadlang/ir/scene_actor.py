@@ -67,3 +67,8 @@ class SceneActor(Frozen):
     """of an agent through a network; null: it follows its road and lane"""
     sensors: tuple[SceneSensor, ...] = ()
     """of an agent, in the order of the scene file"""
+    category: str = ""
+    """what other tools are told that it is, one of a fixed list: `car`, `pedestrian`, `tree`, ...;
+    empty in a scene of an earlier version"""
+    role: str = ""
+    """of a vehicle: `taxi`, `police`, `ambulance`, `fire`, or empty"""

@@ -10,7 +10,7 @@ from ..diagnostics.renamed_names import OldName
 from .read_only import Frozen
 
 if TYPE_CHECKING:
-    from ..geometry.arrays import Floats
+    from ..geometry.arrays import Booleans, Floats
     from .scene import SceneActor
 
 
@@ -124,6 +124,18 @@ class AgentTrace(Frozen):
             length=actor.length,
             width=actor.width,
         )
+
+    @property
+    def has_left(self) -> Booleans:
+        """(T,) whether it is no longer there; never, where the engine does not report it."""
+        gone: Booleans = self.present == 0.0
+        return gone
+
+    @property
+    def samples_there(self) -> int:
+        """How many of the first samples it is there for."""
+        left = self.has_left
+        return int(left.argmax()) if left.any() else len(self.time)
 
 
 _OPTIONAL = tuple(

@@ -10,6 +10,7 @@ from typing import Any
 
 from ..diagnostics import nearest
 from ..diagnostics.nearest import edits
+from ..ir.category import AGENTS, OBJECTS, ROLES
 from ..ir.units import parse_unit
 from ..syntax.words import RESERVED
 from .attribution import Reason
@@ -19,6 +20,11 @@ from .option_checks import option_fault
 from .options import OptionSchema, schema_of
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
+_WORDS: dict[str, dict[str, tuple[str, ...]]] = {
+    "agent": {"category": ("", *AGENTS), "role": ROLES},
+    "object": {"category": OBJECTS},
+}
+"""The values of attributes of kinds that are words of a list, by verb."""
 
 
 class KindFault(Reason):
@@ -111,6 +117,8 @@ def _check_attributes(cls: type[Kind]) -> None:
             raise KindFault(f"`{name}` of {cls.__name__} is {value!r}, not {noun}", cls, name)
     if cls.domain not in ("road", "drive"):
         raise KindFault(f'`domain` is {cls.domain!r}, not "road" or "drive"', cls, "domain")
+    for name, words in _WORDS.get(cls.verb, {}).items():
+        _check_word(cls, name, words)
     if cls.rest and cls.rest not in {option.name for option in schema_of(cls)}:
         raise KindFault(f"`rest` is {cls.rest!r}, which is not an option", cls, "rest")
     for role in getattr(cls, "reads", ()):
@@ -122,6 +130,14 @@ def _check_attributes(cls: type[Kind]) -> None:
         except ValueError:
             reason = f"`unit` is {cls.unit!r}, which is no unit, such as `m` or `m/s^2`"
             raise KindFault(reason, cls, "unit") from None
+
+
+def _check_word(cls: type[Kind], name: str, words: tuple[str, ...]) -> None:
+    value = getattr(cls, name)
+    if value not in words:
+        meant = nearest(value, words)
+        advice = f"did you mean {meant!r}?" if meant else f"use {', '.join(filter(None, words))}"
+        raise KindFault(f"`{name}` of {cls.__name__} is {value!r}: {advice}", cls, name)
 
 
 def _is_like(value: object, default: object) -> bool:

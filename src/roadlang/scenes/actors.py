@@ -10,6 +10,7 @@ from typing import Any
 from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
+from ..ir.category import category_by_size
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene import Call, SceneActor, SceneSensor
@@ -17,6 +18,7 @@ from ..ir.values import Measure, PassCall, RandomValue
 from ..plugins.common_options import common_options
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
+from ..plugins.kinds import ObjectKind
 from ..plugins.options import schema_of
 from ..world.copies import counts, element_of, is_group, kinds_of, most_copies
 from ..world.named_roads import name_of_road
@@ -29,6 +31,8 @@ from .start_speeds import start_speeds
 _UNUSUAL_HEIGHT = 3.0
 _DEFAULT_HEIGHT = 1.5
 _POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")
+Kinds = list[tuple[str, float, Any, str, str]]
+"""The name, the height, the options, the category and the role of the kind of each copy."""
 Drives = list[tuple[Call, ...]]
 """The controllers of each copy, or, where all copies have the same, of all."""
 Sensors = list[tuple[SceneSensor, ...]]
@@ -59,6 +63,7 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
             number = numbers[group] = numbers.get(group, -1) + 1
             options = _kind_defaults(drawn.kind, candidates)
             height = drawn.height or float(options.get("height", _UNUSUAL_HEIGHT))
+            category = _kind_category(drawn.kind, candidates)
             options |= {"length": drawn.length, "width": drawn.width}
             if drawn.height is not None:
                 options["height"] = drawn.height
@@ -74,6 +79,7 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
                     float(drawn.width),
                     height,
                     options=options,
+                    category=category,
                 )
             )
     return tuple(found)
@@ -114,7 +120,7 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
 def _placed_copy(
     actor: ScenarioActor,
     name: str,
-    kind: tuple[str, float, Any],
+    kind: tuple[str, float, Any, str, str],
     pose: tuple[Any, ...],
     drive: tuple[Call, ...],
     speed: float | None,
@@ -122,7 +128,7 @@ def _placed_copy(
     sensors: tuple[SceneSensor, ...],
 ) -> SceneActor:
     x, y, heading, length, width, start, offset, lane, backward, road = pose
-    kind_name, height, options = kind
+    kind_name, height, options, category, role = kind
     on_road = actor.on is not None
     return SceneActor(
         name,
@@ -144,6 +150,8 @@ def _placed_copy(
         speed,
         route,
         sensors,
+        category or category_by_size(length, width, height),
+        role,
     )
 
 
@@ -156,8 +164,7 @@ def _of_copies(values: Sequence[Any], count: int, without: Any) -> Sequence[Any]
     return values if len(values) >= count else [*(values or (without,))] * count
 
 
-def _kinds(actor: ScenarioActor, rows: SceneRows) -> list[list[tuple[str, float, Any]]]:
-    """The name, the height and the options of the kind of each copy."""
+def _kinds(actor: ScenarioActor, rows: SceneRows) -> list[Kinds]:
     if rows.differ(actor.kind):
         return rows.each(lambda candidate: _shown(kinds_of(actor, candidate).instances))
     most = most_copies(actor, rows.candidates)
@@ -167,12 +174,14 @@ def _kinds(actor: ScenarioActor, rows: SceneRows) -> list[list[tuple[str, float,
     return rows.same(shown * most)
 
 
-def _shown(instances: Sequence[KindInstance]) -> list[tuple[str, float, Any]]:
+def _shown(instances: Sequence[KindInstance]) -> Kinds:
     distinct = {id(found): found for found in instances}
     shown = {}
     for key, found in distinct.items():
         options = _concrete_options(found)
-        shown[key] = found.entry.name, float(options.get("height") or _DEFAULT_HEIGHT), options
+        height = float(options.get("height") or _DEFAULT_HEIGHT)
+        role = getattr(found.kind, "role", "")
+        shown[key] = found.entry.name, height, options, found.kind.category, role
     return [shown[id(found)] for found in instances]
 
 
@@ -235,3 +244,11 @@ def _kind_defaults(kind: str, candidates: CandidateBatch) -> dict[str, Any]:
     with plugin_guard(entry, None):
         schema = schema_of(entry.load())
     return {option.name: option.default for option in schema if not option.required}
+
+
+def _kind_category(kind: str, candidates: CandidateBatch) -> str:
+    registry = candidates.scenario.registry
+    if not registry.has("object", kind):
+        return ObjectKind.category
+    found: type[ObjectKind] = find_entry(registry, "object", kind).load()  # type: ignore[assignment]
+    return found.category

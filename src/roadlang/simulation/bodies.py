@@ -81,16 +81,14 @@ class Bodies:
         dt: float,
     ) -> Bodies:
         """`surfaces`: of the road below each; `kinds`: by the name of the kind."""
-        defaults = Body()
         known: dict[Any, tuple[float, ...]] = {}
         rows = []
         for actor, surface in zip(actors, surfaces, strict=True):
             # Scenes of one file share the options of agents that have the same.
             size = actor.length, actor.width, actor.height
-            key = actor.kind, id(actor.options), *size, surface
+            key = actor.kind, actor.category, id(actor.options), *size, surface
             if key not in known:
-                body = kinds.get(actor.kind, defaults)
-                known[key] = _row(actor, body, surface, dt)
+                known[key] = _row(actor, body_of(actor, kinds), surface, dt)
             rows.append(known[key])
         columns = np.ascontiguousarray(np.array(rows, dtype=np.float64).reshape(len(rows), -1).T)
         names = [field.name for field in fields(cls)]
@@ -114,6 +112,11 @@ class Bodies:
     def take(self, rows: Any) -> Bodies:
         """Those of some agents."""
         return Bodies(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
+
+
+def body_of(actor: SceneActor, kinds: Mapping[str, Body]) -> Body:
+    """What is known of the kind of an agent, by its name; else of its category."""
+    return kinds.get(actor.kind) or kinds.get(actor.category) or Body()
 
 
 @dataclass(frozen=True)

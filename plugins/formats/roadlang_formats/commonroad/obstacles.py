@@ -8,6 +8,8 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from roadlang.api import VEHICLES
+
 from .elements import put, put_exact, put_point, put_rectangle
 from .numbering import Numbering
 
@@ -16,27 +18,22 @@ if TYPE_CHECKING:
 
 _TYPES = {
     "car": "car",
-    "taxi": "taxi",
     "van": "car",
-    "police_car": "priorityVehicle",
-    "ambulance": "priorityVehicle",
-    "fire_truck": "priorityVehicle",
     "truck": "truck",
     "tractor": "truck",
     "bus": "bus",
     "motorcycle": "motorcycle",
     "bicycle": "bicycle",
-    "scooter": "bicycle",
     "pedestrian": "pedestrian",
-    "child": "pedestrian",
 }
+_PRIORITY = ("police", "ambulance", "fire")
 _STANDING = {
-    "parked_car": "parkedVehicle",
     "cone": "constructionZone",
     "barrier": "constructionZone",
     "guardrail": "roadBoundary",
+    **dict.fromkeys(VEHICLES, "parkedVehicle"),
 }
-_ENVIRONMENT = {"building": "building", "house": "building", "pole": "pillar", "lamp": "pillar"}
+_ENVIRONMENT = {"building": "building", "pole": "pillar", "lamp": "pillar"}
 
 
 def ego_of(scene: Scene) -> SceneActor | None:
@@ -51,49 +48,36 @@ def put_obstacles(root: Element, scene: Scene, trace: Trace | None, numbering: N
     where they will be, and they are left out."""
     ego = ego_of(scene)
     others = [agent for agent in scene.agents if agent is not ego]
-    standing = [
-        (thing, _STANDING.get(thing.kind, "unknown"))
-        for thing in scene.objects
-        if thing.kind not in _ENVIRONMENT
-    ]
-    standing += [
-        (agent, "unknown" if _TYPES.get(agent.kind) == "pedestrian" else "parkedVehicle")
-        for agent in others
-        if not agent.drive
-    ]
-    for actor, kind in standing:
+    standing = [thing for thing in scene.objects if thing.category not in _ENVIRONMENT]
+    standing += [agent for agent in others if not agent.drive]
+    for actor in standing:
         found = put(root, "staticObstacle", id=numbering.next())
-        put(found, "type", kind)
+        put(found, "type", _STANDING.get(actor.category, "unknown"))
         put_rectangle(put(found, "shape"), actor.length, actor.width)
         _put_state(found, "initialState", 0, actor.x, actor.y, actor.heading)
     for actor in others:
         if trace is not None and actor.drive and actor.name in trace.agents:
             _put_dynamic(root, actor, trace.agents[actor.name], numbering)
     for actor in scene.objects:
-        if actor.kind in _ENVIRONMENT:
+        if actor.category in _ENVIRONMENT:
             found = put(root, "environmentObstacle", id=numbering.next())
-            put(found, "type", _ENVIRONMENT[actor.kind])
+            put(found, "type", _ENVIRONMENT[actor.category])
             shape = put(found, "shape")
             put_rectangle(shape, actor.length, actor.width, actor.heading, actor.x, actor.y)
 
 
 def _put_dynamic(root: Element, actor: SceneActor, agent: AgentTrace, numbering: Numbering) -> None:
     found = put(root, "dynamicObstacle", id=numbering.next())
-    put(found, "type", _TYPES.get(actor.kind, "unknown"))
+    usual = _TYPES.get(actor.category, "unknown")
+    put(found, "type", "priorityVehicle" if actor.role in _PRIORITY else usual)
     put_rectangle(put(found, "shape"), actor.length, actor.width)
-    steps = max(2, steps_present(agent))
+    steps = max(2, agent.samples_there)
     poses = np.column_stack((agent.x, agent.y, agent.heading, agent.speed))[:steps].tolist()
     poses += [poses[-1]] * (steps - len(poses))
     _put_state(found, "initialState", 0, *poses[0])
     trajectory = put(found, "trajectory")
     for step, pose in enumerate(poses[1:], 1):
         _put_state(trajectory, "state", step, *pose)
-
-
-def steps_present(agent: AgentTrace) -> int:
-    """How many of the first steps an agent is there for."""
-    gone = np.flatnonzero(agent.present == 0.0)
-    return int(gone[0]) if len(gone) else len(agent.time)
 
 
 def _put_state(

@@ -13,7 +13,7 @@ from roadlang.geometry import Floats
 from roadlang_formats.lanelets.model import LaneletMap, xy
 
 from .elements import put, put_exact, put_point, put_rectangle
-from .obstacles import ego_of, steps_present
+from .obstacles import ego_of
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, Trace
@@ -56,7 +56,7 @@ def put_planning_problem(
     goal = put(problem, "goalState")
     agent = trace.agents.get(ego.name) if trace is not None and ego is not None else None
     if agent is not None:
-        last = max(1, steps_present(agent) - 1)
+        last = max(1, agent.samples_there - 1)
         at = min(last, len(agent.time) - 1)
         pose = float(agent.heading[at]), float(agent.x[at]), float(agent.y[at])
         _put_time(goal, last)

@@ -181,7 +181,7 @@ class SceneNodes:
         paint = painted(actor.kind, color if isinstance(color, str) else "gray")
         size = actor.length, actor.width, actor.height
         key: tuple[Any, ...] = (actor.kind, paint, *size)
-        parts = body(actor.kind, paint.name, *size)
+        parts = body(actor.category, paint.name, *size)
         # Unreal Engine finds convex meshes by the name of the mesh, so that none is shared.
         shared = self.collision != "unreal"
         key = key if shared else (actor.name,)

@@ -13,9 +13,11 @@ _BODY = 0.98
 """Share of its width that the body of a vehicle has between the outer sides of its wheels."""
 
 
-def body(kind: str, material: str, length: float, width: float, height: float) -> tuple[Faces, ...]:
-    """The parts of an agent or object; of a kind that has no shape a box."""
-    return joined(_SHAPES.get(kind, _block)(material, length, width, height))
+def body(
+    category: str, material: str, length: float, width: float, height: float
+) -> tuple[Faces, ...]:
+    """The parts of an agent or object; of a category that has no shape a box."""
+    return joined(_SHAPES.get(category, _block)(material, length, width, height))
 
 
 def _block(paint: str, length: float, width: float, height: float) -> Iterator[Faces]:
@@ -115,16 +117,18 @@ def _cone(paint: str, length: float, width: float, height: float) -> Iterator[Fa
     yield tapered(paint, (0.7, 0.12), (0.06 * height, height), (x, y))
 
 
-_GROUPS: tuple[tuple[Shape, str], ...] = (
-    (_car, "car taxi police_car parked_car"),
-    (_van, "van truck bus ambulance fire_truck tractor parked_van parked_truck parked_bus"),
-    (_two_wheeler, "motorcycle bicycle scooter parked_motorcycle parked_bicycle"),
-    (_walker, "pedestrian child"),
-    (_animal, "animal dog"),
-    (_tree, "tree"),
-    (_bush, "bush hedge"),
-    (_building, "building"),
-    (_pole, "pole lamp sign traffic_light"),
-    (_cone, "cone"),
-)
-_SHAPES: Mapping[str, Shape] = {kind: shape for shape, kinds in _GROUPS for kind in kinds.split()}
+_SHAPES: Mapping[str, Shape] = {
+    "car": _car,
+    **dict.fromkeys(("van", "truck", "bus", "tractor"), _van),
+    "motorcycle": _two_wheeler,
+    "bicycle": _two_wheeler,
+    "pedestrian": _walker,
+    "animal": _animal,
+    "tree": _tree,
+    "bush": _bush,
+    "hedge": _bush,
+    "building": _building,
+    **dict.fromkeys(("pole", "lamp", "sign", "traffic_light"), _pole),
+    "cone": _cone,
+}
+"""By category."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
-from roadlang.api import vehicle_parameters
+from roadlang.api import body_of, vehicle_parameters
 from roadlang_standard.engine_tables import BODIES
 
 from .elements import put
@@ -46,7 +46,7 @@ def wheels_of(actor: SceneActor, wheelbase: float) -> Wheels:
 
 def put_car(world: Element, actor: SceneActor, height: float, friction: float) -> None:
     """The body of the car, standing on ground of a height."""
-    numbers = vehicle_parameters(actor, BODIES.get(actor.kind))
+    numbers = vehicle_parameters(actor, body_of(actor, BODIES))
     wheels = wheels_of(actor, numbers.wheelbase)
     length, width, tall = actor.length, actor.width, actor.height
     mass = numbers.mass * (1.0 - 4.0 * _WHEEL_SHARE)
@@ -103,7 +103,7 @@ def put_defaults(defaults: Element) -> None:
 def put_controls(root: Element, actor: SceneActor, friction: float) -> None:
     """Two controls: the steering angle (radians, left positive) and the speed of the rear axle
     (radians a second), which drives both wheels as an open differential does."""
-    numbers = vehicle_parameters(actor, BODIES.get(actor.kind))
+    numbers = vehicle_parameters(actor, body_of(actor, BODIES))
     radius = wheels_of(actor, numbers.wheelbase).radius
     name = actor.name
     equality = put(put(root, "equality"), "joint", polycoef=(0, 1, 0, 0, 0))

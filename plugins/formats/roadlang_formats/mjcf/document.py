@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element, indent, tostring
 
 import numpy as np
 
-from roadlang.api import SceneActor, vehicle_parameters
+from roadlang.api import SceneActor, body_of, vehicle_parameters
 from roadlang.geometry import Floats
 from roadlang_standard.engine_tables import BODIES
 
@@ -95,13 +95,12 @@ def driven_agent(scene: Scene) -> SceneActor:
     name = next(name for name in ("ego", "ego car", "ego car 2") if name not in names)
     return SceneActor(
         name, name, "car", x, y, float(np.arctan2(dy, dx)), length, width, height,
-        road=road.name, start=start, lane=lane,
+        road=road.name, start=start, lane=lane, category="car",
     )  # fmt: skip
 
 
 def _walks(actor: SceneActor) -> bool:
-    body = BODIES.get(actor.kind)
-    return body is not None and body.walks
+    return body_of(actor, BODIES).walks
 
 
 def _put_roads(scene: Scene, assets: Element, world: Element, grip: float) -> None:
@@ -152,6 +151,6 @@ def _put_path(root: Element, scene: Scene, driven: SceneActor) -> None:
         put(custom, "numeric", name="path y", data=np.round(y, 4).tolist())
     speed = target_speed(scene, driven, driven.drive[0]) if driven.drive else _SPEED
     put(custom, "numeric", name="speed", data=(speed,))
-    base = vehicle_parameters(driven, BODIES.get(driven.kind)).wheelbase
+    base = vehicle_parameters(driven, body_of(driven, BODIES)).wheelbase
     put(custom, "numeric", name="wheelbase", data=(base,))
     put(custom, "numeric", name="wheel radius", data=(wheels_of(driven, base).radius,))

@@ -16,11 +16,29 @@ if TYPE_CHECKING:
 
     from .road_parts import OpenDriveRoad
 
-_TYPES = {"tree": "tree", "building": "building", "cone": "obstacle", "barrier": "barrier"}
+_TYPES = {
+    "tree": "tree",
+    "bush": "vegetation",
+    "hedge": "vegetation",
+    "building": "building",
+    "wall": "barrier",
+    "fence": "barrier",
+    "barrier": "barrier",
+    "guardrail": "railing",
+    "lamp": "streetLamp",
+    "pole": "pole",
+    "sign": "pole",
+    "traffic_light": "pole",
+}
 _BEYOND = 0.01
 """Meters past the end of its road from which on an object is given by its corners."""
 _STEPS = 3
 """Until the nearest point of the road's curve is that of the reference line, a bit away from it."""
+
+
+def object_type(thing: SceneActor) -> str:
+    """What OpenDRIVE and OpenSCENARIO call an object."""
+    return _TYPES.get(thing.category, "obstacle")
 
 
 def objects_by_part(
@@ -53,7 +71,7 @@ def put_objects(
             "object",
             id=number,
             name=thing.name,
-            type=_TYPES.get(thing.kind, "obstacle"),
+            type=object_type(thing),
             s=s,
             t=t,
             zOffset=0.0,

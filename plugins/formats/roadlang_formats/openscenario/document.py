@@ -16,7 +16,7 @@ from . import actions
 from .entities import put_agent, put_object
 from .environment import put_environment
 from .maneuvers import Event, Maneuvers, driven, maneuvers_of, start_of
-from .positions import Roads, route_places
+from .positions import Place, Roads, route_places
 from .traffic_signals import put_traffic_signals
 from .triggers import at_time, put_trigger
 
@@ -108,7 +108,8 @@ class ScenarioFiles:
                 found.append(actions.assign_route(name, places, actor.route.closed))
             _put_private(inside, actor.name, found)
         for thing in self.scene.objects:
-            _put_private(inside, thing.name, [actions.teleport(start_of(thing, Roads(())))])
+            place = Place(thing.x, thing.y, thing.heading)
+            _put_private(inside, thing.name, [actions.teleport(place)])
 
 
 def _put_header(root: Element, scene: Scene, version: str) -> None:

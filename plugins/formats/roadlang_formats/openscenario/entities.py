@@ -8,7 +8,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
+from roadlang.api import ON_FOOT, vehicle_parameters
+
 from ..opendrive.elements import put
+from ..opendrive.objects import object_type
 
 if TYPE_CHECKING:
     from roadlang.api import SceneActor
@@ -24,55 +27,26 @@ class VehicleClass:
     acceleration: float
     deceleration: float
     wheel: float
-    role: str = "civil"
     tracks: int = 2
 
 
 _CAR = VehicleClass("car", 70.0, 10.0, 10.0, 0.65)
-_TRUCK = VehicleClass("truck", 40.0, 5.0, 8.0, 1.0)
-_BICYCLE = VehicleClass("bicycle", 17.0, 3.0, 8.0, 0.68, tracks=1)
 VEHICLES = {
-    "car": _CAR,
-    "taxi": _CAR,
-    "police_car": VehicleClass("car", 70.0, 10.0, 10.0, 0.65, "police"),
     "van": VehicleClass("van", 55.0, 8.0, 10.0, 0.7),
-    "ambulance": VehicleClass("van", 55.0, 8.0, 10.0, 0.7, "ambulance"),
-    "truck": _TRUCK,
-    "fire_truck": VehicleClass("truck", 40.0, 5.0, 8.0, 1.0, "fire"),
-    "tractor": _TRUCK,
-    "bus": VehicleClass("bus", 40.0, 5.0, 8.0, 1.0, "publicTransport"),
+    "truck": VehicleClass("truck", 40.0, 5.0, 8.0, 1.0),
+    "tractor": VehicleClass("truck", 40.0, 5.0, 8.0, 1.0),
+    "bus": VehicleClass("bus", 40.0, 5.0, 8.0, 1.0),
     "motorcycle": VehicleClass("motorbike", 80.0, 12.0, 10.0, 0.62, tracks=1),
-    "bicycle": _BICYCLE,
-    "scooter": _BICYCLE,
+    "bicycle": VehicleClass("bicycle", 17.0, 3.0, 8.0, 0.68, tracks=1),
 }
-_ON_FOOT = {
-    "pedestrian": "pedestrian",
-    "child": "pedestrian",
-    "animal": "animal",
-    "dog": "animal",
-}
-_OBJECTS = {
-    "tree": "tree",
-    "bush": "vegetation",
-    "hedge": "vegetation",
-    "building": "building",
-    "wall": "barrier",
-    "fence": "barrier",
-    "barrier": "barrier",
-    "guardrail": "railing",
-    "lamp": "streetLamp",
-    "pole": "pole",
-    "bollard": "pole",
-    "sign": "pole",
-    "traffic_light": "pole",
-}
+_ROLES = {"police": "police", "ambulance": "ambulance", "fire": "fire"}
 _TURNS = 0.6
 """Radians that front wheels turn where a kind does not say it."""
 
 
 def wheelbase(actor: SceneActor) -> float:
-    """Meters between the axles; 0 for who walks."""
-    return float(actor.options.get("wheelbase", 0.0))
+    """Meters between the axles of an agent; 0 for who walks."""
+    return 0.0 if actor.category in ON_FOOT else vehicle_parameters(actor).wheelbase
 
 
 def rear_axle(actor: SceneActor, x: float, y: float, heading: float) -> tuple[float, float, float]:
@@ -83,10 +57,8 @@ def rear_axle(actor: SceneActor, x: float, y: float, heading: float) -> tuple[fl
 
 
 def vehicle_class(actor: SceneActor) -> VehicleClass | None:
-    """None for who walks; kinds of plugins are cars where they have axles."""
-    if actor.kind in _ON_FOOT or not wheelbase(actor):
-        return None
-    return VEHICLES.get(actor.kind, _CAR)
+    """None for who walks."""
+    return None if actor.category in ON_FOOT else VEHICLES.get(actor.category, _CAR)
 
 
 def put_agent(parent: Element, actor: SceneActor, unexpressed: Sequence[str]) -> None:
@@ -95,19 +67,19 @@ def put_agent(parent: Element, actor: SceneActor, unexpressed: Sequence[str]) ->
     vehicle = vehicle_class(actor)
     mass = float(actor.options.get("mass", 0.0))
     if vehicle is None:
-        category = _ON_FOOT.get(actor.kind, "pedestrian")
-        element = put(found, "Pedestrian", name=actor.kind, mass=mass, pedestrianCategory=category)
-        _put_box(element, actor)
+        element = put(found, "Pedestrian", name=actor.kind, mass=mass)
+        element.set("pedestrianCategory", actor.category)
+        _put_box(element, actor, 0.0)
     else:
         element = put(
             found,
             "Vehicle",
             name=actor.kind,
             vehicleCategory=vehicle.category,
-            role=vehicle.role,
+            role="publicTransport" if actor.category == "bus" else _ROLES.get(actor.role, "civil"),
             mass=mass,
         )
-        _put_box(element, actor)
+        _put_box(element, actor, wheelbase(actor))
         put(
             element,
             "Performance",
@@ -129,15 +101,15 @@ def put_object(parent: Element, thing: SceneActor) -> None:
         "MiscObject",
         name=thing.kind,
         mass=float(thing.options.get("mass", 0.0)),
-        miscObjectCategory=_OBJECTS.get(thing.kind, "obstacle"),
+        miscObjectCategory=object_type(thing),
     )
-    _put_box(element, thing)
+    _put_box(element, thing, 0.0)
     put(element, "Properties")
 
 
-def _put_box(parent: Element, actor: SceneActor) -> None:
+def _put_box(parent: Element, actor: SceneActor, base: float) -> None:
     box = put(parent, "BoundingBox")
-    put(box, "Center", x=0.5 * wheelbase(actor), y=0.0, z=0.5 * actor.height)
+    put(box, "Center", x=0.5 * base, y=0.0, z=0.5 * actor.height)
     put(box, "Dimensions", length=actor.length, width=actor.width, height=actor.height)
 
 

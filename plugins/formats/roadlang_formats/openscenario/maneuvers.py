@@ -66,8 +66,7 @@ def driven(scene: Scene, trace: Trace, actor: SceneActor) -> Maneuvers:
     found = trace.agents.get(actor.name)
     if found is None:
         return Maneuvers(actor)
-    present = np.nan_to_num(found.present, nan=1.0) > 0.0
-    count = len(present) if present.all() else int(np.argmin(present))
+    count = found.samples_there
     path = zip(found.x[:count].tolist(), found.y[:count].tolist(), found.heading[:count].tolist(),
                strict=True)  # fmt: skip
     poses = np.array([rear_axle(actor, *pose) for pose in path])
@@ -76,7 +75,7 @@ def driven(scene: Scene, trace: Trace, actor: SceneActor) -> Maneuvers:
     if count > 1 and np.ptp(poses, axis=0).max() > _STANDING:
         follow = actions.follow_trajectory(f"{actor.name} drive", times, poses, absolute=True)
         events.append(Event("drive", (follow,)))
-    if count < len(present):
+    if count < len(found.time):
         events.append(Event("leave", (), [[at_time(float(found.time[count]))]], actor.name))
     return Maneuvers(actor, tuple(events))
 

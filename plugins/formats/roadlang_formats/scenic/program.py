@@ -18,22 +18,12 @@ if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
 
 _CLASSES = {
-    "car": "Car",
-    "taxi": "Car",
-    "police_car": "Car",
-    "van": "Car",
-    "truck": "Car",
-    "bus": "Car",
-    "ambulance": "Car",
-    "fire_truck": "Car",
-    "tractor": "Car",
+    **dict.fromkeys(("car", "van", "truck", "bus", "tractor"), "Car"),
     "motorcycle": "Vehicle",
     "bicycle": "Vehicle",
-    "scooter": "Vehicle",
     "pedestrian": "Pedestrian",
-    "child": "Pedestrian",
 }
-"""Of Scenic's driving model, for kinds of agents; all else is an `Object`."""
+"""Of Scenic's driving model, for categories of agents; all else is an `Object`."""
 _NOT_VEHICLES = ("Object", "Pedestrian")
 """Classes that need not be on the road; Scenic has pedestrians only on sidewalks."""
 _FOLLOWS_LANE = frozenset(("lane_follow", "pure_pursuit", "stanley"))
@@ -74,7 +64,7 @@ class ScenicProgram:
         agents = frozenset(names)
         for thing in things:
             name = "ego" if thing.name == ego else variables[thing.name]
-            kind = _CLASSES.get(thing.kind, "Object") if thing.name in agents else "Object"
+            kind = _CLASSES.get(thing.category, "Object") if thing.name in agents else "Object"
             at = f"({_number(thing.x)}, {_number(thing.y)})"
             lines += ["", f"{name} = new {kind} at {at}, facing {_number(_heading(thing))},"]
             is_free = kind in _NOT_VEHICLES or thing.name not in inside

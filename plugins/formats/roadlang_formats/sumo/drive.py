@@ -6,9 +6,8 @@ import math
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
-import numpy as np
-
 from ..opendrive.elements import put
+from .vehicle_classes import has_wheels
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, Trace
@@ -21,11 +20,11 @@ def drive_text(scene: Scene, trace: Trace) -> str:
     agents = [
         (actor, trace.agents[actor.name]) for actor in scene.agents if actor.name in trace.agents
     ]
-    present = {actor.name: np.nan_to_num(found.present, nan=1.0) > 0.0 for actor, found in agents}
+    there = {actor.name: found.samples_there for actor, found in agents}
     for step, time in enumerate(trace.time.tolist()):
         moment = put(root, "timestep", time=f"{time:.2f}")
         for actor, found in agents:
-            if not present[actor.name][step]:
+            if step >= there[actor.name]:
                 continue
             x, y, heading, speed = (
                 float(getattr(found, name)[step]) for name in ("x", "y", "heading", "speed")
@@ -33,7 +32,7 @@ def drive_text(scene: Scene, trace: Trace) -> str:
             half = 0.5 * actor.length
             put(
                 moment,
-                "vehicle" if actor.options.get("wheelbase") else "person",
+                "vehicle" if has_wheels(actor) else "person",
                 id=actor.name,
                 x=f"{x + half * math.cos(heading):.3f}",
                 y=f"{y + half * math.sin(heading):.3f}",

@@ -5,17 +5,18 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
 from ..opendrive.elements import put
-from ..surfaces.built import is_loop
 from .edges import SumoEdge, in_order
+from .persons import PersonTrip, put_walks, walk_of
+from .places import places_of
 from .vehicle_classes import class_of, has_wheels
 
 if TYPE_CHECKING:
-    from roadlang.api import RoadPart, Scene, SceneActor, SceneRoad
+    from roadlang.api import Scene, SceneActor
 
     from .network import SumoNetwork
 
@@ -40,24 +41,20 @@ class Trip:
     speed: float
 
 
-@dataclass(frozen=True)
-class _Place:
-    """A part of a road that is driven, from one station to another; `back`: against the road."""
-
-    road: str
-    start: float
-    stop: float
-    back: bool
-
-
 def trips_of(scene: Scene, network: SumoNetwork) -> list[Trip]:
-    """Of the agents that drive on the network; who walks is left out, and who has no road."""
+    """Of the agents that drive on the network; who has no road is left out."""
     found = [_trip(scene, network, actor) for actor in scene.agents if has_wheels(actor)]
     return [trip for trip in found if trip is not None]
 
 
+def walks_of(scene: Scene, network: SumoNetwork) -> list[PersonTrip]:
+    """Of the agents who walk along a sidewalk."""
+    found = [walk_of(scene, network, agent, places_of(scene, agent)) for agent in scene.agents]
+    return [walk for walk in found if walk is not None]
+
+
 def _trip(scene: Scene, network: SumoNetwork, actor: SceneActor) -> Trip | None:
-    places = _places(scene, actor)
+    places = places_of(scene, actor)
     edges: list[SumoEdge] = []
     for place in places:
         of_road = in_order(network.by_road.get(place.road, ()), not place.back)
@@ -105,65 +102,7 @@ def _beyond(edge: SumoEdge, station: float) -> float:
     return max(edge.start - station, station - edge.stop, 0.0)
 
 
-def _places(scene: Scene, actor: SceneActor) -> list[_Place]:
-    """The parts of roads on which an agent drives."""
-    roads = {road.name: road for road in scene.roads}
-    if actor.route is not None:
-        steps = actor.route.steps
-        found: list[_Place] = []
-        for step, before in zip(steps, (None, *steps), strict=False):
-            if before is not None and before.turn is None and before.road == step.road:
-                found[-1] = replace(found[-1], stop=step.stop)
-            else:
-                back = step.stop < step.start
-                if step.stop == step.start and step.road in roads:
-                    back = _against(roads[step.road], step.lane, back)
-                found.append(_Place(step.road, step.start, step.stop, back))
-        return found
-    road = roads.get(actor.road or "")
-    if road is None or actor.start is None:
-        return []
-    back = _against(road, actor.lane, actor.facing == "back")
-    if not road.derived:
-        return _along(road, actor.start, back)
-    first, last = (road.length, 0.0) if back else (0.0, road.length)
-    lap = [_Place(road.name, first, actor.start, back)] if is_loop(road) else []
-    return [_Place(road.name, actor.start, last, back), *lap]
-
-
-def _against(road: SceneRoad, lane: int | None, back: bool) -> bool:
-    """Whether a vehicle drives against its road: as its lane says, else as it faces (`back`)."""
-    ways = {found.direction for found in road.lane_list if found.id == lane}
-    if ways <= {"both", "none"}:
-        return back
-    return ways == {"backward"}
-
-
-def _along(road: SceneRoad, start: float, back: bool) -> list[_Place]:
-    """Of a road that only runs over others."""
-    found, at = [], 0.0
-    for part in road.along:
-        length = abs(part.stop - part.start)
-        found.append((at, at + length, part))
-        at += length
-    if back:
-        return [
-            _Place(part.road, _inside(part, min(high, start) - low), part.start,
-                   part.start <= part.stop)
-            for low, high, part in reversed(found) if low < start
-        ]  # fmt: skip
-    return [
-        _Place(part.road, _inside(part, max(low, start) - low), part.stop, part.stop < part.start)
-        for low, high, part in found
-        if high > start
-    ]
-
-
-def _inside(part: RoadPart, distance: float) -> float:
-    return float(part.start + (distance if part.stop >= part.start else -distance))
-
-
-def routes_text(trips: Sequence[Trip]) -> str:
+def routes_text(trips: Sequence[Trip], walks: Sequence[PersonTrip] = ()) -> str:
     """The `.rou.xml`."""
     root = Element("routes")
     types: dict[tuple[tuple[str, str], ...], str] = {}
@@ -188,6 +127,7 @@ def routes_text(trips: Sequence[Trip]) -> str:
             arrivalPos="max",
         )
         put(vehicle, "route", edges=" ".join(edge.id for edge in trip.edges))
+    put_walks(root, walks)
     indent(root, " ")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{tostring(root, encoding="unicode")}\n'
 

@@ -5,37 +5,34 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from roadlang.api import ON_FOOT
+
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
     from roadlang.geometry import Lane
 
 _CLASSES = {
-    "car": "passenger",
-    "taxi": "taxi",
     "van": "delivery",
     "truck": "truck",
     "tractor": "truck",
     "bus": "bus",
     "motorcycle": "motorcycle",
     "bicycle": "bicycle",
-    "scooter": "bicycle",
-    "police_car": "authority",
-    "ambulance": "emergency",
-    "fire_truck": "emergency",
 }
+_ROLES = {"taxi": "taxi", "police": "authority", "ambulance": "emergency", "fire": "emergency"}
 _BUS_LANE = frozenset({"bus", "taxi", "emergency", "authority"})
 LaneUse = Mapping[tuple[str, int], frozenset[str]]
 """Classes of the agents that drive on a lane, by road and lane."""
 
 
 def class_of(actor: SceneActor) -> str:
-    """The `vClass` of an agent; kinds of plugins are cars."""
-    return _CLASSES.get(actor.kind, "passenger")
+    """The `vClass` of an agent with wheels."""
+    return _ROLES.get(actor.role) or _CLASSES.get(actor.category, "passenger")
 
 
 def has_wheels(actor: SceneActor) -> bool:
     """Whether an agent is a vehicle."""
-    return bool(actor.options.get("wheelbase"))
+    return actor.category not in ON_FOOT
 
 
 def lane_use(scene: Scene) -> LaneUse:

@@ -16,12 +16,8 @@ if TYPE_CHECKING:
 
     from .viewport import Viewport
 
-_CARS = (
-    "car", "van", "bus", "taxi", "police_car", "ambulance", "parked_car", "parked_van", "parked_bus"
-)  # fmt: skip
-_TRUCKS = ("truck", "fire_truck", "parked_truck")
-_TWO_WHEELERS = ("bicycle", "motorcycle", "scooter", "parked_bicycle", "parked_motorcycle")
-_ON_FOOT = ("pedestrian", "child")
+_CARS = ("car", "van", "bus")
+_TWO_WHEELERS = ("bicycle", "motorcycle")
 _GREENERY = ("tree", "bush")
 _UNLABELED = ("tree", "bush", "building")
 _SHORTEST_AGENT = 15.0
@@ -33,7 +29,7 @@ _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 def objects(scene: Scene, viewport: Viewport) -> str:
     """Everything that does not move; trees last, their crowns over the rest."""
-    ordered = sorted(scene.objects, key=lambda actor: _plain(actor.kind) in _GREENERY)
+    ordered = sorted(scene.objects, key=lambda actor: actor.category in _GREENERY)
     return group(_drawn(ordered, viewport, _SMALLEST_OBJECT), class_="objects")
 
 
@@ -45,7 +41,7 @@ def agents(scene: Scene, viewport: Viewport) -> str:
 def labels(scene: Scene, viewport: Viewport, size: float) -> str:
     """Names beside agents and the objects worth naming, with a halo, not on top of each other."""
     actors = list(scene.agents)
-    worthy = [actor for actor in scene.objects if _plain(actor.kind) not in _UNLABELED]
+    worthy = [actor for actor in scene.objects if actor.category not in _UNLABELED]
     if len(worthy) <= _MOST_LABELED_OBJECTS:
         actors += worthy
     return group(
@@ -83,18 +79,18 @@ def _drawn_at(
 
 def _shape(actor: SceneActor, index: int, scale: float) -> Sequence[str]:
     length, width = actor.length * scale, actor.width * scale
-    kind, color = _plain(actor.kind), _color(actor)
-    if kind in _CARS:
+    category, color = actor.category, _color(actor)
+    if category in _CARS:
         return shapes.car(length, width, color)
-    if kind in _TRUCKS:
+    if category == "truck":
         return shapes.truck(length, width, color)
-    if kind in _TWO_WHEELERS:
+    if category in _TWO_WHEELERS:
         return shapes.bicycle(length, width, color)
-    if kind in _ON_FOOT:
+    if category == "pedestrian":
         return shapes.pedestrian(length, width, color)
-    if kind in _GREENERY:
+    if category in _GREENERY:
         return shapes.tree(max(length, width), index)
-    if kind == "building":
+    if category == "building":
         return shapes.building(length, width)
     return shapes.block(length, width, color)
 

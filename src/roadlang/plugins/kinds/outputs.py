@@ -66,9 +66,18 @@ class AgentKind(Kind):
     """
 
     verb: ClassVar[str] = "agent"
+    category: ClassVar[str] = ""
+    """what outputs and engines show it as: `car`, `van`, `truck`, `bus`, `tractor`, `motorcycle`,
+    `bicycle`, `pedestrian` or `animal`. Empty: the vehicle whose usual size it has"""
+    role: ClassVar[str] = ""
+    """of a vehicle with one: `taxi`, `police`, `ambulance` or `fire`"""
 
 
 class ObjectKind(Kind):
     """What may follow `object N is`, and stand in a legend. Fields are those of `AgentKind`."""
 
     verb: ClassVar[str] = "object"
+    category: ClassVar[str] = "obstacle"
+    """what outputs and engines show it as: `tree`, `bush`, `hedge`, `building`, `shelter`, `wall`,
+    `fence`, `guardrail`, `barrier`, `cone`, `pole`, `lamp`, `sign`, `traffic_light`, `water`,
+    `obstacle`, or, of a parked vehicle, that of the vehicle or `trailer`"""

@@ -1,0 +1,18 @@
+"""The categories of handmade agents and objects: those of the standard kinds."""
+
+from __future__ import annotations
+
+from roadlang.api import ObjectKind
+from roadlang_standard import agents, objects, street_objects
+
+_CATEGORIES: dict[str, str] = {
+    kind.name: kind.category
+    for module in (street_objects, objects, agents)
+    for kind in vars(module).values()
+    if getattr(kind, "name", "") and hasattr(kind, "category")
+}
+
+
+def category_of_kind(kind: str) -> str:
+    """By the name of a kind, with or without its plugin; of others that of a plain object."""
+    return _CATEGORIES.get(kind.rpartition(".")[2], ObjectKind.category)
