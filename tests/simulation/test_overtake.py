@@ -188,3 +188,22 @@ def test_the_members_of_a_group_are_passed_one_after_the_other() -> None:
     assert (ego.station > first.station + 20.0).any()
     assert (ego.station > last.station + 20.0).any()
     assert trace.events == ()
+
+
+def test_a_queue_is_passed_together_with_what_it_waits_for() -> None:
+    text = """
+    road street { draw with segments { pieces: [straight(300m)] }, lanes: 2, speed_limit: 50km/h }
+    agent ego is car on street at 10m {
+      drive with car_follow, drive with overtake { target: queue }
+    }
+    agent queue is car on street at 95m {
+      count: 2, spacing: -8m, start_speed: 0m/s, drive with car_follow { speed: 20km/h }
+    }
+    object broken is parked_van on street at 120m { lane: -1 }
+    """
+    (trace,) = drive(text, duration=32)
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    past = ego.station > 160.0
+    assert past.any()
+    assert np.abs(ego.y[past][0] + 1.75) < 0.3

@@ -17,7 +17,7 @@ from roadlang.api import (
 )
 
 from .drive_brake import HOLDING, STANDING
-from .drive_change_lane import SIGHT
+from .drive_change_lane import ABORT_GAP_SHARE, SIGHT
 from .lane_traffic import SETTLING_TIME, LaneTraffic, has_room, lane_traffic
 from .steering import ahead_in_lane, along_line, target_speed, toward
 
@@ -41,14 +41,14 @@ SLOWEST = 1.0
 BESIDE = 3.0
 """Meters: whose center is farther behind is behind; it merges behind all others."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
-_PHASE, _BEGAN, _TARGET, _CLOCK = range(4)
+_PHASE, _BEGAN, _TARGET, _CLOCK, _ORIGIN = range(5)
 
 
 @dataclass(frozen=True)
 class Merge(Controller):
     """Merge into the adjacent lane: adapt the speed to a gap, change lanes where there is room,
-    and stop before the end of its own lane if there is none. Afterwards the controller before
-    it drives on."""
+    and stop before the end of its own lane if there is none. It returns if the gap closes during
+    the first half of the change. Afterwards the controller before it drives on."""
 
     name: ClassVar[str] = "merge"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -84,10 +84,10 @@ class Merge(Controller):
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, distance traveled when it took over (NaN before), offset of the new
-        lane, time since the change began."""
+        lane, time since the change began, offset of the old lane."""
         import numpy as np
 
-        return np.tile([WAITING, np.nan, 0.0, 0.0], (count, 1))
+        return np.tile([WAITING, np.nan, 0.0, 0.0, 0.0], (count, 1))
 
     def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
         import numpy as np
@@ -103,11 +103,14 @@ class Merge(Controller):
             exists = np.isfinite(middle)
             near = seen.nearby(SIGHT)
             lane = lane_traffic(seen, np.where(exists, middle, 0.0), near)
+            self._turn_back(seen, lane, state, line)
             waiting = state[:, _PHASE] == WAITING
             time = np.zeros(len(open_)) + self.duration
             begins = waiting & exists & has_room(seen, lane, time)
             begins &= (seen.speed > SLOWEST) | (ahead_in_lane(seen)[0] > 0.5 * PULL_OUT)
             state[begins, _PHASE], state[begins, _TARGET] = MOVING, middle[begins]
+            state[begins, _ORIGIN] = (seen.road_offset - seen.cross_track_error)[begins]
+            state[begins, _CLOCK] = 0.0
             line[begins] = middle[begins]
             waiting = state[:, _PHASE] == WAITING
             acceleration = np.where(waiting, self._waiting(seen, lane, state), np.nan)
@@ -118,6 +121,21 @@ class Merge(Controller):
             state[moving & settled, _PHASE] = DONE
         time = np.zeros(len(open_)) + self.duration
         return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
+
+    def _turn_back(
+        self, seen: ObservationBatch, lane: LaneTraffic, state: Floats, line: Floats
+    ) -> None:
+        """Those on the first half of the change whose room is taken."""
+        import numpy as np
+
+        origin, target = state[:, _ORIGIN], state[:, _TARGET]
+        early = np.abs(seen.road_offset - origin) < 0.5 * np.abs(target - origin)
+        moving = (state[:, _PHASE] == MOVING) & early
+        if moving.any():
+            rest = np.maximum(self.duration - state[:, _CLOCK], 0.0)
+            back = moving & ~has_room(seen, lane, rest, ABORT_GAP_SHARE)
+            state[back, _PHASE] = WAITING
+            line[back] = origin[back]
 
     def _waiting(self, seen: ObservationBatch, lane: LaneTraffic, state: Floats) -> Floats:
         """(N,) acceleration: to the target speed, behind who is ahead in either lane, and to a stop

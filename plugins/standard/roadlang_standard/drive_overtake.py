@@ -27,7 +27,7 @@ from .lane_traffic import (
     members,
     target_among,
 )
-from .passing import PassingView, passing_distance, passing_time
+from .passing import STANDSTILL, PassingView, passing_distance, passing_time, standing_row
 from .steering import along_line, pursuit, toward
 
 if TYPE_CHECKING:
@@ -51,8 +51,8 @@ SPEED_GAIN = 2.0
 """1/s: acceleration for each m/s that the speed is off."""
 PULL_OUT = 8.0
 """Meters before something that stands still at which it waits, so that it can pull out."""
-STANDSTILL = 1.0
-"""m/s: what is slower stands still."""
+QUEUE = 5.0
+"""m/s: what is slower may be about to stand still."""
 EASE = 1.5
 """m/s^2: from this deceleration on it brakes for what stands still."""
 BACK_OFF = 6.0
@@ -162,13 +162,15 @@ class Overtake(Controller):
         origin = np.where(waiting, offset, state[:, _ORIGIN])
         middle = np.where(waiting, self._other_lane(seen), state[:, _LANE])
         lane = lane_traffic(seen, np.where(np.isfinite(middle), middle, offset), near)
-        row = members(near, self.target) & (np.abs(near.pace) < STANDSTILL)
+        home = lane_traffic(seen, origin, near)
+        least = self.gap + seen.length + STANDSTILL_GAP
+        row = standing_row(near, members(near, self.target), home, least)
         has_another = np.asarray((members(near, self.target) & (near.ahead > 0.0)).any(axis=1))
         farthest = np.where(row, near.ahead, -np.inf).max(axis=1, initial=-np.inf)
         row_length = np.maximum(farthest - ahead, 0.0)
         return PassingView(
             found, ahead, left, pace, length, origin, middle, self._fast(seen, pace), lane,
-            lane_traffic(seen, origin, near), row, row_length, has_another,
+            home, row, row_length, has_another,
         )  # fmt: skip
 
     def _other_lane(self, seen: ObservationBatch) -> Floats:
@@ -284,13 +286,17 @@ class Overtake(Controller):
         return np.where(phase == WAITING, self._hold_back(seen, plan), out)
 
     def _hold_back(self, seen: ObservationBatch, plan: PassingView) -> Floats:
-        """(N,) of who has to wait behind something that stands still: from where it stops it can
-        still pull out. NaN for who need not brake for that, or has another before it."""
+        """(N,) of who has to wait behind something that stands still, or soon may: from where it
+        stops it can still pull out. NaN for who need not brake for that, or has another before
+        it."""
         import numpy as np
 
         gap = plan.gap(seen.length)
         nearest, _ = plan.home.nearest_ahead()
-        waits = plan.found & (plan.pace < STANDSTILL) & (gap > 0.0) & (np.abs(gap - nearest) < 1.0)
-        needed = seen.speed * seen.speed / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
-        needed = np.where(gap < PULL_OUT + 0.5, np.maximum(needed, 2.0 * EASE), needed)
+        waits = plan.found & (plan.pace < QUEUE) & (gap > 0.0) & (np.abs(gap - nearest) < 1.0)
+        pace = np.where(plan.pace < STANDSTILL, 0.0, plan.pace)
+        closing = np.maximum(seen.speed * seen.speed - pace * pace, 0.0)
+        needed = closing / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
+        near = (gap < PULL_OUT + 0.5) & (seen.speed > 0.5 * pace)
+        needed = np.where(near, np.maximum(needed, 2.0 * EASE), needed)
         return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)

@@ -6,10 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from roadlang.api import Neighbors
     from roadlang.geometry import Booleans, Floats
 
     from .lane_traffic import LaneTraffic
 
+STANDSTILL = 1.0
+"""m/s: what is slower stands still."""
 REACHED = 0.8
 """Share of the acceleration that is planned with: drag and the engine take the rest."""
 
@@ -36,7 +39,8 @@ class PassingView:
     home: LaneTraffic
     """from which it comes"""
     row: Booleans
-    """(N, K) who of those is of the target and stands still: passed all together"""
+    """(N, K) who stands still and is of the target, or follows it too closely for a place between:
+    passed all together"""
     row_length: Floats
     """from the middle of the target to that of the farthest in its row"""
     has_another: Booleans
@@ -75,3 +79,23 @@ def passing_distance(
     part = np.minimum(rising, time)
     there = np.minimum(speed + acceleration * part, np.maximum(fast, speed))
     return np.asarray((speed + 0.5 * acceleration * part) * part + there * (time - part))
+
+
+def standing_row(near: Neighbors, target: Booleans, home: LaneTraffic, least: Floats) -> Booleans:
+    """(N, K) members of the target (N, K) that stand still, and what stands before them in the
+    lane `home` with less than `least` (N,) meters between, so that nobody can pull in there."""
+    import numpy as np
+
+    still = np.abs(near.pace) < STANDSTILL
+    row = target & still
+    if not row.any():
+        return row
+    half = 0.5 * near.length
+    for _ in range(row.shape[1]):
+        front = np.where(row, near.ahead + half, -np.inf).max(axis=1, keepdims=True)
+        room = near.ahead - half - front
+        joins = still & home.there & ~row & (near.ahead > front) & (room < least[:, None])
+        if not joins.any():
+            break
+        row = row | joins
+    return row

@@ -131,8 +131,18 @@ def _circles(
     is_ahead = (s[CIRCLES // 2] > 0.0) | (begins > half_width - AHEAD)
     to_left, to_right = window.swept
     free = half + np.where(left > 0.0, to_left[place, column], to_right[place, column])
+    free = free + _corner(outlines, cosine, sine)
     fits = is_ahead & (np.abs(left) < free) & (s < window.view[column] + SAMPLE_SPACING)
     gaps: Any = np.where(fits, begins - half_width, math.inf)
     nearest = gaps.argmin(axis=0)
     heading = np.arctan2(sine[nearest, pair], cosine[nearest, pair])
     return gaps[nearest, pair], heading
+
+
+def _corner(outlines: Outlines, cosine: Floats, sine: Floats) -> Floats:
+    """(C, P) meters by which the corners of a footprint are farther across a line than the circles
+    in it: `w (|sin| + |cos| - 1)` at its front and rear, half its width being `w`."""
+    ahead = np.abs(outlines.cosine * cosine + outlines.sine * sine)
+    across = np.abs(outlines.sine * cosine - outlines.cosine * sine)
+    ends = np.array([1.0, *[0.0] * (CIRCLES - 2), 1.0])[:, None]
+    return np.asarray(ends * outlines.half_width * (ahead + across - 1.0))

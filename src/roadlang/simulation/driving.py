@@ -129,9 +129,11 @@ class DriverGroup:
 
     def _ask_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
         """A controller that does not steer, or does not accelerate, leaves that to the last one
-        before it that does."""
+        before it that does, of those whose conditions hold."""
+        active = self._triggers.active
         for group in reversed(self._groups):
             open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
+            open_ &= active[group.place, group.rows]
             chosen = np.flatnonzero(open_)
             if len(chosen):
                 rows = group.rows[chosen]

@@ -14,11 +14,11 @@ from .poses import Poses
 from .world import World
 
 SAME_LANE = 2.0
-"""Meters: beside each other rather than behind one another, from here on."""
-
-
-ACROSS = 0.5
-"""Sine of the angle to the road from which on somebody stands across it."""
+"""Meters: cars are beside each other rather than behind one another, from here on."""
+ALONG = 0.05
+"""Sine of the angle to the road up to which somebody drives along it."""
+MARGIN = 0.15
+"""Meters to each side between two that pass each other."""
 
 
 @dataclass(frozen=True)
@@ -79,15 +79,14 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
 
 
 def _in_the_way(world: World, shape: tuple[int, int]) -> Floats | float:
-    """(S, A, A) how far beside the line of the first the middle of the second is in its way: who
-    stands across takes more of the road."""
-    across = np.abs(world.motion.sine).reshape(shape)
-    if not (across > ACROSS).any():
-        return SAME_LANE
-    length, width = world.bodies.length.reshape(shape), world.bodies.width.reshape(shape)
-    half = 0.5 * (length * across + width * np.sqrt(1.0 - np.minimum(across * across, 1.0)))
-    half = np.where(across > ACROSS, half, 0.0)
-    return np.maximum(SAME_LANE, 0.5 * width[:, :, None] + half[:, None, :])
+    """(S, A, A) how far beside the line of the first the middle of the second is in its way: who is
+    wide, or turned toward the lane, takes more of the road."""
+    bodies = world.bodies
+    turned = np.abs(world.motion.sine)
+    along = np.sqrt(1.0 - np.minimum(turned * turned, 1.0))
+    across = 0.5 * bodies.length * np.maximum(turned - ALONG, 0.0)
+    half = (0.5 * bodies.width * along + across + MARGIN).reshape(shape)
+    return np.maximum(SAME_LANE, 0.5 * bodies.width.reshape(shape)[:, :, None] + half[:, None, :])
 
 
 def _search(world: World, poses: Poses, apart: Booleans, gap: Floats, turned: Floats) -> None:

@@ -15,6 +15,7 @@ from ..ir.readings import Reading, Readings
 from ..ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
+from .lane_endings import has_lane_endings, lets_in
 from .lazy_observations import LazyObservations
 from .leaders import Leaders, leaders
 from .neighbors import Nearby, StandingObjects
@@ -43,6 +44,7 @@ class Surroundings:
         self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
         self.has_limits = any(has_limit(road) for road in self._roads)
         """of speed, on any road"""
+        self.has_lane_endings = has_lane_endings(self._roads)
         self._lanes: RoadLanes | None = None
         self._objects: StandingObjects | None = None
         self._obstacles: Obstacles | None = None
@@ -207,6 +209,10 @@ class View:
         gap = np.where(sooner, changes[0][rows], gap)
         speed = np.where(sooner, changes[1][rows], speed)
         stop = np.minimum(stop, changes[2][rows])
+        if surroundings.has_lane_endings and temper is not None:
+            lanes, ahead = self._current_lanes(), self._leaders()
+            merging, pace = lets_in(world, lanes, ahead, rows, temper[0])
+            gap, speed = np.minimum(gap, merging), np.where(merging < gap, pace, speed)
         stop = np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows])
         return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
 

@@ -135,6 +135,8 @@ class Triggers:
         self._number = np.arange(places)[:, None]
         self._always: Integers | None = None
         """what `in_charge` gives, where no condition changes it"""
+        self.active = self._exists
+        """(places, N) whose conditions all held at the last `in_charge`"""
         depths = [s.looks_back for t in self._triggers for s in t.signals.values()]
         self._samples = Samples(max(depths, default=0))
 
@@ -149,6 +151,7 @@ class Triggers:
         for trigger in self._triggers:
             holds = trigger.holds(self._samples, world.time)
             active[trigger.place, trigger.rows] &= holds
+        self.active = active
         return self._last(active)
 
     def _last(self, active: Booleans) -> Integers:
@@ -184,6 +187,7 @@ class Triggers:
             trigger.take(place, agents)
         self._samples.take(agents)
         self._exists, self._always = self._exists[:, agents], None
+        self.active = self.active[:, agents]
 
 
 def _triggers(

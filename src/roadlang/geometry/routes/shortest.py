@@ -10,8 +10,9 @@ from .lane_graph import LANE_CHANGE, LaneGraph, Turn
 
 CHANGE_COST = 30.0
 """Meters of detour that a change of lane is worth"""
-
-
+BEGINS_NEAR = 1.001
+"""Times the penalty of where a route begins: of routes that cost the same, that one is taken which
+begins nearest to its first point, whichever way the lanes are counted."""
 ROOM_TO_BEGIN = 12.0
 """Meters of a lane that is long enough for an agent to begin in, where there are such"""
 
@@ -78,7 +79,7 @@ def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[RoutePlace]]) -> 
 
     Where there is none, the number of the first stage that cannot be reached.
     """
-    reached = [_Reached(place, place.penalty, ()) for place in stages[0]]
+    reached = [_Reached(place, BEGINS_NEAR * place.penalty, ()) for place in stages[0]]
     for number, stage in enumerate(stages[1:], 1):
         following = [found for place in stage if (found := _nearest(graph, reached, place))]
         if not following:

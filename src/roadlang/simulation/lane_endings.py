@@ -1,0 +1,81 @@
+"""Lanes that end: those beside them let in, one after the other, who has to leave them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ..geometry.arrays import Booleans, Floats, Integers
+from ..ir.scene import SceneRoad
+from .leaders import SAME_LANE, Leaders
+from .road_lanes import LanesHere
+from .world import World
+
+WITHIN = 60.0
+"""Meters before the end of a lane from which on those beside it make room."""
+NEXT_LANE = 5.0
+"""Meters between the middles of lanes side by side, at most."""
+ROOM = 0.4
+"""Meters of the gap to one that drives that may be missing for each meter that its lane goes on."""
+CLEAR, ROLLING = 2.0, 3.0
+"""Meters from bumper to bumper in which one that stands can pull out; m/s from which on the gap may
+still open."""
+COURTEOUS = 4.0
+"""m/s^2: braking to let somebody in of who is as polite as can be."""
+
+
+def has_lane_endings(roads: list[SceneRoad]) -> bool:
+    """Whether a lane for vehicles of any road ends on the way."""
+    return any(
+        lane.drivable and len(lane.width) > 1 and min(lane.width) < 0.5 * max(lane.width)
+        for road in roads
+        for lane in road.lane_list
+    )
+
+
+def lets_in(
+    world: World, lanes: LanesHere, leaders: Leaders, rows: Integers, politeness: Floats | float
+) -> tuple[Floats, Floats]:
+    """(n,) gaps of agents to who is next ahead in a lane beside theirs that ends soon, infinite for
+    nobody, and the speed of that one. As at a zip fastener, each lets in one: who is ahead of its
+    own leader is for that one to let in. `politeness`: from 0, nobody, to 1."""
+    shape = len(world.scenes), world.slots
+    left = world.motion.offset
+    end = np.where(world.present & world.has_road & ~world.has_route, lanes.end(left), np.inf)
+    end = np.where(world.bodies.walks, np.inf, end).reshape(shape)
+    leaves = end < WITHIN
+    nobody = np.full(len(rows), math.inf), np.zeros(len(rows))
+    if not leaves.any():
+        return nobody
+    along, left, road, half, pace = (
+        column.reshape(shape)
+        for column in (
+            np.where(world.backward, -1.0, 1.0) * world.station, left,
+            np.where(world.has_route, -1, world.road), 0.5 * world.bodies.length,
+            world.motion.speed,
+        )
+    )  # fmt: skip
+    ahead = along[:, None, :] - along[:, :, None]
+    aside = np.abs(left[:, None, :] - left[:, :, None])
+    gap = ahead - half[:, :, None] - half[:, None, :]
+    comes = leaves[:, None, :] & ~leaves[:, :, None] & (ahead > 0.0)
+    comes &= (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
+    comes &= _same_way(world, shape) & (aside > SAME_LANE) & (aside < NEXT_LANE)
+    comes &= (gap > CLEAR) | (pace > ROLLING)[:, None, :]
+    comes &= gap < leaders.gap.reshape(shape)[:, :, None]
+    spare = ROOM * np.minimum(end, WITHIN) * np.minimum(pace / ROLLING, 1.0)
+    gap = np.where(comes, gap + spare[:, None, :], np.inf)
+    first = gap.argmin(axis=2)
+    least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0].ravel()[rows]
+    speed = np.take_along_axis(pace, first, axis=1).ravel()[rows]
+    closing = np.maximum(world.motion.speed[rows] - speed, 0.0)
+    needed = closing * closing / (2.0 * np.maximum(least, 0.1))
+    polite = needed <= COURTEOUS * np.asarray(politeness)
+    return np.where(polite, least, np.inf), speed
+
+
+def _same_way(world: World, shape: tuple[int, int]) -> Booleans:
+    """(S, A, A) who of a road goes in the same direction."""
+    back = world.backward.reshape(shape)
+    return np.asarray(back[:, :, None] == back[:, None, :])

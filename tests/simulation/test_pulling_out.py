@@ -1,0 +1,84 @@
+"""Who pulls out, merges or stands turned beside the lane: those who come see it in time."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from .driven_roads import drive
+
+STREET = """
+road street {
+  draw with segments { pieces: [straight(60m), arc(300m, 20deg), straight(200m)] }
+  left: [drive(3.5m)], right: [drive(3.5m), parking(3m)], speed_limit: 50km/h
+}
+agent ego is car on street at 22.5m { drive with traffic }
+"""
+
+
+def test_traffic_brakes_for_a_bus_that_comes_out_of_the_parking_lane() -> None:
+    coach = """agent coach is bus on street at 100m {
+      lane: parking, start_speed: 0km/h
+      drive with car_follow { speed: 35km/h }
+      drive with change_lane { to: left, when: time > 6s }
+    }"""
+    (trace,) = drive(STREET + coach, duration=14)
+    assert trace.events == ()
+    assert (trace.agents["coach"].lane == -1).any()
+
+
+def test_a_controller_whose_condition_no_longer_holds_is_not_asked() -> None:
+    coach = """agent coach is bus on street at 100m {
+      lane: parking, start_speed: 0km/h
+      drive with car_follow { speed: 35km/h }
+      drive with stop_at { while: time < 1s }
+      drive with change_lane { to: left, when: time > 1s }
+    }"""
+    (trace,) = drive(STREET + coach, duration=6)
+    coach_, waits = trace.agents["coach"], trace.agents["coach"].time < 1.0
+    assert coach_.speed[waits].max() < 0.1
+    assert coach_.speed[-1] > 4.0
+
+
+def test_the_corner_of_what_stands_turned_beside_the_lane_is_in_the_way() -> None:
+    text = """
+    road main { draw with segments { pieces: [straight(120m)] } }
+    agent ego is car on main at 10m { drive with car_follow { speed: 30km/h } }
+    agent coach is bus at (70m, 2.35m) { heading: -20deg }
+    """
+    (trace,) = drive(text, duration=14)
+    assert trace.events == ()
+    assert trace.agents["ego"].speed[-1] < 0.2
+
+
+LANE_ENDS = """
+road two { draw with segments { pieces: [straight(200m)] }, lanes: 2, oneway: true }
+road one { draw with segments { pieces: [straight(200m)] }, lanes: 1, oneway: true }
+road street from two { then: one, taper: 40m }
+agent keepers is car on street at 20m {
+  lane: -1, count: 5, spacing: 17m, drive with traffic { speed: 50km/h, politeness: POLITE }
+}
+agent mergers is car on street at 12m {
+  lane: -2, count: 5, spacing: 18m, drive with traffic { speed: 50km/h, politeness: POLITE }
+  drive with merge
+}
+"""
+
+
+@pytest.mark.slow
+def test_polite_traffic_lets_in_one_by_one_who_has_to_leave_its_lane() -> None:
+    turns = {}
+    for polite in ("0", "0.9"):
+        (trace,) = drive(LANE_ENDS.replace("POLITE", polite), duration=40)
+        passing = {
+            name: float(agent.time[np.flatnonzero(agent.station > 230.0)[0]])
+            for name, agent in trace.agents.items()
+            if (agent.station > 230.0).any()
+        }
+        order = [name[0] for name in sorted(passing, key=passing.__getitem__)]
+        turns[polite] = sum(a != b for a, b in pairwise(order))
+    assert trace.events == ()
+    assert turns["0.9"] > turns["0"]
+    assert turns["0.9"] >= 5
