@@ -194,12 +194,8 @@ class Overtake(Controller):
         """(N,) whether oncoming traffic, and who else is in the lane, leave room for the pass."""
         import numpy as np
 
-        to_gain = (
-            np.maximum(plan.ahead, 0.0)
-            + plan.row_length
-            + 0.5 * (seen.length + plan.length)
-            + self.gap
-        )
+        to_gain = np.maximum(plan.ahead, 0.0) + plan.row_length + self.gap
+        to_gain = to_gain + 0.5 * (seen.length + plan.length)
         time = passing_time(seen.speed, plan.pace, plan.fast, self.acceleration, to_gain)
         time = time + self.duration
         own_distance = passing_distance(seen.speed, plan.fast, self.acceleration, time)
@@ -286,9 +282,8 @@ class Overtake(Controller):
         return np.where(phase == WAITING, self._hold_back(seen, plan), out)
 
     def _hold_back(self, seen: ObservationBatch, plan: PassingView) -> Floats:
-        """(N,) of who has to wait behind something that stands still, or soon may: from where it
-        stops it can still pull out. NaN for who need not brake for that, or has another before
-        it."""
+        """(N,) of who has to wait behind something that stands still, or soon may, where it can
+        still pull out. NaN for who need not brake for that, or has another before it."""
         import numpy as np
 
         gap = plan.gap(seen.length)
@@ -297,6 +292,6 @@ class Overtake(Controller):
         pace = np.where(plan.pace < STANDSTILL, 0.0, plan.pace)
         closing = np.maximum(seen.speed * seen.speed - pace * pace, 0.0)
         needed = closing / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
-        near = (gap < PULL_OUT + 0.5) & (seen.speed > 0.5 * pace)
-        needed = np.where(near, np.maximum(needed, 2.0 * EASE), needed)
+        close = (gap < PULL_OUT + 0.5) & (seen.speed > 0.5 * pace)
+        needed = np.where(close, np.maximum(needed, 2.0 * EASE), needed)
         return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)
