@@ -14,6 +14,8 @@ var _parent: Thread
 
 
 func _ready() -> void:
+	# Seen in the editor alone.
+	$Preview.free()
 	_settings = read_arguments(OS.get_cmdline_user_args())
 	_last_client = Time.get_ticks_msec()
 	stage.host = _settings["host"]

@@ -57,3 +57,31 @@ def test_every_script_says_what_it_is() -> None:
 def test_paths_are_relative_so_that_the_project_runs_inside_another() -> None:
     for file in [*PROJECT.rglob("*.gd"), *PROJECT.rglob("*.gdshader"), *PROJECT.rglob("*.tscn")]:
         assert "res://" not in file.read_text(encoding="utf-8"), file
+
+
+SCENE_SCRIPT = """extends SceneTree
+
+
+func _init() -> void:
+	var main: Node = (load("res://main.tscn") as PackedScene).instantiate()
+	var seen := main.find_children("*", "GeometryInstance3D", true, false).size()
+	root.add_child(main)
+	await process_frame
+	var left := main.find_children("*", "GeometryInstance3D", true, false).size()
+	print("in the editor %d, running %d" % [seen, left])
+	quit()
+"""
+
+
+@pytest.mark.godot
+def test_the_main_scene_shows_something_in_the_editor_and_runs_empty(tmp_path: Path) -> None:
+    started().stop()
+    script = tmp_path / "look.gd"
+    script.write_text(SCENE_SCRIPT, encoding="utf-8")
+    command = [str(engines.find()), "--headless", "--path", str(PROJECT), "-s", str(script)]
+    done = subprocess.run([*command, "--", "--port", "0"], capture_output=True, text=True)
+    found = [line for line in done.stdout.splitlines() if line.startswith("in the editor ")]
+    assert len(found) == 1, done.stdout + done.stderr
+    shown, left = (int("".join(filter(str.isdigit, part))) for part in found[0].split(","))
+    assert shown > 10
+    assert left == 0
