@@ -45,6 +45,8 @@ class _Writer:
     def __init__(self, known: Texts) -> None:
         self.known = known
         self.texts: Texts = {}
+        self.unchangeable: set[int] = set()
+        """The identities of the parts in `texts`."""
 
     def top(self, value: Any) -> str:
         """With `schema` first, so that a reader sees at once what it has."""
@@ -81,9 +83,10 @@ class _Writer:
         found = self.known.get(key) or self.texts.get(key)
         if found is None:
             found = value, write(value, depth)
-            if not is_unchangeable(value):
+            if not is_unchangeable(value, self.unchangeable):
                 return found[1]
         self.texts[key] = found
+        self.unchangeable.add(key[0])
         return found[1]
 
     def _record(self, value: Any, depth: int) -> str:

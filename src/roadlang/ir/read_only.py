@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from functools import cache
 from typing import Any, NoReturn, TypeVar
 
@@ -92,23 +92,28 @@ def frozen(value: Any) -> Any:
     return value
 
 
-def is_unchangeable(value: Any) -> bool:
+def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
     """Whether nothing in a value can be changed, however deep. False also of types that nothing is
-    known of."""
+    known of. `known`: the identities of objects of which it is known already."""
     kind = type(value)
-    if kind in _LEAVES:
+    if kind in _LEAVES or id(value) in known:
         return True
     if kind is tuple or kind is FrozenList:
-        return _LEAVES.issuperset(map(type, value)) or all(map(is_unchangeable, value))
+        return _LEAVES.issuperset(map(type, value)) or _are_unchangeable(value, known)
     if kind is FrozenDict:
-        return all(map(is_unchangeable, value.values()))
+        items = value.values()
+        return _LEAVES.issuperset(map(type, items)) or _are_unchangeable(items, known)
     flags = getattr(value, "flags", None)
     if flags is not None:
         return not getattr(flags, "writeable", True)
     parameters = getattr(kind, "__dataclass_params__", None)
     if parameters is None or not parameters.frozen:
         return False
-    return all(is_unchangeable(getattr(value, name)) for name in kind.__dataclass_fields__)
+    return _are_unchangeable([getattr(value, name) for name in kind.__dataclass_fields__], known)
+
+
+def _are_unchangeable(values: Iterable[Any], known: Container[int]) -> bool:
+    return all([is_unchangeable(value, known) for value in values])
 
 
 @cache

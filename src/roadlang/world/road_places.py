@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..geometry.arrays import Floats
+from ..geometry.row_interpolation import interpolated_in_rows
 from ..ir.batch import RoadBatch
 from .named_roads import named_road
 
@@ -33,17 +34,11 @@ def places_along(
     Arc lengths are those along the road itself; beyond an end, the end.
     """
     lines = _lines_of(name, candidates)
-    names = ("x", "y", "heading", "width", "station")
-    found = np.empty((5, len(at)))
-    # A road that is the same in all candidates may be of another width in each.
-    variants = np.minimum(rows, max(map(len, lines.values())) - 1)
-    for variant in np.unique(variants).tolist():
-        chosen = variants == variant
-        row = {key: line[min(variant, len(line) - 1)] for key, line in lines.items()}
-        where = np.minimum(np.maximum(at[chosen], 0.0), row["along"][-1])
-        for into, key in zip(found, names, strict=True):
-            into[chosen] = np.interp(where, row["along"], row[key])
-    return RoadPlaces(*found)
+    along = lines["along"]
+    last = along[rows if len(along) > 1 else np.zeros_like(rows), -1]
+    where = np.minimum(np.maximum(at, 0.0), last)
+    columns = [lines[each] for each in ("x", "y", "heading", "width", "station")]
+    return RoadPlaces(*interpolated_in_rows(where, rows, along, columns))
 
 
 def from_root(
@@ -67,13 +62,7 @@ def _translated(
     wanted: str,
 ) -> Floats:
     lines = _lines_of(name, candidates)
-    variants = np.minimum(rows, len(lines["along"]) - 1)
-    found = np.empty(len(places))
-    for variant in np.unique(variants).tolist():
-        chosen = variants == variant
-        row = {key: lines[key][min(variant, len(lines[key]) - 1)] for key in (known, wanted)}
-        found[chosen] = np.interp(places[chosen], row[known], row[wanted])
-    return found
+    return interpolated_in_rows(places, rows, lines[known], [lines[wanted]])[0]
 
 
 def _lines_of(name: str, candidates: CandidateBatch) -> dict[str, Floats]:

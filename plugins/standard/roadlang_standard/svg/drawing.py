@@ -11,7 +11,7 @@ from .agent_routes import agent_routes
 from .ids import network_ids
 from .legend import legend_of
 from .markup import element, group, text, title
-from .ribbon import Ribbon, ribbon_of
+from .ribbon import Ribbon, Ribbons
 from .roads import roads
 from .selection import Selection, select
 from .tightest import tight_places
@@ -73,7 +73,7 @@ def draw(scene: Scene, style: Style) -> str:
 def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") -> str:
     """The map alone, clipped to its rectangle."""
     selection = select(scene)
-    ribbons = {road.name: ribbon_of(road, viewport) for road in scene.roads}
+    ribbons = Ribbons(scene, viewport)
     parts = [
         furniture.ground(viewport),
         photo.beneath(style.photo, viewport, style.fade) if style.photo is not None else "",

@@ -60,12 +60,11 @@ def title(content: str) -> str:
 
 
 def path_data(points: Floats, closed: bool = False) -> str:
-    """The `d` of a polyline through (n, 2) points."""
-    return "M" + "L".join(_pairs(points)) + ("Z" if closed else "")
+    """The `d` of a polyline through (n, 2) points, the numbers as `number` writes them."""
+    return "M" + _joined(points) + ("Z" if closed else "")
 
 
-def _pairs(points: Floats) -> list[str]:
-    """`x y` of each point (n, 2), the numbers as `number` writes them."""
+def _joined(points: Floats) -> str:
     import numpy as np
 
     hundredths = points * 100.0
@@ -73,15 +72,21 @@ def _pairs(points: Floats) -> list[str]:
     # Halves that are not exact, and numbers without hundredths, are rounded as they are written.
     unsure = np.abs(np.abs(hundredths - near) - 0.5) < _HALF
     if not (np.abs(near) < _GREATEST).all() or unsure.any():
-        return [f"{number(x)} {number(y)}" for x, y in points.tolist()]
-    whole, rest = np.divmod(np.abs(near).astype(np.int64), 100)
-    parts = zip(whole.ravel().tolist(), rest.ravel().tolist(), strict=True)
-    texts = iter([f"{left}{_ENDS[right]}" for left, right in parts])
-    is_negative = near < 0.0
-    if is_negative.any():
-        minus = is_negative.ravel().tolist()
-        texts = iter([_SIGNS[sign] + text for sign, text in zip(minus, texts, strict=True)])
-    return [f"{x} {y}" for x, y in zip(texts, texts, strict=True)]
+        return "L".join([f"{number(x)} {number(y)}" for x, y in points.tolist()])
+    if len(_TEXTS) > _MOST_TEXTS:
+        _TEXTS.clear()
+    pieces = [" "] * (2 * near.size)
+    pieces[3::4] = ["L"] * len(points)
+    pieces[::2] = map(_TEXTS.__getitem__, near.astype(np.int64).ravel().tolist())
+    return "".join(pieces[:-1])
+
+
+class _Hundredths(dict[int, str]):
+    """The text of so many hundredths, which many points have: written when first looked up."""
+
+    def __missing__(self, hundredths: int) -> str:
+        text = self[hundredths] = number(hundredths / 100.0)
+        return text
 
 
 def rho(value: float) -> str:
@@ -98,6 +103,5 @@ def _printable(content: str) -> str:
 
 
 _PLAIN = re.compile(r"[^&<>\"\n\r\t]*\Z").match
-_SIGNS = ("", "-")
-_ENDS = ("", *(f".{part:02d}".rstrip("0") for part in range(1, 100)))
+_TEXTS, _MOST_TEXTS = _Hundredths(), 100_000
 _HALF, _GREATEST = 1e-6, 1e9

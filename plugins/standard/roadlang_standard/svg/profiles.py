@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from . import palette
@@ -35,19 +36,26 @@ def rows_of(scene: Scene) -> list[ProfileRow]:
     """The `let` signals, then the judged constraints; of networks, the road of the extreme."""
     rows = []
     for signal in scene.signals:
-        largest = max(
-            signal.profiles, key=lambda p: max(map(abs, p.values), default=0.0), default=None
-        )
-        if largest is not None and largest.values:
-            peak = max(range(len(largest.values)), key=lambda i: abs(largest.values[i]))
-            note = f"up to {number_text(largest.values[peak])} {signal.unit}".rstrip()
-            rows.append(ProfileRow(signal.name, note, largest, largest.stations[peak], signal=True))
+        peaks = [_peak(profile) for profile in signal.profiles if profile.values]
+        if peaks:
+            _, at, largest = max(peaks, key=itemgetter(0))
+            note = f"up to {number_text(largest.values[at])} {signal.unit}".rstrip()
+            rows.append(ProfileRow(signal.name, note, largest, largest.stations[at], signal=True))
     for verdict in (*scene.requirements, *scene.expectations):
         place = verdict.tightest
         shown = [p for p in verdict.profiles if place is not None and p.road == place.road]
         if place is not None and shown and verdict.robustness is not None:
             rows.append(ProfileRow(verdict.name, rho(verdict.robustness), shown[0], place.station))
     return rows[:_MOST_ROWS]
+
+
+def _peak(profile: Profile) -> tuple[float, int, Profile]:
+    """The greatest size of the values of a profile, and where it is first."""
+    import numpy as np
+
+    sizes = np.abs(profile.values)
+    at = int(sizes.argmax())
+    return float(sizes[at]), at, profile
 
 
 def number_text(value: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import SceneRoad, geometry
+    from roadlang.api import Scene, SceneRoad, geometry
     from roadlang.geometry import Floats
 
     from .viewport import Viewport
@@ -112,6 +113,29 @@ class Ribbon:
 
         single = (self.half, self.stations, self.reference)
         return np.column_stack([self.center, self.left, *single, self.borders])
+
+
+class Ribbons(Mapping[str, Ribbon]):
+    """The roads of a scene by name, in pixels: each as soon as it is looked up."""
+
+    def __init__(self, scene: Scene, viewport: Viewport) -> None:
+        self._roads = {road.name: road for road in scene.roads}
+        self._viewport = viewport
+        self._made: dict[str, Ribbon] = {}
+
+    def __getitem__(self, name: str) -> Ribbon:
+        if name not in self._made:
+            self._made[name] = ribbon_of(self._roads[name], self._viewport)
+        return self._made[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._roads
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._roads)
+
+    def __len__(self) -> int:
+        return len(self._roads)
 
 
 def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:

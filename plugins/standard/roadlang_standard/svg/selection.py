@@ -78,11 +78,13 @@ def _runs_on(road: SceneRoad, others: Iterable[SceneRoad]) -> bool:
     """Whether the center line stays within a step of that of other roads."""
     import numpy as np
 
-    lines = [np.column_stack([other.x, other.y]) for other in others]
+    lines = [(np.asarray(other.x), np.asarray(other.y)) for other in others]
     if not lines:
         return False
-    ground = np.concatenate(lines)
-    spacing = max(np.hypot(*np.diff(line, axis=0).T).max(initial=0.0) for line in lines)
-    points = np.column_stack([road.x, road.y])[:: max(1, len(road.x) // 60)]
-    gaps = np.hypot(*(points[:, None] - ground[None]).transpose(2, 0, 1)).min(axis=1)
-    return bool((gaps < _NEAR + spacing / 2).all())
+    x, y = map(np.concatenate, zip(*lines, strict=True))
+    spacing = max(np.hypot(np.diff(x), np.diff(y)).max(initial=0.0) for x, y in lines)
+    every = max(1, len(road.x) // 60)
+    across = np.subtract.outer(road.x[::every], x)
+    along = np.subtract.outer(road.y[::every], y)
+    nearest = (across * across + along * along).min(axis=1)
+    return bool((nearest < (_NEAR + spacing / 2) ** 2).all())
