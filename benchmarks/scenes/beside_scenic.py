@@ -19,7 +19,7 @@ from pathlib import Path
 import roadlang
 from tests.formats.tool_installation import installed_tool
 
-SIDE = Path(__file__).with_name("scenic_rate.py")
+SIDE = Path(__file__).parents[2] / "tests/formats/tool_scripts/scenic_rate.py"
 SCENES = 4_000
 SQUARE = """
 workspace = Workspace(RectangularRegion(0 @ 0, 0, 60, 60))
@@ -46,8 +46,8 @@ other = new Car
 require (distance from ego to other) < {far}
 """
 OUR_STREET = """
-param at_first = 0m..200m
-param at_second = 0m..200m
+param at_first = 3m..197m
+param at_second = 3m..197m
 road main {{ draw with segments {{ pieces: [straight(200m)] }} width: 7m, lanes: 2 }}
 agent ego is car on main at at_first {{ lane: choice(-1, 1) }}
 agent other is car on main at at_second {{ lane: choice(-1, 1) }}
@@ -90,7 +90,7 @@ def main() -> int:
     return 0 if met else 1
 
 
-def our_rate(loaded: roadlang.Loaded, seed: int) -> float:
+def our_rate(loaded: roadlang.LoadedScenario, seed: int) -> float:
     """Scenes for each second of processor time."""
     start = time.process_time()
     found = len(loaded.sample(SCENES, seed=seed))

@@ -113,7 +113,7 @@ def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
 
 
 def _are_unchangeable(values: Iterable[Any], known: Container[int]) -> bool:
-    return all([is_unchangeable(value, known) for value in values])
+    return all(is_unchangeable(value, known) for value in values)
 
 
 @cache

@@ -11,7 +11,7 @@ from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Floats, Integers
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted
-from .effort import attempts_of, batch_size
+from .effort import attempts_of, batch_size, later_batch_size
 from .rejection_report import RejectionStats
 
 Propose = Callable[[CandidateBatch], Mapping[str, Floats]]
@@ -38,6 +38,7 @@ def accepted_attempts(
     `crowded`: the attempts of each scene that failed for want of room before; they are added to.
     """
     limit, together = attempts_of(sampler, acceptance), batch_size(acceptance)
+    later = together if propose is not None else later_batch_size(acceptance)
     first, end = (0, limit) if attempts is None else (attempts.start, min(attempts.stop, limit))
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: dict[int, Accepted] = {}
@@ -61,7 +62,7 @@ def accepted_attempts(
                 place = row * width + int(last[row])
                 accepted[scene] = Accepted.of(candidates, judged, place, scene)
         pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
-        start += width
+        start, together = start + width, later
     return [accepted[scene] for scene in sorted(accepted)], stats
 
 

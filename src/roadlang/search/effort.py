@@ -20,6 +20,9 @@ from ..world.roads import road_root
 
 BATCH = 512
 """Candidates judged at once: a signal of 500 stations then fits the second cache."""
+MOST_LATER = 8 * BATCH
+"""The most of those that are judged at once where many are known to be needed: as many as
+fit the cache like `BATCH`, for a batch takes a while however few candidates it has."""
 NUMBERS_AT_ONCE = BATCH * 2_001
 """Candidates times stations: more would take gigabytes of memory."""
 MOST, FEWEST = 10_000, 100
@@ -56,8 +59,15 @@ def batch_size(acceptance: Acceptance) -> int:
     """How many candidates are judged at once; what is accepted does not depend on it."""
     if acceptance.has_varying_stations:
         return 1
-    names = frozenset(name for r in acceptance.requirements for name in r.names)
-    return max(1, min(BATCH, NUMBERS_AT_ONCE // _stations(names, acceptance.scenario)))
+    return max(1, min(BATCH, NUMBERS_AT_ONCE // _stations_of(acceptance)))
+
+
+def later_batch_size(acceptance: Acceptance) -> int:
+    """The same after a first batch, in which scenes were left that need more."""
+    if acceptance.has_varying_stations:
+        return 1
+    size = batch_size(acceptance)
+    return max(size, min(MOST_LATER, size * 500 // _stations_of(acceptance)))
 
 
 def default_attempts(acceptance: Acceptance) -> int:
@@ -94,6 +104,11 @@ def _has_drawn_picture(name: str, scenario: IndexedScenario) -> bool:
         if isinstance(link, ScenarioImage)
     )
     return any(scenario.is_varying(link.name) for link in links)
+
+
+def _stations_of(acceptance: Acceptance) -> int:
+    names = frozenset(name for r in acceptance.requirements for name in r.names)
+    return _stations(names, acceptance.scenario)
 
 
 def _stations(names: frozenset[str], scenario: IndexedScenario) -> int:

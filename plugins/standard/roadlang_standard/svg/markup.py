@@ -73,11 +73,11 @@ def _joined(points: Floats) -> str:
     unsure = np.abs(np.abs(hundredths - near) - 0.5) < _HALF
     if not (np.abs(near) < _GREATEST).all() or unsure.any():
         return "L".join([f"{number(x)} {number(y)}" for x, y in points.tolist()])
-    if len(_TEXTS) > _MOST_TEXTS:
-        _TEXTS.clear()
+    if len(_texts) > _MOST_TEXTS:
+        _texts.clear()
     pieces = [" "] * (2 * near.size)
     pieces[3::4] = ["L"] * len(points)
-    pieces[::2] = map(_TEXTS.__getitem__, near.astype(np.int64).ravel().tolist())
+    pieces[::2] = map(_texts.__getitem__, near.astype(np.int64).ravel().tolist())
     return "".join(pieces[:-1])
 
 
@@ -103,5 +103,6 @@ def _printable(content: str) -> str:
 
 
 _PLAIN = re.compile(r"[^&<>\"\n\r\t]*\Z").match
-_TEXTS, _MOST_TEXTS = _Hundredths(), 100_000
+_texts = _Hundredths()
+_MOST_TEXTS = 100_000
 _HALF, _GREATEST = 1e-6, 1e9
