@@ -14,13 +14,15 @@ from .worker_pool import ALONE, WorkerPool, Workers
 
 BLOCKS = ((64, 16), (1024, 64))
 """Up to how many scenes how many of them are searched for together: a batch of candidates costs as
-much as hundreds of them. No scene depends on it, and workers do not change it."""
-LARGEST_BLOCK = 256
+much as hundreds of them. No scene depends on it."""
+LARGEST_BLOCK, SENT_BLOCK = 256, 64
+"""Of more scenes; of those that come from other processes, where many wait to be written."""
 _FEWEST_FOR_PROCESSES = 8
 _PARTS = 4
 """Parts of the work for each worker: few, for each costs a message, but all should end together."""
-_MOST_BLOCKS, _MOST_SAMPLES = 4, 64
-"""The most of them in a part, so that a lost worker loses little."""
+_MOST_BLOCKS, _MOST_SAMPLES, _MOST_SCENES = 4, 64, 128
+"""The most blocks, samples and scenes in a part, so that a lost worker loses little, and scenes
+that wait to be written do not fill the memory."""
 T = TypeVar("T")
 J = TypeVar("J")
 
@@ -50,9 +52,11 @@ def _search_scenes(
     found = AcceptedSamples[Any](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
     size = next((size for most, size in BLOCKS if n <= most), LARGEST_BLOCK)
+    size = min(size, SENT_BLOCK) if pool.workers > 1 else size
     blocks += [range(start, min(start + size, n)) for start in range(1, n, size)]
     for part in (blocks[:1], blocks[1:]):
-        shares = _shares(part, pool.workers, _MOST_BLOCKS)
+        most = max(1, min(_MOST_BLOCKS, _MOST_SCENES // size))
+        shares = _shares(part, pool.workers, most)
         for searched in pool.map(SceneSearch.search_blocks, shares):
             for block in searched:
                 found.samples.extend(block.samples if keep is None else map(keep, block.samples))
