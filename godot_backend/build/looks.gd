@@ -8,6 +8,8 @@ const GrassShader := preload("shaders/grass.gdshader")
 ## and whether these are painted.
 const MARKED := 0
 const PLAIN := 1
+## The line of a border that is a curb (`shaders/road.gdshader`).
+const CURB_LINE := 4
 const SURFACES: Array[Array] = [
 	[Color(0.25, 0.25, 0.26), 0.0, false],
 	[Color(0.25, 0.25, 0.26), 0.0, false],
@@ -18,22 +20,56 @@ const SURFACES: Array[Array] = [
 	[Color(0.2, 0.3, 0.12), 0.0, false],
 ]
 
+## What lies on them, by the numbers of the table of the world: its color (transparent: none), how
+## wet and how snowy it looks, its grain, and whether paint is seen through it.
+const COVERS: Array[Array] = [
+	[Color.TRANSPARENT, 0.0, 0.0, 1.0, true],
+	[Color.TRANSPARENT, 0.0, 0.0, 1.0, true],
+	[Color.TRANSPARENT, 1.0, 0.0, 1.0, true],
+	[Color.TRANSPARENT, 0.0, 1.0, 1.0, true],
+	[Color(0.66, 0.76, 0.82), 0.6, 0.0, 0.6, false],
+	[Color(0.45, 0.4, 0.34), 0.0, 0.0, 3.5, false],
+	[Color(0.2, 0.3, 0.12), 0.0, 0.0, 2.0, false],
+]
+
 static var _materials: Dictionary = {}
 static var _wetness := 0.0
 static var _snow := 0.0
 
 
-## A strip of lanes with the lines along its left and right border.
-static func road(surface: int, left: int, right: int) -> ShaderMaterial:
-	var material := _shared("road %d %d %d" % [surface, left, right], RoadShader)
+## A strip of lanes with the lines along its left and right border. `material_number`: of what it is
+## made, in the table of the world.
+static func road(surface: int, left: int, right: int, material_number: int = 0) -> ShaderMaterial:
+	var cover: Array = _cover(material_number)
+	var name := "road %d %d %d" % [surface, left, right]
+	if material_number > 0:
+		name += " of %d" % material_number
+	if not cover[4]:
+		left = left if left == CURB_LINE else 0
+		right = right if right == CURB_LINE else 0
+	var material := _shared(name, RoadShader)
 	var look: Array = SURFACES[clampi(surface, 0, SURFACES.size() - 1)]
-	material.set_shader_parameter("marked", surface == MARKED)
-	material.set_shader_parameter("surface", look[0])
+	var color: Color = cover[0]
+	material.set_shader_parameter("marked", surface == MARKED and cover[4])
+	material.set_shader_parameter("surface", look[0] if color.a == 0.0 else color)
+	material.set_shader_parameter("grain", cover[3])
+	material.set_meta("wetness", cover[1])
+	material.set_meta("snow", cover[2])
+	_set_ground_of(material)
 	material.set_shader_parameter("joint", look[1])
 	material.set_shader_parameter("joint_painted", look[2])
 	material.set_shader_parameter("left_line", left)
 	material.set_shader_parameter("right_line", right)
 	return material
+
+
+## Whether paint is seen on a surface of this number.
+static func is_painted(material_number: int) -> bool:
+	return _cover(material_number)[4]
+
+
+static func _cover(material_number: int) -> Array:
+	return COVERS[material_number if material_number < COVERS.size() else 0]
 
 
 ## The upright side of a curb.
@@ -124,8 +160,10 @@ static func set_ground(wetness: float, snow: float) -> void:
 
 
 static func _set_ground_of(material: ShaderMaterial) -> void:
-	material.set_shader_parameter("wetness", _wetness)
-	material.set_shader_parameter("snow", _snow)
+	var wetness: float = material.get_meta("wetness", 0.0)
+	var snow: float = material.get_meta("snow", 0.0)
+	material.set_shader_parameter("wetness", maxf(_wetness, wetness))
+	material.set_shader_parameter("snow", maxf(_snow, snow))
 
 
 static func _shared(name: String, shader: Shader) -> ShaderMaterial:

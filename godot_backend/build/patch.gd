@@ -5,7 +5,7 @@ const Looks := preload("looks.gd")
 
 
 func look() -> Material:
-	return Looks.road(Looks.PLAIN, 0, 0)
+	return Looks.road(Looks.PLAIN, 0, 0, surface)
 
 
 func _add(corners: PackedVector3Array, indices: PackedInt32Array) -> void:
@@ -13,4 +13,4 @@ func _add(corners: PackedVector3Array, indices: PackedInt32Array) -> void:
 	var faces := PackedVector3Array()
 	for index in indices:
 		faces.append(corners[index])
-	add_body(faces)
+	add_body(faces, surface)

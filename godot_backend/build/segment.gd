@@ -14,7 +14,7 @@ var _mesh: ArrayMesh
 
 func build(reader: Reader) -> String:
 	var lanes := reader.u8()
-	var surface := reader.u8()
+	var look := reader.u8()
 	var left := reader.u8()
 	var right := reader.u8()
 	var raised := reader.u8() > 0
@@ -27,11 +27,11 @@ func build(reader: Reader) -> String:
 	if not reader.at_end() or lanes < 1 or spacing <= 0.0:
 		return "bad segment"
 	var edges := numbers.to_byte_array().to_vector3_array()
-	_add_mesh(edges, start, spacing, lanes, Looks.road(surface, left, right))
+	_add_mesh(edges, start, spacing, lanes, Looks.road(look & 15, left, right, look >> 4))
 	if raised:
 		_add_curb(edges, 0)
 		_add_curb(edges, 1)
-	add_body(_faces(edges))
+	add_body(_faces(edges), look >> 4)
 	return ""
 
 

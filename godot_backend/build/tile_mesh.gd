@@ -24,16 +24,18 @@ var _faces: Dictionary = {}
 
 
 ## The mesh for neighbors `mask`: north, east, south, west, then the corners clockwise from the
-## north-east, each of which is set only between two sides that are.
-static func make(mask: int) -> ArrayMesh:
+## north-east, each of which is set only between two sides that are. `surface`: the number of what
+## it is made of.
+static func make(mask: int, surface: int = 0) -> ArrayMesh:
 	var tile := new(mask)
 	for quarter in 4:
 		tile._add_corner(quarter)
 	tile._add_asphalt()
 	tile._add_curbs()
-	for quarter in 4:
-		tile._add_lines(quarter)
-	return tile._made()
+	if Looks.is_painted(surface):
+		for quarter in 4:
+			tile._add_lines(quarter)
+	return tile._made(surface)
 
 
 func _init(mask: int) -> void:
@@ -165,10 +167,10 @@ func _corners(part: String) -> Array:
 	return _faces.get_or_add(part, [])
 
 
-func _made() -> ArrayMesh:
+func _made(surface: int) -> ArrayMesh:
 	var mesh := ArrayMesh.new()
 	var looks := {
-		"asphalt": Looks.road(Looks.PLAIN, 0, 0),
+		"asphalt": Looks.road(Looks.PLAIN, 0, 0, surface),
 		"curb": Looks.curb(),
 		"paint": Looks.plain(Color(0.86, 0.86, 0.82), 0.8),
 	}

@@ -12,6 +12,8 @@ static var _made: Dictionary = {}
 
 var _cell := 1.0
 var _shift := Vector2.ZERO
+## Its number in the table of the world.
+var _surface := 0
 ## By the mask of a shape before it is turned.
 var _meshes: Dictionary = {}
 
@@ -21,6 +23,8 @@ func build(reader: Reader) -> String:
 	_shift = Vector2(reader.f32(Protocol.MAX_COORDINATE), reader.f32(Protocol.MAX_COORDINATE))
 	var count := reader.u16()
 	var raw := reader.bytes(count * CELL_BYTES)
+	if not reader.at_end():
+		_surface = reader.u8()
 	if not reader.at_end() or count < 1 or _cell < 0.1:
 		return "bad tiles"
 	var places: Dictionary = {}
@@ -36,7 +40,7 @@ func build(reader: Reader) -> String:
 		alike.append(_place(cell, turned.y))
 	for shape: int in places:
 		_add_shape(shape, places[shape])
-	add_body(Cells.faces(cells, _cell, _shift))
+	add_body(Cells.faces(cells, _cell, _shift), _surface)
 	return ""
 
 
@@ -98,9 +102,10 @@ func _cell_of(place: Transform3D, shape: int) -> PackedByteArray:
 
 
 func _add_shape(shape: int, places: Array[Transform3D]) -> void:
-	if not _made.has(shape):
-		_made[shape] = TileMesh.make(shape)
-	var multimesh := Instances.make(_made[shape], places)
+	var key := shape | _surface << 8
+	if not _made.has(key):
+		_made[key] = TileMesh.make(shape, _surface)
+	var multimesh := Instances.make(_made[key], places)
 	_meshes[shape] = multimesh
 	var instance := MultiMeshInstance3D.new()
 	instance.multimesh = multimesh

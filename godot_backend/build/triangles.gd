@@ -3,6 +3,9 @@ extends "thing.gd"
 
 const Protocol := preload("../net/protocol.gd")
 
+## Its number in the table of the world.
+var surface := 0
+
 var _mesh: ArrayMesh
 
 
@@ -15,6 +18,8 @@ func build(reader: Reader) -> String:
 	var indices := PackedInt32Array()
 	for i in triangles * 3:
 		indices.append(reader.u16())
+	if not reader.at_end():
+		surface = reader.u8()
 	if not reader.at_end():
 		return "bad shape"
 	for index in indices:

@@ -158,7 +158,9 @@ if TYPE_CHECKING:
     )
     from .ir.scene_lane import SceneLane
     from .ir.scene_route import RouteStep, RouteTurn, SceneRoute
+    from .ir.scene_surface import SurfaceName, SurfacePatch
     from .ir.sensed_batch import SensedBatch
+    from .ir.surface_stretches import SurfaceStretch, junction_surface, surface_stretches
     from .ir.surroundings import LanePlace, LanePlaces, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
@@ -201,7 +203,9 @@ _LATER = {
         "SceneArm SceneConflict SceneConnection SceneControl SceneJunction SceneLaneEnd"
         " SceneRefusal SignalPhase"
     ),
+    ".ir.scene_surface": "SurfaceName SurfacePatch",
     ".ir.sensed_batch": "SensedBatch",
+    ".ir.surface_stretches": "SurfaceStretch junction_surface surface_stretches",
     ".ir.surroundings": "LanePlace LanePlaces Neighbor Neighbors",
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
@@ -229,28 +233,28 @@ __all__ = [
     "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration", "Adjuster", "AgentKind",
     "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
     "BatchRandom", "Between", "Body", "Call", "CameraGeometry", "Code", "Condition",
-    "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "Curvature",
-    "Dataset", "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError", "Dimension",
-    "Distribution", "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration",
-    "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
-    "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
-    "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval",
-    "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors", "Number",
-    "ObjectKind", "Observation", "ObservationBatch", "ObservationVector", "OptionError",
-    "PaintedShape", "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch",
-    "Point", "PointInSpace", "Position", "Profile", "Provenance", "Reader", "Reading",
-    "ReadingArray", "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber",
-    "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale",
-    "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection",
-    "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode",
-    "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor", "SceneSignal", "Search",
-    "Searcher", "Selector", "SensedBatch", "Sensor", "Signal", "SignalHead", "SignalPhase",
-    "Simulator", "Source", "Span", "Speed", "Standing", "String", "Trace", "Verdict",
-    "ViolatedSegment", "Word", "body_of", "call_of", "diagnose", "did_you_mean", "geometry",
-    "hookimpl", "junction_paint", "kind_of", "line_steering", "list_of", "map_of", "one_of",
-    "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input", "record_of",
-    "road_surface", "route_points", "scene_from_json", "signal_heads", "simulate_scenes",
-    "surface_names", "to_json", "vehicle_parameters",
+    "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "Curvature", "Dataset",
+    "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError", "Dimension", "Distribution",
+    "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration", "EngineSettings",
+    "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "FrameLabels", "ImageName",
+    "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind", "Label", "LabeledThing",
+    "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass",
+    "Mirror", "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation",
+    "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape", "Perturber", "Picture",
+    "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace", "Position", "Profile",
+    "Provenance", "Reader", "Reading", "ReadingArray", "RightOfWay", "RoadBatch", "RoadBounds",
+    "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn", "Sampler",
+    "Scale", "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict",
+    "SceneConnection", "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd",
+    "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor",
+    "SceneSignal", "Search", "Searcher", "Selector", "SensedBatch", "Sensor", "Signal",
+    "SignalHead", "SignalPhase", "Simulator", "Source", "Span", "Speed", "Standing", "String",
+    "SurfaceName", "SurfacePatch", "SurfaceStretch", "Trace", "Verdict", "ViolatedSegment", "Word",
+    "body_of", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_paint",
+    "junction_surface", "kind_of", "line_steering", "list_of", "map_of", "one_of", "option",
+    "paint_rings", "pair_of", "quantity", "read_image", "read_input", "record_of", "road_surface",
+    "route_points", "scene_from_json", "signal_heads", "simulate_scenes", "surface_names",
+    "surface_stretches", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

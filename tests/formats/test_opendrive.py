@@ -320,3 +320,19 @@ def test_an_arc_that_hardly_bends_is_a_cubic() -> None:
     )
     shapes = [piece[0] for road in file.roads.values() for piece in road.pieces()]
     assert all(abs(number(arc, "curvature")) > 1e-5 for arc in shapes if arc.tag == "arc")
+
+
+def test_stretches_of_other_surfaces_are_materials_of_their_lanes() -> None:
+    patches = "surface_patches: [{ surface: ice, over: [20m, 30m], lane: -1 }]"
+    text = ROADS["bend"].replace("] } }", "] }, surface: gravel, " + patches + " }")
+    (road,) = exported(text)[1].roads.values()
+    right, left = (
+        [
+            (float(found.attrib["sOffset"]), found.attrib["surface"], found.attrib["friction"])
+            for found in road.lane(id).iterfind("material")
+        ]
+        for id in (-1, 1)
+    )
+    assert left == [(0.0, "gravel", "0.6")]
+    assert [row[1:] for row in right] == [("gravel", "0.6"), ("ice", "0.1"), ("gravel", "0.6")]
+    assert [row[0] for row in right] == pytest.approx([0.0, 20.0, 30.0], abs=CLOSE)

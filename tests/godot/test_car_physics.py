@@ -11,6 +11,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.api import CURB_HEIGHT, Scene, vehicle_parameters
+from roadlang.ir.scene_surface import SurfaceName, SurfacePatch
 from roadlang.simulation.surfaces import SURFACES
 from roadlang_godot import driving
 from roadlang_godot.layout import layout_of
@@ -71,7 +72,7 @@ def test_the_braking_distance_is_that_of_friction_and_drag(
     ],
 )
 def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(
-    session: Session, offset: float, world: dict[str, str], names: tuple[str, ...]
+    session: Session, offset: float, world: dict[str, str], names: tuple[SurfaceName, ...]
 ) -> None:
     ego = replace(car("ego", LONG, 50.0, offset=offset), start_speed=20.0)
     numbers = vehicle_parameters(ego, BODIES["car"])
@@ -87,6 +88,34 @@ def test_cars_have_the_grip_and_the_resistance_of_what_is_below_their_wheels(
         lost = (speeds[0] - speeds[1]) / (15 / RATE)
         drag = numbers.drag * (sum(speeds) / 2) ** 2
         assert lost == pytest.approx(braking + rolling + drag, rel=0.05)
+
+
+SPLIT = replace(LONG, surface="gravel", surface_patches=(SurfacePatch("ice", 40.0, 200.0, (-1,)),))
+
+
+@pytest.mark.parametrize(
+    ("start", "names"), [(210.0, ("gravel",)), (50.0, ("gravel", "ice")), (45.0, ("ice",))]
+)
+def test_the_wheels_of_each_side_have_the_grip_of_the_surface_below_them(
+    session: Session, start: float, names: tuple[SurfaceName, ...]
+) -> None:
+    offset = -1.75 if names == ("ice",) else 0.0
+    ego = replace(car("ego", SPLIT, start, offset=offset), start_speed=20.0)
+    numbers = vehicle_parameters(ego, BODIES["car"])
+    below = [SURFACES[name] for name in names]
+    grip = sum(surface.friction + surface.rolling for surface in below) / len(below) * GRAVITY
+    build(session, scene(SPLIT, agents=[ego]))
+    with driving.LockStep(session) as lock:
+        control = {1: driving.EngineControl.steer(0.0, -20.0)}
+        lock.step(control, 10)
+        states = [lock.step(control, 15).poses[0] for _ in range(2)]
+    lost = (states[0]["speed"] - states[1]["speed"]) / (15 / RATE)
+    drag = numbers.drag * float(states[0]["speed"] + states[1]["speed"]) ** 2 / 4
+    # Turned by the difference, the car slides a little aside.
+    within = 0.05 if len(names) == 1 else 0.12
+    assert lost == pytest.approx(grip + numbers.rolling + drag, rel=within)
+    turned = float(states[1]["heading"])
+    assert turned > 0.01 if len(names) == 2 else abs(turned) < 1e-3
 
 
 def test_commands_below_the_grip_are_followed_and_power_and_drag_limit_the_speed(

@@ -16,6 +16,7 @@ from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.lane_strips import BorderLine, LaneStrip, Surface, lane_strips
 from roadlang_godot.line import line_of
 from roadlang_godot.road_mesh import road_parts
+from roadlang_godot.surface_table import surface_number
 
 Sample = Callable[..., SamplingResult]
 DRAW = "draw with waypoints { points: [(0m, 0m), (90m, 0m)] }\n"
@@ -75,3 +76,19 @@ def test_an_agent_in_left_hand_traffic_follows_the_middle_of_its_lane(sample: Sa
     (ego,) = scene.agents
     assert ego.facing == "forward"
     assert line_offset(ego, line_of(scene.roads[0])) == pytest.approx(2.0)
+
+
+def test_a_stretch_of_another_surface_is_a_piece_of_its_own_lane(sample: Sample) -> None:
+    patches = "surface_patches: [{ surface: ice, over: [30m, 50m], side: right }]"
+    (scene,) = sample("road main {lanes: 2, " + patches + "\n" + DRAW + "}").scenes
+    parts = road_parts(line_of(scene.roads[0]), 1, SceneOrigin())
+    assert [part.label for part in parts] == [
+        "main from 0 m to 30 m",
+        "main from 30 m to 50 m",
+        "main from 30 m to 50 m",
+        "main from 50 m to 90 m",
+    ]
+    numbers = [part.body[1] for part in parts]
+    assert numbers == [0, 0, surface_number("ice") << 4, 0]
+    # The line between the two lanes stays broken.
+    assert (parts[1].body[3], parts[2].body[2]) == (BorderLine.BROKEN, BorderLine.BROKEN)

@@ -14,9 +14,11 @@ from roadlang.simulation.world_building import world_of
 ASPHALT, GRASS, SNOW = (SURFACES[name] for name in ("asphalt", "turf", "snow"))
 HALF = TireSurface((ASPHALT.friction + GRASS.friction) / 2, GRASS.rolling / 2)
 ROAD = """road main { draw with segments { pieces: [straight(400m)] }, %s }
-agent ego is car on main at 5m { offset: %sm, start_speed: 20m/s }
+agent ego is car on main at 5m { lane: none, offset: %sm, start_speed: 20m/s }
 """
 ONE_LANE = "width: 8m, lanes: 1"
+PATCHED = "width: 8m, lanes: 2, surface_patches: [{ surface: snow, %s }]"
+HALF_SNOW = TireSurface((ASPHALT.friction + SNOW.friction) / 2, SNOW.rolling / 2)
 SHOULDERS = "left: [drive(width: 4m)], right: [drive(width: 4m), shoulder(width: 3m)]"
 ROLLING, DRAG = 0.012, 0.5 * 1.2 * 0.67 / 1500.0
 
@@ -43,8 +45,14 @@ def slowed(world: World, acceleration: float) -> np.ndarray:
         (ONE_LANE, 4.0, "", HALF),
         (ONE_LANE, 7.0, "", GRASS),
         (ONE_LANE, -7.0, "", GRASS),
-        (SHOULDERS, -3.0, "", ASPHALT),
-        (SHOULDERS, -6.5, "", GRASS),
+        ("width: 8m, surface: ice", 0.0, "", SURFACES["ice"]),
+        ("width: 8m, surface: gravel", 0.0, "world { weather: rain }", SURFACES["gravel"]),
+        (PATCHED % "side: right", -2.0, "", SNOW),
+        (PATCHED % "lane: 1", -2.0, "", ASPHALT),
+        (PATCHED % "side: left", 0.0, "", HALF_SNOW),
+        (PATCHED % "over: [300m, 350m]", 0.0, "", ASPHALT),
+        (SHOULDERS, -5.0, "", ASPHALT),
+        (SHOULDERS, -8.5, "", GRASS),
         (ONE_LANE, 0.0, "world { weather: rain }", SURFACES["wet"]),
         (ONE_LANE, 0.0, "world { rain: 5mm/h }", SURFACES["wet"]),
         (ONE_LANE, 0.0, "world { weather: snow }", SNOW),

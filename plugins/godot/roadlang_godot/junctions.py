@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -78,15 +78,16 @@ def cuts(arms: list[RoadArm]) -> list[float]:
 
 
 def area_patch(
-    ring: Sequence[tuple[float, float]], id: int, frame: SceneOrigin, label: str
+    ring: Sequence[tuple[float, float]], id: int, frame: SceneOrigin, label: str, surface: int = 0
 ) -> ScenePart:
-    """The paved area of a junction of the scene, a ring counter-clockwise."""
+    """The area of a junction of the scene, a ring counter-clockwise; `surface`: its number."""
     points = np.array(ring)
     if len(points) > _MOST_POINTS:
         points = points[:: -(-len(points) // _MOST_POINTS)]
     corners = frame.ground(points)
     # Clockwise seen from above, which is the front in the engine.
-    return triangles_part(Message.PATCH, corners, triangulated(points)[:, ::-1], id, label)
+    part = triangles_part(Message.PATCH, corners, triangulated(points)[:, ::-1], id, label)
+    return replace(part, body=part.body + bytes([surface])) if surface else part
 
 
 def patch(

@@ -90,7 +90,7 @@ def _scenery() -> dict[int, tuple[int, int, int]]:
 def _label(part: ScenePart, numbered: Mapping[Key, Instance | None]) -> tuple[int, int, int] | None:
     """Class, whether its copies are numbered one by one, and the number of the first."""
     if part.kind == Message.SEGMENT:
-        surface = Surface(part.body[_SURFACE_BYTE])
+        surface = Surface(part.body[_SURFACE_BYTE] & 15)
         return _SURFACE_CLASSES.get(surface, SemanticClass.ROAD), 0, 0
     if part.key in numbered:
         found = numbered[part.key]

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from roadlang.api import geometry
+
+from .surface_table import surface_number
+
+if TYPE_CHECKING:
+    from roadlang.api import SurfaceName
 
 _LOOKS_EQUAL = 0.01
 """Meters."""
@@ -69,6 +75,8 @@ class LaneStrip:
     left: BorderLine
     right: BorderLine
     raised: bool
+    material: int = 0
+    """number in the table of surfaces, for tires and looks"""
 
     @property
     def lanes(self) -> int:
@@ -76,12 +84,17 @@ class LaneStrip:
         return self.last - self.first
 
 
-def lane_strips(section: geometry.CrossSection) -> Iterator[LaneStrip]:
-    """The strips of a road from left to right."""
+def lane_strips(
+    section: geometry.CrossSection, surfaces: Sequence[SurfaceName | None] = ()
+) -> Iterator[LaneStrip]:
+    """The strips of a road from left to right. `surfaces`: of its lanes, where any is said; raised
+    lanes are always paved."""
     lanes, markings = section.lanes, section.markings
+    materials = [surface_number(name) for name in surfaces] or [0] * len(lanes)
     first = 0
     for place in range(1, len(lanes) + 1):
-        if place < len(lanes) and _go_on(lanes[place - 1], lanes[place], markings[place]):
+        alike = place < len(lanes) and materials[place - 1] == materials[place]
+        if alike and _go_on(lanes[place - 1], lanes[place], markings[place]):
             continue
         kind = lanes[first]
         yield LaneStrip(
@@ -91,6 +104,7 @@ def lane_strips(section: geometry.CrossSection) -> Iterator[LaneStrip]:
             _line(markings, first, kind.raised),
             _line(markings, place, kind.raised),
             kind.raised,
+            0 if kind.raised else materials[first],
         )
         first = place
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.api import Code
+from roadlang.api import Code, junction_surface
 
 from .agent_looks import look_of, object_color
 from .agent_specs import AgentPose, agent_spec, followed_lines, kept_start
@@ -28,9 +28,10 @@ from .names import plain_name
 from .placed import Placed, agent_part, object_parts, path_parts, world_part
 from .road_mesh import road_parts
 from .scene_part import ScenePart
+from .surface_table import surface_number
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, SceneActor, SceneJunction, SceneNetwork
+    from roadlang.api import Scene, SceneActor, SceneJunction, SceneNetwork, SceneRoad
 
 BESIDE = 150.0
 """Flat ground around everything, meters."""
@@ -190,11 +191,11 @@ def _meshes(
     scene: Scene, lines: Mapping[str, RoadSamples], built: Iterable[str], frame: SceneOrigin
 ) -> list[ScenePart]:
     built = list(built)
-    trims_by_road = {road.name: road.trim for road in scene.roads}
+    roads = {road.name: road for road in scene.roads}
     trims = {
         name: [
-            float(lines[name].s[0]) + trims_by_road[name][0],
-            float(lines[name].s[-1]) - trims_by_road[name][1],
+            float(lines[name].s[0]) + roads[name].trim[0],
+            float(lines[name].s[-1]) - roads[name].trim[1],
         ]
         for name in built
     }
@@ -203,7 +204,7 @@ def _meshes(
     for network in scene.networks:
         if network.junctions:
             junctions = _junctions_between(network, trims)
-            parts += _areas(network, junctions, len(parts) + 1, frame)
+            parts += _areas(network, junctions, len(parts) + 1, frame, roads)
             places += junctions
             continue
         for node in network.nodes:  # of a scene of an earlier version
@@ -246,12 +247,18 @@ def _junctions_between(network: SceneNetwork, built: Mapping[str, Any]) -> list[
 
 
 def _areas(
-    network: SceneNetwork, places: Iterable[SceneJunction], first: int, frame: SceneOrigin
+    network: SceneNetwork,
+    places: Iterable[SceneJunction],
+    first: int,
+    frame: SceneOrigin,
+    roads: Mapping[str, SceneRoad],
 ) -> list[ScenePart]:
-    return [
-        area_patch(place.area, id, frame, f"junction {place.id} of {network.name}")
-        for id, place in enumerate(places, start=first)
-    ]
+    parts = []
+    for id, place in enumerate(places, start=first):
+        label = f"junction {place.id} of {network.name}"
+        surface = surface_number(junction_surface(place, roads))
+        parts.append(area_patch(place.area, id, frame, label, surface))
+    return parts
 
 
 def _arms(

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.api import geometry, route_points
+from roadlang.api import geometry, route_points, surface_stretches
 from roadlang.geometry import Floats
 
 if TYPE_CHECKING:
-    from roadlang.api import Scene, SceneRoad, SceneRoute
+    from roadlang.api import Scene, SceneRoad, SceneRoute, SurfaceStretch
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class RoadSamples:
     """Samples of a road: `s` (n,) arc length, `points` (n, 2), `heading` (n,), `width` (n,).
 
     A closed line has its first sample again at the end. `section` are its lanes by `s`; without
-    it `lanes` share the width.
+    it `lanes` share the width. `stretches`: the surfaces of its lanes along it, where any is said.
     """
 
     name: str
@@ -31,6 +31,7 @@ class RoadSamples:
     lanes: int
     closed: bool
     section: geometry.CrossSection | None = None
+    stretches: tuple[SurfaceStretch, ...] = ()
 
     @cached_property
     def cross_section(self) -> geometry.CrossSection:
@@ -93,7 +94,11 @@ def line_of(road: SceneRoad) -> RoadSamples:
         heading = np.append(heading, heading[0])
         width = np.append(width, width[0])
     section = road.cross_section()
-    return RoadSamples(road.name, s, points, heading, width, road.lanes, road.closed, section)
+    said = road.surface is not None or road.surface_patches
+    stretches = surface_stretches(road, section.ids) if said else ()
+    return RoadSamples(
+        road.name, s, points, heading, width, road.lanes, road.closed, section, stretches
+    )
 
 
 def line_of_route(name: str, scene: Scene, route: SceneRoute) -> RoadSamples:

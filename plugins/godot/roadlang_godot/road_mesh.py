@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import struct
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,11 +22,16 @@ from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart
 from .unfolded_border import unfolded
 
+if TYPE_CHECKING:
+    from roadlang.api import SurfaceName
+
 PIECE = 100.0
 """Longest piece, meters: the unit of live edits."""
 SAG = 0.01
 """How far a chord may be from the curve, meters."""
 COARSEST, FINEST = 2.5, 0.4
+SHORTEST = 0.05
+"""Meters of a stretch with a surface of its own, at least."""
 
 SEGMENT_HEAD = struct.Struct("<BBBBBHff")
 _MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - SEGMENT_HEAD.size) // 24
@@ -83,7 +91,7 @@ def strip_part(
     """A segment of (n, 2, 3) left and right edge points in engine coordinates."""
     first, second = dashes.at(float(s[0])), dashes.at(float(s[1]))
     vertices = strip.tobytes()
-    marks = (look.surface, look.left, look.right, int(look.raised))
+    marks = (look.surface | look.material << 4, look.left, look.right, int(look.raised))
     head = SEGMENT_HEAD.pack(min(look.lanes, 255), *marks, len(s), first, second - first)
     label = f"{name} from {s[0]:.0f} m to {s[-1]:.0f} m"
     return ScenePart(Message.SEGMENT, id, head + vertices, vertices, label)
@@ -100,9 +108,24 @@ def road_parts(
     begin = float(line.s[0]) if start is None else start
     finish = float(line.s[-1]) if end is None else end
     parts: list[ScenePart] = []
-    strips = tuple(lane_strips(line.cross_section))
     is_cut = begin > line.s[0] + 0.1 or finish < line.s[-1] - 0.1
     dashes = dashes_between(begin, finish) if is_cut else UNCUT
-    for s in stations(line, begin, finish):
-        parts += segments(line, s, strips, first_id + len(parts), frame, dashes)
+    for low, high, surfaces in _stretches(line, begin, finish):
+        strips = tuple(lane_strips(line.cross_section, surfaces))
+        for s in stations(line, low, high):
+            parts += segments(line, s, strips, first_id + len(parts), frame, dashes)
     return parts
+
+
+def _stretches(
+    line: RoadSamples, begin: float, finish: float
+) -> Iterator[tuple[float, float, tuple[SurfaceName | None, ...]]]:
+    """Where on a part of a road which surfaces are: from, to, of the lanes from left to right."""
+    if not line.stretches:
+        yield begin, finish, ()
+        return
+    inner = [stretch.end for stretch in line.stretches[:-1]]
+    cuts = [begin, *(end for end in inner if begin + SHORTEST < end < finish - SHORTEST), finish]
+    for low, high in pairwise(cuts):
+        middle = 0.5 * (low + high)
+        yield low, high, line.stretches[bisect_left(inner, middle)].surfaces

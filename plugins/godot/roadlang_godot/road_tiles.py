@@ -72,8 +72,10 @@ def tile_parts(
     origin: tuple[float, float],
     first_id: int,
     frame: SceneOrigin,
+    surfaces: NDArray[np.int64] | None = None,
 ) -> list[ScenePart]:
-    """Tiles of (rows, columns) cells of `cell` meters; `origin` is the bottom left corner."""
+    """Tiles of (rows, columns) cells of `cell` meters; `origin` is the bottom left corner;
+    `surfaces` (rows, columns): the numbers of their surfaces, where any is said."""
     masks = neighbor_masks(road)
     rows, columns = np.nonzero(road)
     shift = np.array([origin[0] - frame.x, frame.y - origin[1] - road.shape[0] * cell], "<f4")
@@ -83,12 +85,18 @@ def tile_parts(
     # Square blocks of cells keep the rectangles of a merged collision body large.
     side = int(np.sqrt(_MOST))
     keys = rows // side * (columns.max(initial=0) // side + 1) + columns // side
+    made_of = np.zeros_like(rows) if surfaces is None else surfaces[rows, columns]
+    keys = keys * (1 + int(made_of.max(initial=0))) + made_of
     for index, key in enumerate(np.unique(keys)):
         block = records[keys == key]
+        surface = int(made_of[keys == key][0])
+        last = bytes([surface]) if surface else b""
         head = _HEAD.pack(cell, float(shift[0]), float(shift[1]), len(block))
         content = b"".join(sorted(record.tobytes() for record in block))
         label = f"tiles around column {block['x'][0]}, row {block['z'][0]}"
         parts.append(
-            ScenePart(Message.TILES, first_id + index, head + block.tobytes(), content, label)
+            ScenePart(
+                Message.TILES, first_id + index, head + block.tobytes() + last, content, label
+            )
         )
     return parts

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from roadlang.api import road_surface, surface_names
 
+if TYPE_CHECKING:
+    from roadlang.api import SurfaceName
 
-def surface_number(name: str | None) -> int:
+
+def surface_number(name: SurfaceName | None) -> int:
     """That of a surface in the table; 0 for a road that says nothing of its surface."""
     return 0 if name is None else 1 + surface_names().index(name)
 

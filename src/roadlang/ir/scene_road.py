@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from .scene_lane import SceneLane
+from .scene_surface import SurfaceName, SurfacePatch
 
 if TYPE_CHECKING:
     from ..geometry import CrossSection
@@ -90,6 +91,10 @@ class SceneRoad:
     """meters above the origin at each station, where the map has it; nothing uses it yet"""
     along: tuple[RoadPart, ...] = ()
     """of a road that was selected from a network and not perturbed itself: what it runs over"""
+    surface: SurfaceName | None = None
+    """what it is made of or covered by; null: asphalt, as the weather leaves it"""
+    surface_patches: tuple[SurfacePatch, ...] = ()
+    """stretches of other surfaces; where some overlap the last one counts"""
 
     def zones(self) -> tuple[SpeedZone, ...]:
         """At least one, the first from the start of the road."""

@@ -26,16 +26,18 @@ from ..world.roads import road_batch, road_root
 from ..world.selected_roads import parts_of_network, steps_in_network
 from .junctions import scene_junctions
 from .road_rows import road_rows
+from .road_surfaces import covered
 from .scene_rows import SceneRows
 
 
 def scene_roads(rows: SceneRows) -> list[tuple[SceneRoad, ...]]:
     """Declared roads and the edges of all networks (`town/3`)."""
     scenario = rows.scenario
-    columns = [_declared(road, rows) for road in scenario.roads.values()]
+    columns = [covered(_declared(road, rows), road, rows) for road in scenario.roads.values()]
     for network in scenario.networks.values():
         edges = network_root(network, rows.candidates).edges
-        columns += [_edge(network, edge, rows) for edge in edges]
+        ids = [edge.id for edge in edges]
+        columns += [covered(_edge(network, edge, rows), network, rows, ids) for edge in edges]
     return list(zip(*columns, strict=True)) if columns else rows.same(())
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import SceneActor
 from .surfaces import TireSurface
 from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
@@ -108,6 +108,23 @@ class Bodies:
     def stacked(self) -> Floats:
         """(13, N) what the compiled motion has to know of a car."""
         return np.stack((*self.columns, self.lag, self.rate))
+
+    def on_ground(self, rows: Integers, friction: Floats, rolling: Floats) -> Bodies:
+        """The bodies, of which those of agents `rows` (R,) have this friction (R,) and this rolling
+        resistance (R,), m/s^2."""
+        before = self.friction[rows]
+        changed = {
+            "friction": friction,
+            "front_slope": self.front_slope[rows] * before / friction,
+            "rear_slope": self.rear_slope[rows] * before / friction,
+            "grip": friction * GRAVITY,
+            "rolling": rolling,
+        }
+        columns = {}
+        for name, values in changed.items():
+            columns[name] = getattr(self, name).copy()
+            columns[name][rows] = values
+        return replace(self, **columns)
 
     def take(self, rows: Any) -> Bodies:
         """Those of some agents."""

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..ir.scene_surface import SURFACE_NAMES, SurfaceName
+
 
 @dataclass(frozen=True)
 class TireSurface:
@@ -16,7 +18,7 @@ class TireSurface:
     rolling: float = 0.0
 
 
-SURFACES: Mapping[str, TireSurface] = {
+SURFACES: Mapping[SurfaceName, TireSurface] = {
     "asphalt": TireSurface(0.9),
     "wet": TireSurface(0.6),
     "snow": TireSurface(0.3, 0.02),
@@ -30,22 +32,22 @@ BESIDE = SURFACES["turf"]
 """What is beside roads."""
 LEAST_FRICTION = 1e-3
 """What is slipperier counts as this: tire forces divide by friction."""
-_AFTER = {"rain": "wet", "snow": "snow"}
+_AFTER: Mapping[str, SurfaceName] = {"rain": "wet", "snow": "snow"}
 
 
-def surface_names() -> tuple[str, ...]:
+def surface_names() -> tuple[SurfaceName, ...]:
     """Of all surfaces, always in the same order."""
-    return tuple(SURFACES)
+    return SURFACE_NAMES
 
 
-def road_surface(world: Mapping[str, Any], name: str | None = None) -> TireSurface:
+def road_surface(world: Mapping[str, Any], name: SurfaceName | None = None) -> TireSurface:
     """A road of a scene with these settings of its `world`, that says nothing of its surface or is
     of the surface with this `name`.
 
     Weather makes a road wet or snowy, and `friction` is that of its roads. No surface has more
     grip than the roads that say nothing.
     """
-    weather = _AFTER.get(str(world.get("weather")), "asphalt")
+    weather: SurfaceName = _AFTER.get(str(world.get("weather")), "asphalt")
     if weather == "asphalt" and _is_number(world.get("rain")) and world["rain"] > 0.0:
         weather = "wet"
     usual = SURFACES[weather]

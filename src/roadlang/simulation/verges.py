@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -14,13 +14,10 @@ from ..ir.scene import Scene, SceneRoad
 from .bodies import Bodies
 from .lane_columns import LaneSection
 from .motion import Motion
+from .patches import TIRE, WHEELS, Patches
 from .route_table import RouteTable
 from .surfaces import BESIDE, TireSurface, below
 from .vehicle import GRAVITY
-
-TIRE = 0.25
-"""Meters by which the wheels are closer together than the body is wide."""
-_WHEELS = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))
 
 
 @dataclass(frozen=True)
@@ -43,6 +40,7 @@ class Verges:
     edges: Floats
     """(N, 2) how far left of their lines the left and right edges of roads are, of agents without a
     route on roads that are equally wide all along; NaN until they were looked up"""
+    patches: Patches
     known: dict[Any, Any] = field(default_factory=dict, repr=False)
     """edges of roads that were looked up, which are the same for every lookup"""
 
@@ -72,17 +70,24 @@ class Verges:
             roads,
             has_route,
             np.full((len(road), 2), np.nan),
+            Patches.of(scenes, road, has_route, surfaces),
         )
 
     def take(self, agents: Integers) -> Verges:
         """Those of some agents."""
         return Verges(
             self.clear[agents], self.friction[agents], self.rolling[agents], self.roads[agents],
-            self.has_route[agents], self.edges[agents], self.known,
+            self.has_route[agents], self.edges[agents], self.patches.take(agents), self.known,
         )  # fmt: skip
 
     def below(self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans) -> Bodies:
         """The bodies with the grip and the resistance that they have where they are."""
+        mixed = self._with_verges(bodies, motion, table, present)
+        return self.patches.below(bodies, mixed, motion, table, present, self.has_route)
+
+    def _with_verges(
+        self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans
+    ) -> Bodies:
         near = np.abs(motion.offset) + bodies.half_base * np.abs(motion.sine) > self.clear
         rows = np.flatnonzero(present & near)
         if not len(rows):
@@ -95,18 +100,7 @@ class Verges:
         """`share` (R,) of the wheels of agents `rows` are beside the road."""
         on = bodies.friction[rows]
         friction = on + (self.friction[rows] - on) * share
-        changed = {
-            "friction": friction,
-            "front_slope": bodies.front_slope[rows] * on / friction,
-            "rear_slope": bodies.rear_slope[rows] * on / friction,
-            "grip": friction * GRAVITY,
-            "rolling": bodies.rolling[rows] + self.rolling[rows] * share,
-        }
-        columns = {}
-        for name, values in changed.items():
-            columns[name] = getattr(bodies, name).copy()
-            columns[name][rows] = values
-        return replace(bodies, **columns)
+        return bodies.on_ground(rows, friction, bodies.rolling[rows] + self.rolling[rows] * share)
 
     def _beside(self, bodies: Bodies, motion: Motion, table: RouteTable, rows: Integers) -> Floats:
         """(R,) share of the wheels of agents that are beside their roads; at junctions none."""
@@ -114,7 +108,7 @@ class Verges:
         along = bodies.half_base[rows] * motion.sine[rows]
         across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
         beside = np.zeros(len(rows))
-        for i, j in _WHEELS:
+        for i, j in WHEELS:
             offset = motion.offset[rows] + i * along + j * across
             beside += (offset > edges[:, 0]) | (offset < edges[:, 1])
         return 0.25 * beside

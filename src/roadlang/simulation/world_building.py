@@ -91,7 +91,8 @@ def _slot(
         rows[key, lane] = len(routes)
         road = scene.roads[number] if number >= 0 else None
         routes.append(plain_line(sources[rows[key]], number, road, lane, backward))
-    return _Slot(actor, rows[key], rows[key, lane], number, road_surface(scene.world))
+    said = scene.roads[number].surface if number >= 0 else None
+    return _Slot(actor, rows[key], rows[key, lane], number, road_surface(scene.world, said))
 
 
 def _crowded(scenes: tuple[Scene, ...]) -> Booleans:

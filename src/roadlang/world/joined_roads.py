@@ -65,6 +65,7 @@ def joined_root(
         confidence=min(part.root.confidence for part in parts),
         limits=_changes(starts, limits),
         is_joined=True,
+        starts=tuple(starts),
     )
 
 

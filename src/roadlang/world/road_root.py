@@ -22,7 +22,8 @@ class RoadRoot:
 
     `section`, `lanes`: the lanes that its file gives it; `path`: the path of the network that it
     was selected as; `inputs`: the files that it was made from; `confidence`: that of the extractor
-    in its network; `limits`: of a road joined of several, the speed limits along it.
+    in its network; of a road joined of several, `limits`: the speed limits along it, `starts`:
+    where its parts begin.
     """
 
     id: str
@@ -36,3 +37,4 @@ class RoadRoot:
     lanes: int | None = None
     limits: tuple[LimitChange, ...] = ()
     is_joined: bool = False
+    starts: tuple[float, ...] = ()

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from roadlang.api import SceneLane, SceneRoad
+from roadlang.api import SceneLane, SceneRoad, SurfacePatch
 from roadlang.geometry import CrossSection, Floats
 
 
@@ -66,6 +66,11 @@ def reversed_road(road: SceneRoad, id: int) -> SceneRoad:
             for zone, end in zip(road.speed_zones[::-1], _zone_ends(road)[::-1], strict=True)
         ),
         elevation=turned(road.elevation),
+        surface_patches=tuple(
+            SurfacePatch(patch.surface, road.length - patch.end, road.length - patch.start)
+            for patch in road.surface_patches
+            if id in (patch.lanes or (id,))
+        ),
     )
 
 

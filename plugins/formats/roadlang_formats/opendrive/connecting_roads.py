@@ -11,6 +11,7 @@ import numpy as np
 from roadlang.geometry import poses_along
 
 from .elements import put
+from .lanes import put_material
 from .pieces import FLATTEST_ARC, ReferencePiece, cubic
 from .reference import put_elevation, put_plan_view
 
@@ -126,6 +127,9 @@ def _put_lane(lanes: Element, road: ConnectingRoad, length: float, left_hand: bo
     put(link, "successor", id=road.target.lane)
     put(lane, "width", sOffset=0.0, a=before, b=slope, c=0.0, d=0.0)
     _put_no_mark(lane)
+    surface = road.source.part.road.surface
+    if surface is not None:
+        put_material(lane, 0.0, surface)
 
 
 def _put_no_mark(lane: Element) -> None:

@@ -7,9 +7,12 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from roadlang.api import road_surface, surface_stretches
+
 from .elements import linear_pieces, put
 
 if TYPE_CHECKING:
+    from roadlang.api import SurfaceName
     from roadlang.geometry import Lane
 
     from .road_parts import OpenDriveRoad
@@ -75,6 +78,8 @@ def put_lanes(parent: Element, part: OpenDriveRoad, version: str) -> None:
                 for start, value, slope in linear_pieces(s, widths, _FLAT):
                     put(found, "width", sOffset=start, a=value, b=slope, c=0.0, d=0.0)
                 _put_mark(found, marks[place if side == "left" else place + 1])
+                if not lane.raised:
+                    _put_materials(found, part, place)
                 if lane.speed_limit is not None:
                     put(found, "speed", sOffset=0.0, max=lane.speed_limit, unit="m/s")
 
@@ -91,6 +96,27 @@ def _put_lane(group: Element, part: OpenDriveRoad, lane: Lane, version: str) -> 
         if part.next is not None:
             put(link, "successor", id=id)
     return found
+
+
+def _put_materials(found: Element, part: OpenDriveRoad, place: int) -> None:
+    """What a lane is made of, where its road says anything of it."""
+    said = part.road.surface is not None or part.road.surface_patches
+    stretches = surface_stretches(part.road, part.section.ids) if said else ()
+    low, high = float(part.stations[0]), float(part.stations[-1])
+    before = None
+    for stretch in stretches:
+        surface = stretch.surfaces[place]
+        if stretch.end <= low or stretch.start >= high or surface == before:
+            continue
+        start = float(part.line.at(np.array([max(stretch.start, low)]))[0])
+        put_material(found, start if before or start > 0.0 else 0.0, surface or "asphalt")
+        before = surface
+
+
+def put_material(lane: Element, start: float, surface: SurfaceName) -> None:
+    """From where on a lane is of a surface; its friction is that without any weather."""
+    friction = road_surface({}, surface).friction
+    put(lane, "material", sOffset=start, surface=surface, friction=friction, roughness=0.0)
 
 
 def _put_mark(lane: Element, marking: str) -> None:

@@ -30,9 +30,10 @@ def shown_junctions(scene: Scene, names: set[str]) -> list[SceneJunction]:
     ]
 
 
-def surface(junction: SceneJunction, viewport: Viewport) -> str:
+def surface(junction: SceneJunction, viewport: Viewport, fill: str | None = None) -> str:
     """Its area."""
-    return element("path", d=path_data(viewport.place(junction.area), closed=True), stroke_width=0)
+    ring = path_data(viewport.place(junction.area), closed=True)
+    return element("path", d=ring, fill=fill, stroke_width=0)
 
 
 def curbs(junction: SceneJunction, viewport: Viewport, width: float) -> Iterator[str]:

@@ -37,6 +37,24 @@ def bands(ribbon: Ribbon, inset: float, *, inner: bool) -> Iterator[str]:
         yield element("path", d=path_data(shape, closed=True), fill=color, stroke_width=0)
 
 
+def covers(ribbon: Ribbon, inset: float) -> Iterator[str]:
+    """What lies on lanes or is not asphalt, as far as it has a color; the outermost lanes are
+    `inset` pixels narrower."""
+    last = len(ribbon.lanes)
+    for stretch in ribbon.stretches:
+        low = max(stretch.start, float(ribbon.stations[0]))
+        high = min(stretch.end, float(ribbon.stations[-1]))
+        part = ribbon.part(low, high) if high > low else None
+        for place, (lane, surface) in enumerate(zip(ribbon.lanes, stretch.surfaces, strict=True)):
+            color = palette.SURFACES.get(surface or "")
+            if part is None or color is None or lane.raised:
+                continue
+            left = part.borders[:, place] - (inset if place == 0 else 0.0)
+            right = part.borders[:, place + 1] + (inset if place == last - 1 else 0.0)
+            shape = _between(part, left, right)
+            yield element("path", d=path_data(shape, closed=True), fill=color, stroke_width=0)
+
+
 def lane_lines(ribbon: Ribbon, lane: float, pixels_per_meter: float) -> Iterator[str]:
     """The lines at the borders of lanes, `lane` pixels wide on average, and parking spaces."""
     thin = min(max(0.035 * lane, 0.5), 2.0)

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from roadlang.api import surface_stretches
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import Scene, SceneRoad, geometry
+    from roadlang.api import Scene, SceneRoad, SurfaceStretch, geometry
     from roadlang.geometry import Floats
 
     from .viewport import Viewport
@@ -28,7 +30,8 @@ class Ribbon:
 
     `borders` (n, L + 1) are the lateral offsets of the borders of its `lanes`, both from left to
     right, left positive; `markings` the lines there; `half` (n,) half the width of the drivable
-    ones. `stations` is arc length of the road and `reference` that of its root, in meters.
+    ones. `stations` is arc length of the road and `reference` that of its root, in meters;
+    `stretches`: what its lanes are covered by.
     """
 
     name: str
@@ -42,6 +45,7 @@ class Ribbon:
     markings: tuple[str, ...]
     closed: bool
     widened: bool
+    stretches: tuple[SurfaceStretch, ...] = ()
 
     def outline(self, inset: float = 0.0) -> Floats:
         """The polygon of all lanes, `inset` pixels narrower on each side."""
@@ -104,6 +108,7 @@ class Ribbon:
             markings=self.markings,
             closed=False,
             widened=self.widened,
+            stretches=self.stretches,
         )
 
     @cached_property
@@ -173,6 +178,7 @@ def ribbon_of(road: SceneRoad, viewport: Viewport) -> Ribbon:
         markings=section.markings,
         closed=road.closed,
         widened=bool(half.max() < _NARROWEST / 2),
+        stretches=surface_stretches(road, section.ids),
     )
 
 

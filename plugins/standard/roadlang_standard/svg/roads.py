@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from roadlang.api import junction_surface
+
 from . import palette
 from .junctions import curbs, heads, paint, shown_junctions, surface
-from .lanes import bands, lane_lines
+from .lanes import bands, covers, lane_lines
 from .markup import element, group, path_data
 
 if TYPE_CHECKING:
@@ -36,6 +38,11 @@ def roads(
     beside = [shape for ribbon in shown for shape in bands(ribbon, _edge(ribbon), inner=False)]
     top = [*areas, *(_roadway(ribbon, _edge(ribbon)) for ribbon in shown)]
     between = [shape for ribbon in shown for shape in bands(ribbon, 0.0, inner=True)]
+    covered = [shape for ribbon in shown for shape in covers(ribbon, _edge(ribbon))]
+    by_name = {road.name: road for road in scene.roads}
+    for place in places:
+        color = palette.SURFACES.get(junction_surface(place, by_name) or "")
+        covered += [surface(place, viewport, color)] if color else []
     casing += [_disc(x, y, radius) for x, y, radius, _ in discs]
     top += [_disc(x, y, radius - edge) for x, y, radius, edge in discs]
     return group(
@@ -44,6 +51,7 @@ def roads(
             group(beside, class_="lanes", stroke="none"),
             group(top, fill=palette.SURFACE, stroke="none"),
             group(between, class_="lanes", stroke="none"),
+            *([group(covered, class_="covers", stroke="none")] if covered else []),
             group(curb, class_="curbs"),
             group(_markings(marked, viewport), class_="markings"),
             group(paint(scene, places, viewport), class_="paint"),

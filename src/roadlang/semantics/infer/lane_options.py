@@ -5,11 +5,53 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
-from ...plugins.annotations import Flag, Integer, Length, Speed
-from ...plugins.option_types import CallType, ListType
+from ...ir.scene_surface import SURFACE_NAMES
+from ...plugins.annotations import Flag, Integer, Length, LengthInterval, Speed, Word
+from ...plugins.option_types import CallType, ListType, RecordType
 from ...plugins.options import option
 
 LaneList = Annotated[tuple[Any, ...], ListType(CallType("lane"))]
+
+
+@dataclass(frozen=True)
+class PatchOptions:
+    """A stretch of a road of another surface."""
+
+    surface: Word = option(words=SURFACE_NAMES, help="what it is covered by", example="wet")
+    over: LengthInterval = option(
+        None,
+        minimum=0,
+        help="interval of arc length of the root road; by default the whole road",
+        example="[40m, 60m]",
+    )
+    side: Word = option(
+        None, words=("left", "right"), help="only the lanes to this side of the center line"
+    )
+    lane: Integer = option(None, help="only the lane with this number", example="-1")
+    road: Integer = option(
+        None, minimum=0, help="in a network: only the road with this number", example="3"
+    )
+
+
+Patches = Annotated[tuple[Any, ...], ListType(RecordType(PatchOptions))]
+
+
+@dataclass(frozen=True)
+class SurfaceOptions:
+    """Options of `road` and `network`: what they are made of or covered by."""
+
+    surface: Word = option(
+        None,
+        words=SURFACE_NAMES,
+        help="what it is made of or covered by; by default asphalt, wet or snowy by the weather",
+        example="gravel",
+    )
+    surface_patches: Patches = option(
+        None,
+        help="stretches of other surfaces, of some lanes or all; where some overlap the last one "
+        "counts",
+        example="[{ surface: wet, over: [40m, 60m], side: right }]",
+    )
 
 
 @dataclass(frozen=True)

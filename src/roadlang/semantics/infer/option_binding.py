@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from ...diagnostics import Code, Label, Span
 from ...ir.read_only import FrozenDict
-from ...ir.values import Entries, Options
+from ...ir.values import Entries, Items, Options
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema, schema_of
 from ...syntax.tree import nodes as ast
@@ -112,6 +112,8 @@ def infer_option(
             return check_condition(checker, value, inner)
         case opt.RecordType(record):
             return _record(checker, value, schema, record, inner)
+        case opt.ListType(opt.RecordType(record)) if isinstance(value, ast.ListValue):
+            return _records(checker, value, schema, record, inner)
         case opt.FileType():
             return check_file(checker, value, schema, inner)
         case opt.MapType(opt.KindNameType(verb)):
@@ -203,6 +205,23 @@ def _record(
         return None
     random = any(typed.random for typed in bound.stated.values())
     return TypedExpression(value.span, ty.MappingType(), Entries(bound.values), random)
+
+
+def _records(
+    checker: Checker, value: ast.ListValue, schema: OptionSchema, record: type, context: Context
+) -> TypedExpression | None:
+    """A list of maps, each with the options of the dataclass `record`."""
+    found: list[TypedExpression] = []
+    for number, item in enumerate(value.items):
+        inner = replace(context, place=f"{context.place}/{number}")
+        typed = _record(checker, item, schema, record, inner)
+        if typed is not None:
+            found.append(typed)
+    if len(found) < len(value.items):
+        return None
+    values = Items(tuple(typed.value for typed in found if typed.value is not None))
+    random = any(typed.random for typed in found)
+    return TypedExpression(value.span, ty.SequenceType(), values, random, items=tuple(found))
 
 
 def _word(key: ast.Word | ast.String) -> ast.Word:

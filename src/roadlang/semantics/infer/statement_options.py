@@ -22,7 +22,7 @@ from ...plugins.option_types import (
     UnionType,
 )
 from ...plugins.options import option
-from .lane_options import CrossSectionOptions
+from .lane_options import CrossSectionOptions, SurfaceOptions
 
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
@@ -90,7 +90,7 @@ class FormulaOptions:
 
 
 @dataclass(frozen=True)
-class NetworkOptions(CrossSectionOptions):
+class NetworkOptions(SurfaceOptions, CrossSectionOptions):
     """Options of `network`."""
 
     moved_at: Places = option(
@@ -115,7 +115,7 @@ class NetworkOptions(CrossSectionOptions):
 
 
 @dataclass(frozen=True)
-class RoadOptions(CrossSectionOptions):
+class RoadOptions(SurfaceOptions, CrossSectionOptions):
     """Options of `road`."""
 
     select: Selection = option(

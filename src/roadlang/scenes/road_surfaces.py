@@ -1,0 +1,173 @@
+"""What the roads of scenes are made of or covered by."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..diagnostics import Code, DiagnosticError, diagnose
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.evaluation import evaluate
+from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.kind_instance import scalar
+from ..ir.scenario import ScenarioNetwork, ScenarioRoad
+from ..ir.scene_road import SceneRoad
+from ..ir.scene_surface import SurfaceName, SurfacePatch
+from ..ir.values import Value
+from ..world.roads import road_root
+from .scene_rows import SceneRows
+
+SURFACE_OPTIONS = ("surface", "surface_patches")
+Statement = ScenarioRoad | ScenarioNetwork
+
+
+@dataclass(frozen=True)
+class _Patch:
+    """A stretch by arc lengths of the root road; `lane` 0 and `side` "" are all lanes."""
+
+    surface: SurfaceName
+    start: float
+    end: float
+    lane: int = 0
+    side: str = ""
+    road: int | None = None
+
+
+@dataclass(frozen=True)
+class _Cover:
+    """What is said of one road or network in one candidate."""
+
+    surface: SurfaceName | None
+    patches: tuple[_Patch, ...]
+
+
+def covered(
+    roads: Sequence[SceneRoad], source: Statement, rows: SceneRows, ids: Sequence[int] = ()
+) -> list[SceneRoad]:
+    """A road of each scene with what its statement, or what it is made from, says of its surface.
+
+    `ids`: of the roads of a network. Raises RL411 for a patch on another one, RL414 for one that is
+    not on its road, RL613 for one on a lane that this does not have.
+    """
+    said = list(_said(source, rows.scenario))
+    if not said:
+        return list(roads)
+    if not rows.differ(*said):
+        cover = _checked(_cover(source, rows.alone(0)), source, ids)
+        made = {id(road): _with(road, source, cover) for road in roads}
+        return [made[id(road)] for road in roads]
+    covers = rows.each(lambda candidate: _checked(_cover(source, candidate), source, ids))
+    return [_with(road, source, cover) for road, cover in zip(roads, covers, strict=True)]
+
+
+def _checked(cover: _Cover, source: Statement, ids: Sequence[int]) -> _Cover:
+    for patch in cover.patches:
+        if patch.road is not None and patch.road not in ids:
+            help_ = f"its roads are {', '.join(map(str, ids))}" if ids else "leave `road` out"
+            raise DiagnosticError(
+                diagnose(Code.UNKNOWN_ROAD_ID, source.span, id=patch.road, help=help_)
+            )
+    return cover
+
+
+def _said(source: Statement, scenario: IndexedScenario) -> list[Value]:
+    """All that is written of the surface of a road, and of those that it is joined of."""
+    chain = _chain(source, scenario)
+    found = [
+        link.options[name] for link in chain for name in SURFACE_OPTIONS if name in link.options
+    ]
+    for link in chain:
+        for part in scenario.joined_roads(link) if isinstance(link, ScenarioRoad) else ():
+            found += _said(part, scenario)
+    return found
+
+
+def _chain(source: Statement, scenario: IndexedScenario) -> list[Statement]:
+    return [
+        link for link in scenario.chain(source) if isinstance(link, ScenarioRoad | ScenarioNetwork)
+    ]
+
+
+def _cover(source: Statement, candidates: CandidateBatch) -> _Cover:
+    chain = _chain(source, candidates.scenario)
+    written = next((link.options["surface"] for link in chain if "surface" in link.options), None)
+    # A patch of a network counts along one of its roads, which is not what is selected from it.
+    alike = [link for link in chain if type(link) is type(source)]
+    listed = (link for link in alike if "surface_patches" in link.options)
+    patches = next((link.options["surface_patches"] for link in listed), None)
+    surface = None if written is None else scalar(evaluate(written, candidates))
+    below: tuple[_Patch, ...] = ()
+    if written is None and alike and isinstance(alike[-1], ScenarioRoad):
+        below = _of_parts(alike[-1], candidates)
+    own = () if patches is None else evaluate(patches, candidates)
+    return _Cover(surface, (*below, *map(_patch, own)))
+
+
+def _patch(written: Any) -> _Patch:
+    said = {name: scalar(value) for name, value in dict(written).items()}
+    start, end = said.get("over", (0.0, np.inf))
+    road = said.get("road")
+    return _Patch(
+        said["surface"], float(start), float(end), int(said.get("lane", 0)), said.get("side", ""),
+        None if road is None else int(road),
+    )  # fmt: skip
+
+
+def _of_parts(road: ScenarioRoad, candidates: CandidateBatch) -> tuple[_Patch, ...]:
+    """Those that a joined road has of its parts."""
+    parts = candidates.scenario.joined_roads(road)
+    if not parts:
+        return ()
+    starts = road_root(road.name, candidates).starts
+    found: list[_Patch] = []
+    for part, start, end in zip(parts, starts, (*starts[1:], np.inf), strict=True):
+        cover = _cover(part, candidates)
+        if cover.surface is not None:
+            found.append(_Patch(cover.surface, start, end))
+        found += [
+            replace(patch, start=start + patch.start, end=min(start + patch.end, end))
+            for patch in cover.patches
+        ]
+    return tuple(found)
+
+
+def _with(road: SceneRoad, source: Statement, cover: _Cover) -> SceneRoad:
+    patches = [
+        _placed(patch, road, source) for patch in cover.patches if patch.road in (None, road.edge)
+    ]
+    return replace(road, surface=cover.surface, surface_patches=tuple(patches))
+
+
+def _placed(patch: _Patch, road: SceneRoad, source: Statement) -> SurfacePatch:
+    last = road.length if road.closed else road.stations[-1]
+    root = road.reference_stations
+    root = (*root, 2.0 * root[-1] - root[-2]) if road.closed else root
+    stations = (*road.stations, last) if road.closed else road.stations
+    if not patch.start < patch.end or (patch.start >= root[-1] and road.network is None):
+        interval = f"[{patch.start:g}m, {patch.end:g}m]"
+        reason = f"the road is {root[-1]:.1f}m long"
+        if patch.start >= patch.end:
+            reason = "it has no length"
+        raise DiagnosticError(
+            diagnose(
+                Code.INTERVAL_OFF_ROAD, source.span, interval=interval, road=road.name,
+                reason=reason,
+            )
+        )  # fmt: skip
+    ids = tuple(lane.id for lane in road.lane_list)
+    if patch.lane and patch.lane not in ids:
+        help_ = f"its lanes are {', '.join(map(str, ids))}"
+        raise DiagnosticError(
+            diagnose(Code.UNKNOWN_LANE, source.span, road=road.name, lane=patch.lane, help=help_)
+        )
+    start, end = np.interp((patch.start, min(patch.end, 1e9)), root, stations).tolist()
+    chosen = {
+        "": ids,
+        "left": tuple(id for id in ids if id > 0),
+        "right": tuple(id for id in ids if id < 0),
+    }[patch.side]
+    lanes = tuple(id for id in chosen if patch.lane in (0, id))
+    return SurfacePatch(patch.surface, start, end, () if lanes == ids else lanes)
