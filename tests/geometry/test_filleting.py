@@ -84,3 +84,12 @@ def test_lines_that_turn_right_back_are_refused_with_the_place() -> None:
         filleted([(0, 0), (50, 0), (10, 0)], radius=5.0)
     with pytest.raises(GeometryError, match=r"turn right back at \(0 m, 0 m\)"):
         filleted([(0, 0), (50, 0), (50, 9), (90, 0)], radius=5.0, closed=True)
+
+
+def test_corners_that_hardly_turn_are_passed_straight() -> None:
+    """Their fillets would be shorter than points of a curve may be apart."""
+    points = np.column_stack((np.arange(0.0, 60.0, 0.5), np.zeros(120)))
+    points[:, 1] += 4e-10 * (-1.0) ** np.arange(120)
+    curve = filleted(points, radius=15.0)
+    assert curve.length == pytest.approx(59.5)
+    assert curve.at([0.0, curve.length]) == pytest.approx(points[[0, -1]], abs=1e-6)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from roadlang.api import ANGLE, Backend, option, pair_of
+
+from .place_on_earth import stated_origin
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -25,6 +26,10 @@ class Lanelet2Backend(Backend):
         help="latitude and longitude of (0, 0); by default that of the source map, else (0, 0)",
     )
 
+    def __post_init__(self) -> None:
+        """Raises RL480 for an origin that is not on Earth."""
+        stated_origin(self.origin)
+
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
         """It is of roads."""
         if not (contents.roads or contents.networks):
@@ -33,7 +38,4 @@ class Lanelet2Backend(Backend):
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .lanelet2.document import document
 
-        at = None
-        if self.origin is not None:
-            at = math.degrees(self.origin[0]), math.degrees(self.origin[1])
-        return {"lanelet2.osm": document(scene, at)}
+        return {"lanelet2.osm": document(scene, stated_origin(self.origin))}

@@ -9,6 +9,7 @@ from roadlang.api import hookimpl
 _KINDS = {
     "emit commonroad": "emit_commonroad:CommonRoadBackend",
     "emit lanelet2": "emit_lanelet2:Lanelet2Backend",
+    "emit geojson": "emit_geojson:GeoJsonBackend",
     "emit gltf": "emit_gltf:GltfBackend",
     "emit mujoco": "emit_mujoco:MujocoBackend",
     "emit road_mask": "emit_road_mask:RoadMaskBackend",

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from roadlang.api import ANGLE, Flag, Length, OptionError, Reader, option, pair_of
+from roadlang.api import ANGLE, Flag, Length, Reader, option, pair_of
+
+from .place_on_earth import stated_origin
 
 if TYPE_CHECKING:
     from .osm_map.network import OsmOptions
@@ -27,20 +28,12 @@ class StreetMap(Reader):
     buildings: Flag = option(False, help="whether buildings become objects")
 
     def __post_init__(self) -> None:
-        """Raises RL480 for an origin that is not on the earth."""
-        latitude, longitude = map(math.degrees, self.origin or (0.0, 0.0))
-        if abs(latitude) > 90.0:
-            raise OptionError("origin", f"has the latitude {latitude:g}deg; the poles are at 90deg",
-                "it is written `(latitude, longitude)`")  # fmt: skip
-        if abs(longitude) > 180.0:
-            raise OptionError("origin", f"has the longitude {longitude:g}deg, beyond 180deg")
+        """Raises RL480 for an origin that is not on Earth."""
+        stated_origin(self.origin)
 
     def street_options(self, service: bool) -> OsmOptions:
         """As the network is made with them. `service`: with service roads."""
         from .osm_map.network import OsmOptions
 
-        origin = None
-        if self.origin is not None:
-            latitude, longitude = self.origin
-            origin = math.degrees(latitude), math.degrees(longitude)
+        origin = stated_origin(self.origin)
         return OsmOptions(origin, self.lane_width, self.traffic == "left", service, self.buildings)

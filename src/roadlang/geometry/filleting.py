@@ -16,6 +16,10 @@ from .spline import PiecewiseCubic, hermite
 
 _LARGEST_SHARE = 0.45
 _STRAIGHT = 1e-9
+_SHORTEST = 1e-6
+"""Meters of a line or an arc."""
+_SHORTEST_SHARE = 1e-9
+"""The same as a share of the extent, below which a curve has points that coincide."""
 _SHARPEST = np.radians(179.0)
 
 
@@ -88,6 +92,8 @@ def filleted(points: ArrayLike, radius: float, closed: bool = False) -> Curve:
         raise GeometryError(f"the lines turn right back at ({place[0]:g} m, {place[1]:g} m)")
     tangents = np.tan(np.abs(turns) / 2.0)
     cuts = np.minimum(radius * tangents, np.minimum(lengths[:-1], lengths[1:]) / 2.0)
+    shortest = max(_SHORTEST, _SHORTEST_SHARE * float(norm(np.ptp(corners, axis=0))))
+    cuts[cuts < shortest] = 0.0
     if closed:  # the last corner is that at the first point
         legs, lengths = legs[:-1], lengths[:-1]
         before, after = np.roll(cuts, 1), cuts
@@ -98,9 +104,9 @@ def filleted(points: ArrayLike, radius: float, closed: bool = False) -> Curve:
     pieces: list[Straight | Arc] = []
     for index, length in enumerate(lengths):
         rest = float(length - before[index] - after[index])
-        if rest > _STRAIGHT * length:
+        if rest > shortest:
             pieces.append(Straight(rest))
-        if index < len(turns) and abs(turns[index]) > _STRAIGHT:
+        if index < len(turns) and cuts[index] > 0.0:
             pieces.append(Arc(float(cuts[index] / tangents[index]), float(turns[index])))
     heading = float(np.arctan2(legs[0, 1], legs[0, 0]))
     return chain(pieces, start, heading, spacing=0.5).curve(closed)

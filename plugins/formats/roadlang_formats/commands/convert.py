@@ -30,6 +30,7 @@ KINDS = {
     ".mjcf.xml": "mujoco",
     ".cr.xml": "commonroad",
     ".lanelet2.osm": "lanelet2",
+    ".geojson": "geojson",
 }
 """The kind of `emit` for each file name extension."""
 _QUOTES = {'"': "&quot;"}

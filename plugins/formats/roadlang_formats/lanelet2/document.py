@@ -9,6 +9,7 @@ from xml.etree.ElementTree import indent, tostring
 from roadlang_formats.lanelets.model import Lanelet, LaneletMap
 from roadlang_formats.lanelets.network import lanelet_map
 from roadlang_formats.local_projection import LocalProjection
+from roadlang_formats.place_on_earth import map_origin
 
 from .primitives import Primitives, Tags
 from .regulatory_elements import RegulatoryElements
@@ -37,8 +38,7 @@ _TURNS = {"left": "left", "straight": "straight", "right": "right", "u": "left"}
 
 def document(scene: Scene, origin: tuple[float, float] | None) -> str:
     """The map of a scene, whose (0, 0) is at `origin`: latitude and longitude, degrees."""
-    found = [network.origin for network in scene.networks if network.origin is not None]
-    at = origin or (found[0] if found else (0.0, 0.0))
+    at = origin or map_origin(scene) or (0.0, 0.0)
     lanelets = lanelet_map(scene, TOLERANCE)
     left_hand = scene.world.get("traffic") == "left"
     ids = written_lanelets(lanelets)

@@ -8,6 +8,7 @@ from xml.etree.ElementTree import Element, indent, tostring
 import numpy as np
 
 from roadlang_formats.opendrive_map.both_ways import REVERSE_OF
+from roadlang_formats.place_on_earth import map_origin
 
 from .connecting_roads import ConnectingRoad, put_connecting_road
 from .elements import linear_pieces, put
@@ -87,12 +88,11 @@ def _put_header(
 
 def _place(scene: Scene) -> str:
     """The projection of the map that the scene was made from, where it says where (0, 0) is."""
-    for network in scene.networks:
-        if network.origin is not None:
-            latitude, longitude = network.origin
-            at = f"+lat_0={latitude!r} +lon_0={longitude!r}"
-            return f"+proj=tmerc {at} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"
-    return ""
+    origin = map_origin(scene)
+    if origin is None:
+        return ""
+    at = f"+lat_0={origin[0]!r} +lon_0={origin[1]!r}"
+    return f"+proj=tmerc {at} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"
 
 
 def _name(part: OpenDriveRoad) -> str:

@@ -1,0 +1,172 @@
+"""`emit geojson`: where things are on Earth, and what `read with geojson` makes of it."""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang import DiagnosticError, testing
+from roadlang.api import Scene
+from roadlang.geometry import Curve, Floats
+from roadlang_formats.emit_geojson import GeoJsonBackend
+from roadlang_formats.local_projection import LocalProjection
+from roadlang_formats.read_geojson import GeoJson
+from tests.formats.test_local_projection import kruger
+from tests.formats.test_read_osm import osm, way
+
+ORIGIN = (math.radians(48.1), math.radians(11.6))
+TOWN = '''image plan from """
+....#....
+#########
+....#....
+....#....
+""" { scale: 40m/px }
+network plain from plan { lanes: 2, sidewalks: 2m, speed_limit: 50km/h }
+network town from plain { perturb with sine { amplitude: 4m, wavelength: 90m } }
+object home is building at (30m, 30m) { heading: 30deg }
+agent ego is car on town at random { drive with car_follow { speed: 8m/s } }
+'''
+LOOP = """road loop {
+  draw with waypoints { points: [(0m, 0m), (80m, 0m), (80m, 60m), (0m, 60m)] }
+  closed: true, lanes: 2, oneway: true
+}
+"""
+
+
+@cache
+def scene_of(text: str) -> Scene:
+    return testing.sample(text)[0].record
+
+
+def features(scene: Scene, **options: Any) -> list[dict[str, Any]]:
+    found = json.loads(GeoJsonBackend(**{"origin": ORIGIN, **options}).files(scene)["geojson"])
+    assert found["type"] == "FeatureCollection"
+    return list(found["features"])
+
+
+def of_type(found: list[dict[str, Any]], type: str) -> list[dict[str, Any]]:
+    return [feature for feature in found if feature["properties"]["type"] == type]
+
+
+def meters(line: list[list[float]]) -> Floats:
+    projection = LocalProjection(*map(math.degrees, ORIGIN))
+    return np.array([projection.point(latitude, longitude) for longitude, latitude in line])
+
+
+def area(ring: Floats) -> float:
+    (x, y) = (ring - ring[0]).T
+    return float(x[:-1] @ y[1:] - x[1:] @ y[:-1]) / 2
+
+
+def test_longitude_is_first_and_places_are_those_of_the_exact_projection() -> None:
+    road = "road main { draw with waypoints { points: [(-400m, 300m), (900m, 300m)] } }"
+    (found,) = features(scene_of(road), lanes=False)
+    ends = []
+    for longitude, latitude in found["geometry"]["coordinates"][::-1]:
+        x, y = kruger(latitude, longitude, 11.6)
+        ends.append((x, y - kruger(48.1, 11.6, 11.6)[1]))
+    assert np.array(ends[-1]) == pytest.approx((-400, 300), abs=1e-3)
+    assert np.array(ends[0]) == pytest.approx((900, 300), abs=1e-3)
+
+
+def test_roads_and_buildings_are_read_back_within_a_centimeter(tmp_path: Path) -> None:
+    scene = scene_of(TOWN)
+    path = tmp_path / "town.geojson"
+    path.write_text(GeoJsonBackend(origin=ORIGIN).files(scene)["geojson"])
+    again = GeoJson(origin=ORIGIN, buildings=True).read(path)
+    written = [road for road in scene.roads if road.derived]
+    assert len(again.network.edges) == len(written) == 4
+    assert sorted(again.network.degree(node.id) for node in again.network.nodes) == [1, 1, 1, 1, 4]
+    for road, edge in zip(written, again.network.edges, strict=True):
+        curve = Curve.hermite(np.column_stack((road.x, road.y)), road.heading)
+        for one, other in ((curve, edge.curve), (edge.curve, curve)):
+            points = one.at(np.linspace(0, one.length, 200))
+            assert np.abs(other.project(points)[1]).max() < 0.01
+        assert edge.cross_section is not None
+        lanes = edge.cross_section.lanes
+        assert [(lane.id, lane.speed_limit) for lane in lanes] == [
+            (id, pytest.approx(50 / 3.6, abs=1e-4)) for id in (1, -1)
+        ]
+    (home,), (place,) = again.objects, scene.objects
+    assert (home.x, home.y) == pytest.approx((place.x, place.y), abs=0.01)
+    sizes = sorted((home.length, home.width)), sorted((place.length, place.width))
+    assert sizes[0] == pytest.approx(sizes[1], abs=0.02)
+
+
+def test_areas_are_closed_run_counterclockwise_and_cover_the_road() -> None:
+    scene = scene_of(TOWN)
+    found = features(scene)
+    assert len({feature["id"] for feature in found}) == len(found)
+    rings = {
+        feature["id"]: meters(feature["geometry"]["coordinates"][0])
+        for feature in found
+        if feature["geometry"]["type"] == "Polygon"
+    }
+    for ring in rings.values():
+        assert (ring[0] == ring[-1]).all()
+        assert area(ring) > 0
+    for road in (road for road in scene.roads if road.derived):
+        names = [f"road {road.name}, lane {id}" for id in (1, -1)]
+        full = (road.length - sum(road.trim)) * road.width[0]
+        assert sum(area(rings[name]) for name in names) == pytest.approx(full, rel=0.01)
+    (ego,) = scene.agents
+    assert rings["agent ego"][:4].mean(axis=0) == pytest.approx((ego.x, ego.y), abs=1e-3)
+    front = rings["agent ego"][[0, 3]].mean(axis=0) - (ego.x, ego.y)
+    (properties,) = (item["properties"] for item in of_type(found, "agent"))
+    bearing = math.degrees(math.atan2(front[0], front[1])) % 360
+    assert properties["bearing"] == pytest.approx(bearing, abs=0.05)
+    assert properties["speed"] == 8.0
+
+
+def test_lanes_of_a_loop_are_rings_with_a_hole() -> None:
+    scene = scene_of(LOOP)
+    found = features(scene)
+    (line,) = of_type(found, "road")
+    assert line["geometry"]["coordinates"][0] == line["geometry"]["coordinates"][-1]
+    assert line["properties"]["oneway"] == "yes"
+    total = 0.0
+    for lane in of_type(found, "lane"):
+        outer, inner = (area(meters(ring)) for ring in lane["geometry"]["coordinates"])
+        assert outer > 0 > inner
+        total += outer + inner
+    (road,) = scene.roads
+    assert total == pytest.approx(road.length * road.width[0], rel=0.01)
+
+
+def test_the_origin_is_that_of_the_map(tmp_path: Path) -> None:
+    path = tmp_path / "town.osm"
+    path.write_text(osm(way(1, "31 33 35", name="Main"), way(2, "13 33 53")))
+    scene = scene_of(f'network town from "{path}"\n')
+    roads = of_type(features(scene, origin=None), "road")
+    ends = {tuple(np.round(road["geometry"]["coordinates"][0], 7)) for road in roads}
+    assert ends == {(11.001, 48.003), (11.003, 48.003), (11.003, 48.001)}
+    assert [road["properties"].get("name") for road in roads] == ["Main", "Main", None, None]
+
+
+def test_longitudes_stay_within_half_a_turn() -> None:
+    road = "road main { draw with waypoints { points: [(500m, 0m), (900m, 0m)] } }"
+    (found,) = features(scene_of(road), origin=(0.2, math.radians(179.999)), lanes=False)
+    assert all(-180 <= x < -179 for x, _ in found["geometry"]["coordinates"])
+
+
+def test_a_scene_that_is_nowhere_is_refused() -> None:
+    with pytest.raises(DiagnosticError, match="no map says where on Earth") as caught:
+        features(scene_of("road main { draw with segments { pieces: [straight(50m)] } }"),
+                 origin=None)  # fmt: skip
+    assert caught.value.diagnostics[0].code == "RL480"
+
+
+@pytest.mark.parametrize("kind", ["geojson", "lanelet2"])
+@pytest.mark.parametrize(
+    ("origin", "word"), [("(148deg, 11deg)", "poles"), ("(1deg, 200deg)", "beyond 180")]
+)
+def test_origins_that_are_not_on_earth_are_reported(kind: str, origin: str, word: str) -> None:
+    road = "road main { draw with segments { pieces: [straight(50m)] } }\n"
+    with pytest.raises(DiagnosticError, match=word):
+        testing.sample(f"{road}emit {kind} {{ origin: {origin} }}")
