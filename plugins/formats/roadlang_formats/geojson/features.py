@@ -133,12 +133,13 @@ def standing_features(actors: Sequence[SceneActor], type: str) -> Iterator[Featu
             "type": type,
             "name": actor.name,
             "kind": actor.kind,
+            "category": actor.category,
             "bearing": round((90.0 - math.degrees(actor.heading)) % 360.0, 6),
             "length": round(actor.length, 6),
             "width": round(actor.width, 6),
             "height": round(actor.height, 6),
         }
-        if actor.kind == "building":
+        if actor.category == "building":
             properties["building"] = "yes"
         if actor.start_speed is not None:
             properties["speed"] = round(actor.start_speed, 6)
