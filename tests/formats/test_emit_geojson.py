@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from roadlang import DiagnosticError, testing
 from roadlang.api import Scene
@@ -17,6 +18,7 @@ from roadlang.geometry import Curve, Floats
 from roadlang_formats.emit_geojson import GeoJsonBackend
 from roadlang_formats.local_projection import LocalProjection
 from roadlang_formats.read_geojson import GeoJson
+from roadlang_formats.road_mask import road_mask
 from tests.formats.test_local_projection import kruger
 from tests.formats.test_read_osm import osm, way
 
@@ -147,6 +149,28 @@ def test_the_origin_is_that_of_the_map(tmp_path: Path) -> None:
     ends = {tuple(np.round(road["geometry"]["coordinates"][0], 7)) for road in roads}
     assert ends == {(11.001, 48.003), (11.003, 48.003), (11.003, 48.001)}
     assert [road["properties"].get("name") for road in roads] == ["Main", "Main", None, None]
+
+
+def test_roads_of_a_picture_are_where_its_lower_left_corner_says(tmp_path: Path) -> None:
+    truth = scene_of(TOWN)
+    mask = road_mask(truth, 0.5, 10.0)
+    (tmp_path / "top.png").write_bytes(mask.png())
+    (tmp_path / "top.pgw").write_text(mask.world_file())
+    found = scene_of(
+        f'image top from "{tmp_path}/top.png" {{ legend: {{ "white": road }} }}\n'
+        "network town from top { extract with pixels }\n"
+    )
+    corner = LocalProjection(*map(math.degrees, ORIGIN)).place(mask.left, mask.bottom)
+    again = features(found, origin=tuple(map(math.radians, corner)))
+    places = [[meters(road["geometry"]["coordinates"]) for road in of_type(all, "road")]
+              for all in (features(truth), again)]  # fmt: skip
+    all_curves = [[Curve.through(line) for line in lines] for lines in places]
+    there, back = (
+        np.vstack([curve.at(np.linspace(0, curve.length, 200)) for curve in curves])
+        for curves in all_curves
+    )
+    for one, other in ((there, back), (back, there)):
+        assert np.median(cKDTree(one).query(other)[0]) < 0.5
 
 
 def test_longitudes_stay_within_half_a_turn() -> None:
