@@ -42,3 +42,8 @@ def surface(height: int, width: int, *bands: tuple[slice, slice]) -> np.ndarray:
     for band in bands:
         layer[band] = 1.0
     return layer
+
+
+def picture(text: str) -> np.ndarray:
+    """True where a text has `#`."""
+    return np.array([[c == "#" for c in row.strip()] for row in text.strip().splitlines()])
