@@ -158,6 +158,7 @@ def test_a_fault_in_one_map_writes_nothing(folder: Path) -> None:
         ("a: *b", "RL936", "night.yaml:1:4", "undefined alias"),
         ("a: 1\n---\nb: 1", "RL936", "night.yaml:2:1", "document"),
         ("a: \x01", "RL936", "night.yaml", "special characters"),
+        ("sides: !mine [1m, 2m]", "RL937", "night.yaml:1:8", "cannot have this value"),
         ("a: !!python/object:os.system x", "RL937", "night.yaml:1:4", "cannot have this value"),
     ],
 )
