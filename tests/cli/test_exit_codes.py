@@ -51,3 +51,8 @@ def test_a_number_of_an_option_is_finite(line: str, number: str, tmp_path: Path)
     done = roadlang(*line.split(), number, cwd=tmp_path)
     assert done.returncode == 2
     assert "Invalid value for" in done.stderr
+
+
+@pytest.mark.parametrize("command", ["mine", "monitor", "run", "falsify"])
+def test_help_states_no_bounds_that_there_are_not(command: str, tmp_path: Path) -> None:
+    assert "None" not in roadlang(command, "--help", cwd=tmp_path).stdout

@@ -1,4 +1,4 @@
-"""Numbers within bounds, as options of commands."""
+"""Numbers as options of commands."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any
 import click
 
 
-class FiniteRange(click.FloatRange):
-    """A number between bounds. `click.FloatRange` takes `nan` and `inf` for one."""
+class FiniteNumber(click.types.FloatParamType):
+    """A number. `click.FLOAT` takes `nan` and `inf` for one."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
@@ -19,3 +19,7 @@ class FiniteRange(click.FloatRange):
         if not math.isfinite(number):
             self.fail(f"{value!r} is not a finite number.", param, ctx)
         return number
+
+
+class FiniteRange(FiniteNumber, click.FloatRange):
+    """A number between bounds."""

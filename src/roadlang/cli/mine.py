@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from .console import echo, report
-from .finite_range import FiniteRange
+from .finite_range import FiniteNumber
 
 if TYPE_CHECKING:
     from ..stl.explain.mining import Mined, Parameter
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--margin",
-    type=FiniteRange(),
+    type=FiniteNumber(),
     help="Minimum robustness; by default the formula only has to hold.",
 )
 @click.option(

@@ -10,7 +10,7 @@ import click
 
 from . import exit_codes
 from .console import echo, report
-from .finite_range import FiniteRange
+from .finite_range import FiniteNumber
 
 if TYPE_CHECKING:
     from ..stl import Formula
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--wrap",
-    type=FiniteRange(),
+    type=FiniteNumber(),
     metavar="LENGTH",
     help="Length of the closed road that the traces go around.",
 )
