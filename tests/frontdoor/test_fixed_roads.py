@@ -64,7 +64,7 @@ def test_check_says_what_would_stop_every_scene(
 ) -> None:
     (fault,) = roadlang.loads(text, folder=folder).check()
     assert fault.span is not None
-    assert (fault.code, fault.span.line) == (code, line)
+    assert (fault.code, fault.span.line, fault.path) == (code, line, None)
 
 
 @pytest.mark.parametrize(

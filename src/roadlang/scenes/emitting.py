@@ -130,7 +130,7 @@ class OutputNames:
                     self._calls[output.backend].span,
                     first=self._names[output.path],
                     second=output.backend,
-                    path=f"`{output.path}`",
+                    files=f"`{output.path}`",
                 )
             )
         self._names[output.path] = output.backend

@@ -21,8 +21,8 @@ def equal_outputs(scenario: IndexedScenario) -> Iterator[Diagnostic]:
         entry, kind = scenario.kind(call)
         written = replace(call, place="", span=None)
         if written in seen and any(implements(kind, name) for name in ("files", "collection")):
-            name, path = entry.recorded, "the same files"
-            yield diagnose(Code.DUPLICATE_OUTPUT, call.span, first=name, second=name, path=path)
+            name, files = entry.recorded, "the same files"
+            yield diagnose(Code.DUPLICATE_OUTPUT, call.span, first=name, second=name, files=files)
         seen.add(written)
 
 
