@@ -54,7 +54,7 @@ def _advice(limits: Constraints, dimension: Dimension, is_drawn: bool) -> str:
     allowed = " and ".join(ends)
     if limits.minimum is not None and limits.maximum is not None:
         allowed = f"`{low}` to `{high}`"
-    drawn = "a random value keeps to the bounds over its whole range: " if is_drawn else ""
+    drawn = "every value that can be drawn must be allowed: " if is_drawn else ""
     return f"{drawn}write {allowed}"
 
 
