@@ -76,6 +76,24 @@ def test_scenes_of_the_first_schema_are_read() -> None:
     assert read.schema == "roadlang.scene/2"
 
 
+def test_agents_and_objects_of_earlier_scenes_get_a_category() -> None:
+    """By their kinds, else by their sizes; scenes of the present version state it."""
+    sizes = {"pedestrian": (0.4, 0.6, 1.75), "standard.bus": (12.0, 2.5, 3.1)}
+    sizes["rig"] = (9.0, 2.5, 3.4)
+    agent = bend().agents[0]
+    agents = tuple(
+        replace(agent, name=kind, kind=kind, length=size[0], width=size[1], height=size[2])
+        for kind, size in sizes.items()
+    )
+    things = tuple(replace(agent, name=kind, kind=kind) for kind in ("tree", "parked_van", "rig"))
+    record = json.loads(to_json(replace(bend(), agents=agents, objects=things)))
+    for actor in record["agents"] + record["objects"]:
+        del actor["category"]
+    read = scene_from_json(json.dumps(record))
+    assert [actor.category for actor in read.agents] == ["pedestrian", "bus", "truck"]
+    assert [actor.category for actor in read.objects] == ["tree", "van", "obstacle"]
+
+
 def test_signals_of_the_first_schema_get_their_present_names() -> None:
     """`cross_track` became `cross_track_error`, and the operands of `distance` were renamed."""
     scene = bend()

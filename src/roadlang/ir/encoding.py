@@ -41,9 +41,9 @@ def scene_from_json(text: str | bytes) -> Scene:
     import msgspec
 
     from .scene import Scene
-    from .scene_versions import current
+    from .scene_versions import current, with_categories
 
-    return msgspec.convert(current(msgspec.json.decode(text)), type=Scene)
+    return with_categories(msgspec.convert(current(msgspec.json.decode(text)), type=Scene))
 
 
 def _refuse_non_finite(value: Any, place: str) -> None:

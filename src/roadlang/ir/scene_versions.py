@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
+from .category import AGENTS, OBJECTS, category_by_size
 from .renamed_words import KINDS, OPERANDS, OPTIONS
-from .scene import SCENE_SCHEMA
+from .scene import SCENE_SCHEMA, Scene, SceneActor
 
 
 class UnknownSceneSchema(ValueError):
@@ -24,6 +27,30 @@ def current(record: Any) -> Any:
     if found == "roadlang.scene/1":
         return {**_renamed(record), "schema": SCENE_SCHEMA}
     raise UnknownSceneSchema(f"the schema is {found!r}, not {SCENE_SCHEMA!r} or 'roadlang.scene/1'")
+
+
+def with_categories(scene: Scene) -> Scene:
+    """A scene whose agents and objects all have a category, which earlier versions did not write.
+
+    It is the name of the kind if that is one; else that of a vehicle of this size, or an obstacle.
+    """
+    agents, objects = _categorized(scene.agents, AGENTS), _categorized(scene.objects, OBJECTS)
+    return replace(scene, agents=agents, objects=objects)
+
+
+def _categorized(actors: Sequence[SceneActor], names: Sequence[str]) -> tuple[SceneActor, ...]:
+    return tuple(
+        actor if actor.category else replace(actor, category=_category(actor, names))
+        for actor in actors
+    )
+
+
+def _category(actor: SceneActor, names: Sequence[str]) -> str:
+    name = actor.kind.rpartition(".")[2].removeprefix("parked_")
+    if name in names:
+        return name
+    is_agent = names is AGENTS
+    return category_by_size(actor.length, actor.width, actor.height) if is_agent else "obstacle"
 
 
 def _renamed(value: Any) -> Any:
