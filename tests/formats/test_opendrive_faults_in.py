@@ -35,6 +35,20 @@ FAULTS = {
         straight(1, 0, 0, inside='<objects><object type="tree" s="1" t="9e5"/></objects>'),
         "900000 m away",
     ),
+    "huge objects": (
+        straight(1, 0, 0, inside='<objects><object type="barrier" s="1" length="600"/></objects>'),
+        "`length` of an object is 600 m, and 500 m is the most",
+    ),
+    "far copies": (
+        straight(
+            1,
+            0,
+            0,
+            inside='<objects><object type="tree" s="1" t="9">'
+            '<repeat s="0" length="9" distance="3" tEnd="900"/></object></objects>',
+        ),
+        "900 m away",
+    ),
     "endless objects": (
         straight(
             1,
@@ -67,6 +81,7 @@ def test_faults_are_reported_with_their_lines(tmp_path: Path, fault: str) -> Non
     assert (found.code, found.span.source.path) == ("RL479", "town.xodr")
     assert found.span.line == (6 if fault == "twice" else 5)
     assert word in found.message
+    assert ("objects: false" in "".join(found.help)) == ("object" in found.message)
 
 
 def test_a_file_cut_off_is_reported_where_it_ends(tmp_path: Path) -> None:

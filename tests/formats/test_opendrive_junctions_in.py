@@ -180,3 +180,17 @@ def test_roads_are_linked_across_one_without_length(tmp_path: Path) -> None:
     scene = sampled(tmp_path, xodr(*roads))
     assert {road.name for road in scene.roads} == {"town/1", "town/3"}
     assert turns_of(scene) == {("town/1", -1, "town/3", -2)}
+
+
+def test_roads_are_linked_to_a_junction_across_one_without_length(tmp_path: Path) -> None:
+    """Road 9 lies between road 1 and the junction: the turns are those without it."""
+    head, _, arm = crossing().partition('<road id="1"')
+    arm, found, rest = arm.partition("</road>")
+    arm = arm.replace('"junction" elementId="100"', '"road" elementId="9" contactPoint="start"')
+    both = section(0, [lane(1, inside=linked(1))], [lane(-1, inside=linked(-1))])
+    nothing = road(9, 1e-6, piece(0, -10, 0, 0.0, 1e-6), both,
+        inside=link(predecessor="road 1 end", successor="junction 100"))  # fmt: skip
+    rest = rest.replace('elementId="1"', 'elementId="9"').replace('Road="1"', 'Road="9"')
+    scene = sampled(tmp_path, f'{head}<road id="1"{arm}{found}{nothing}{rest}')
+    assert {road.name for road in scene.roads} == {"town/1", "town/2", "town/3"}
+    assert turns_of(scene) == CROSSING_TURNS

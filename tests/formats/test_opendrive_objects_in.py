@@ -32,7 +32,9 @@ def thing(type: str, inside: str = "", **attributes: object) -> str:
 @pytest.mark.parametrize(("type", "name", "kind"), [
     ("tree", "", "tree"), ("vegetation", "bigHedge", "hedge"), ("pole", "", "pole"),
     ("pole", "StreetLamp", "lamp"), ("building", "", "building"), ("barrier", "", "barrier"),
-    ("barrier", "guardRail", "guardrail"), ("obstacle", "", "box"),
+    ("barrier", "guardRail", "guardrail"), ("obstacle", "", "box"), ("obstacle", "cabinet", "box"),
+    ("obstacle", "trafficCone1", "cone"), ("vegetation", "street_green", "bush"),
+    ("pole", "streetlight", "lamp"),
 ])  # fmt: skip
 def test_objects_have_the_kind_place_and_size_of_the_file(
     tmp_path: Path, type: str, name: str, kind: str

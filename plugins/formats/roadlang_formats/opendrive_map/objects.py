@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -46,7 +47,8 @@ _NAMED: Mapping[str, Mapping[str, str]] = {
     "obstacle": {"cone": "cone", "bench": "bench", "bin": "bin", "rock": "rock"},
     "vegetation": {"tree": "tree", "hedge": "hedge"},
 }
-"""Words in the names or subtypes of objects that say more than their types."""
+"""How words in the names or subtypes of objects begin or end that say more than their types."""
+_WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+")
 _SIZES: Mapping[str, tuple[float, float]] = {
     "tree": (4.0, 4.0),
     "building": (12.0, 10.0),
@@ -65,6 +67,7 @@ _SAGITTA, _LONGEST_PART = 0.1, 40.0
 """Meters: a barrier that follows its road becomes straight parts, this near to it and this long."""
 _MOST = 20_000
 """Objects of a map."""
+_HELP = "`read with opendrive { objects: false }` reads the map without its objects"
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,15 +92,16 @@ def objects_of(file: MapFile, roads: Mapping[str, BuiltRoad]) -> tuple[FoundObje
             for each in _placed(file, road, element, kind):
                 found.append(each)
                 if len(found) > _MOST:
-                    raise file.fault(element, f"the map has more than {_MOST:,} objects")
+                    raise file.fault(element, f"the map has more than {_MOST:,} objects", _HELP)
     return tuple(found)
 
 
 def _kind(element: MapElement) -> str | None:
     type = element.attributes.get("type", "")
-    words = " ".join(element.attributes.get(key, "") for key in ("name", "subtype")).lower()
-    for word, kind in _NAMED.get(type, {}).items():
-        if word in words:
+    written = " ".join(element.attributes.get(key, "") for key in ("name", "subtype"))
+    words = [word.lower() for word in _WORD.findall(written)]
+    for name, kind in _NAMED.get(type, {}).items():
+        if any(word.startswith(name) or word.endswith(name) for word in words):
             return kind
     return _KINDS.get(type)
 
@@ -110,8 +114,8 @@ def _placed(
     if corners is not None:
         x, y, length, width, heading = smallest_rectangle(corners)
         sides = max(length, _SMALLEST), max(width, _SMALLEST)
-        height = _size(file, element, "height") or max(map(_top, _outlines(element)))
-        yield FoundObject(kind, x, y, *sides, heading, height or None)
+        height = _size(file, element, "height") or _highest(file, _outline(element))
+        yield FoundObject(kind, x, y, *sides, heading, height)
         return
     at = _Copy(
         min(max(file.number(element, "s", 0.0), 0.0), road.record.length),
@@ -151,14 +155,14 @@ def _repeated(
     step = _part(road, start, stop) if follows else max(distance, _SMALLEST)
     count = int((stop - start) / step + 1e-6) + 1
     if count > _MOST:
-        raise file.fault(repeat, f"an object is repeated {count:,} times")
+        raise file.fault(repeat, f"an object is repeated {count:,} times", _HELP)
     s = np.linspace(start, start + step * (count - 1), count)
     share = (s - start) / max(stop - start, step)
 
     def between(name: str, otherwise: float | None) -> list[float | None]:
-        first = file.number(repeat, f"{name}Start", otherwise or 0.0)
-        last = file.number(repeat, f"{name}End", first)
-        values = np.clip(first + (last - first) * share, -_LARGEST, _LARGEST)
+        number = _across if name == "t" else _side
+        first = number(file, repeat, f"{name}Start", otherwise or 0.0)
+        values = first + (number(file, repeat, f"{name}End", first) - first) * share
         return [float(value) if name == "t" or value >= _SMALLEST else None for value in values]
 
     t = [value or 0.0 for value in between("t", at.t)]
@@ -185,7 +189,7 @@ def _part(road: BuiltRoad, start: float, stop: float) -> float:
     return max((stop - start) / max(math.ceil((stop - start) / longest), 1), _SMALLEST)
 
 
-def _outlines(element: MapElement) -> list[MapElement]:
+def _outline(element: MapElement) -> list[MapElement]:
     """The corners of the first outline."""
     outline = element.first("outline") or element.first("outlines", "outline")
     return [] if outline is None else outline.children
@@ -193,7 +197,7 @@ def _outlines(element: MapElement) -> list[MapElement]:
 
 def _corners(file: MapFile, road: BuiltRoad, element: MapElement) -> Floats | None:
     """(n, 2), or None without an outline."""
-    corners = _outlines(element)
+    corners = _outline(element)
     on_road = [corner for corner in corners if corner.tag == "cornerRoad"]
     local = [corner for corner in corners if corner.tag == "cornerLocal"]
     if len(on_road) > 2:
@@ -217,24 +221,28 @@ def _points(road: BuiltRoad, s: Floats, t: Floats) -> Floats:
     return np.column_stack((points, road.curve.heading(at)))
 
 
-def _top(corner: MapElement) -> float:
-    try:
-        height = float(corner.attributes.get("height", "0"))
-    except ValueError:
-        return 0.0
-    return height if _SMALLEST <= height <= _LARGEST else 0.0
+def _highest(file: MapFile, corners: Sequence[MapElement]) -> float | None:
+    heights = [_size(file, corner, "height") for corner in corners]
+    return max((height for height in heights if height is not None), default=None)
 
 
 def _size(file: MapFile, element: MapElement, name: str) -> float | None:
     """None where it is not stated, or too small."""
-    size = file.number(element, name, 0.0)
-    if size > _LARGEST:
-        raise file.fault(element, f"an object with the {name} {size:g} m")
+    size = _side(file, element, name)
     return size if size >= _SMALLEST else None
 
 
-def _across(file: MapFile, element: MapElement, name: str) -> float:
-    found = file.number(element, name, 0.0)
+def _side(file: MapFile, element: MapElement, name: str, default: float = 0.0) -> float:
+    found = file.number(element, name, default)
+    if found > _LARGEST:
+        reason = f"`{name}` of an object is {found:g} m, and {_LARGEST:g} m is the most"
+        raise file.fault(element, reason, _HELP)
+    return found
+
+
+def _across(file: MapFile, element: MapElement, name: str, default: float = 0.0) -> float:
+    found = file.number(element, name, default)
     if abs(found) > _LARGEST:
-        raise file.fault(element, f"an object {abs(found):g} m away from its road")
+        reason = f"an object is {abs(found):g} m away from its road, and {_LARGEST:g} m is the most"
+        raise file.fault(element, reason, _HELP)
     return found

@@ -2,66 +2,101 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from .records import Contact, OpenDriveRecord, RoadLink, RoadRecord
+from .records import (
+    ConnectionRecord,
+    Contact,
+    JunctionRecord,
+    OpenDriveRecord,
+    RoadLink,
+    RoadRecord,
+)
 
 _SHORTEST = 1e-4
 """Meters of a road and of all its pieces together."""
-Lanes = Mapping[int, int]
+_OTHER: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
+_NAMES: Mapping[Contact, str] = {"start": "predecessor", "end": "successor"}
+_SECTIONS: Mapping[Contact, int] = {"start": 0, "end": -1}
 
 
 def without_short_roads(record: OpenDriveRecord) -> OpenDriveRecord:
-    """The roads that have a length, linked across those without. Roads within junctions stay, and
-    so do those without length that have no link."""
-    roads = dict(record.roads)
-    for id, road in record.roads.items():
-        if road.junction in record.junctions or not _is_short(road):
+    """The roads that have a length, linked across those without, also to junctions. Roads within
+    junctions stay, and so do those without length that have no link."""
+    roads, junctions = dict(record.roads), dict(record.junctions)
+    for id in record.roads:
+        gone = roads[id]
+        if gone.junction in junctions or not _is_short(gone) or not _is_linked(gone):
             continue
-        ends = {"start": roads[id].predecessor, "end": roads[id].successor}
-        if not any(ends.values()):
-            continue
-        road = roads.pop(id)
-        before, after = (_lanes(road, end) for end in ("start", "end"))
-        passed = {one: after[lane] for lane, one in before.items() if lane in after}
-        _relink(roads, id, ends["start"], ends["end"], passed)
-        _relink(roads, id, ends["end"], ends["start"], {b: a for a, b in passed.items()})
-    return replace(record, roads=roads)
+        del roads[id]
+        roads = {other: _relinked(road, gone) for other, road in roads.items()}
+        junctions = {
+            other: replace(junction, connections=tuple(_reconnected(junction, gone)))
+            for other, junction in junctions.items()
+        }
+    return replace(record, roads=roads, junctions=junctions)
 
 
 def _is_short(road: RoadRecord) -> bool:
     return max(road.length, sum(piece.length for piece in road.geometry)) < _SHORTEST
 
 
-def _lanes(road: RoadRecord, end: Contact) -> Lanes:
+def _is_linked(road: RoadRecord) -> bool:
+    return road.predecessor is not None or road.successor is not None
+
+
+def _lanes(road: RoadRecord, end: Contact) -> dict[int, int]:
     """What its lanes are linked to at an end, by their ids."""
-    lanes = road.sections[0 if end == "start" else -1].lanes.values()
-    linked = {lane.id: lane.predecessor if end == "start" else lane.successor for lane in lanes}
+    lanes = road.sections[_SECTIONS[end]].lanes.values()
+    linked = {lane.id: getattr(lane, _NAMES[end]) for lane in lanes}
     return {id: other for id, other in linked.items() if other is not None}
 
 
-def _relink(
-    roads: dict[str, RoadRecord],
-    gone: str,
-    at: RoadLink | None,
-    beyond: RoadLink | None,
-    passed: Lanes,
-) -> None:
-    """Leads the end of the road `at` that led to the road `gone` to what lies `beyond` it."""
-    road = roads.get(at.id) if at is not None and at.kind == "road" else None
-    if at is None or road is None:
-        return
-    link = road.link(at.contact)
-    if link is None or link.id != gone:
-        return
-    place = 0 if at.contact == "start" else -1
-    name = "predecessor" if at.contact == "start" else "successor"
-    section = road.sections[place]
-    lanes = {
-        id: replace(lane, **{name: passed.get(id)})  # type: ignore[arg-type]
-        for id, lane in section.lanes.items()
-    }
-    sections = list(road.sections)
-    sections[place] = replace(section, lanes=lanes)
-    roads[at.id] = replace(road, **{name: beyond}, sections=tuple(sections))  # type: ignore[arg-type]
+def _relinked(road: RoadRecord, gone: RoadRecord) -> RoadRecord:
+    """A road that leads to what lies behind one that is gone, if it led to that."""
+    for end, name in _NAMES.items():
+        link = road.link(end)
+        if link is None or link.kind != "road" or link.id != gone.id:
+            continue
+        back = gone.link(link.contact)
+        entered = _lanes(road, end)
+        if back is not None and (back.kind, back.id, back.contact) == ("road", road.id, end):
+            entered |= {other: id for id, other in _lanes(gone, link.contact).items()}
+        behind = _lanes(gone, _OTHER[link.contact])
+        sections = list(road.sections)
+        section = sections[_SECTIONS[end]]
+        lanes = {
+            id: replace(lane, **{name: behind.get(entered.get(id, 0))})  # type: ignore[arg-type]
+            for id, lane in section.lanes.items()
+        }
+        sections[_SECTIONS[end]] = replace(section, lanes=lanes)
+        beyond = gone.link(_OTHER[link.contact])
+        road = replace(road, **{name: beyond}, sections=tuple(sections))  # type: ignore[arg-type]
+    return road
+
+
+def _reconnected(junction: JunctionRecord, gone: RoadRecord) -> Iterator[ConnectionRecord]:
+    """The connections of a junction, those of a road that is gone from the road behind it; where
+    there is none, they lead nowhere."""
+    for item in junction.connections:
+        if item.incoming == gone.id:
+            ends = [end for end in _NAMES if _leads_to(gone.link(end), junction)]
+            beyond = gone.link(_OTHER[ends[0]]) if ends else None
+            if beyond is not None and beyond.kind == "road":
+                behind = _lanes(gone, _OTHER[ends[0]])
+                lanes = tuple((behind[a], b) for a, b in item.lanes if a in behind)
+                yield replace(item, incoming=beyond.id, lanes=lanes)
+        elif item.connecting == gone.id:
+            beyond = gone.link(_OTHER[item.contact])
+            if beyond is not None and beyond.kind == "road":
+                behind = _lanes(gone, _OTHER[item.contact])
+                lanes = tuple((a, behind[b]) for a, b in item.lanes if b in behind)
+                at = beyond.contact
+                yield replace(item, connecting=beyond.id, contact=at, lanes=lanes)
+        else:
+            yield item
+
+
+def _leads_to(link: RoadLink | None, junction: JunctionRecord) -> bool:
+    return link is not None and link.kind == "junction" and link.id == junction.id
