@@ -12,8 +12,14 @@ Rectangle = tuple[float, float, float, float, float]
 
 
 def smallest_rectangle(corners: Floats) -> Rectangle:
-    """Of the rectangles around corners (n, 2) along one of the sides that with the smallest area:
-    x and y of its center, its length along and its width across the heading, and the heading."""
+    """Of the rectangles around corners (n, 2) that with the smallest area: x and y of its center,
+    its length along and its width across the heading, and the heading. It lies along one of the
+    sides of their convex hull."""
+    import shapely
+
+    hull = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(corners)))
+    outermost = set(map(tuple, hull.tolist()))
+    corners = np.array([corner for corner in corners.tolist() if tuple(corner) in outermost])
     best = (math.inf, 0.0, np.zeros(2), np.zeros(2))
     for side in np.roll(corners, -1, axis=0) - corners:
         heading = math.atan2(float(side[1]), float(side[0]))
