@@ -15,11 +15,7 @@ def smallest_rectangle(corners: Floats) -> Rectangle:
     """Of the rectangles around corners (n, 2) that with the smallest area: x and y of its center,
     its length along and its width across the heading, and the heading. It lies along one of the
     sides of their convex hull."""
-    import shapely
-
-    hull = shapely.get_coordinates(shapely.convex_hull(shapely.multipoints(corners)))
-    outermost = set(map(tuple, hull.tolist()))
-    corners = np.array([corner for corner in corners.tolist() if tuple(corner) in outermost])
+    corners = _outermost(corners)
     best = (math.inf, 0.0, np.zeros(2), np.zeros(2))
     for side in np.roll(corners, -1, axis=0) - corners:
         heading = math.atan2(float(side[1]), float(side[0]))
@@ -32,3 +28,13 @@ def smallest_rectangle(corners: Floats) -> Rectangle:
             best = (area, heading, middle, high - low)
     _, heading, middle, size = best
     return float(middle[0]), float(middle[1]), float(size[0]), float(size[1]), heading
+
+
+def _outermost(corners: Floats) -> Floats:
+    """Those of the convex hull, in order; all, where they lie in one line."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return np.asarray(corners[np.sort(ConvexHull(corners).vertices)])
+    except QhullError:
+        return corners
