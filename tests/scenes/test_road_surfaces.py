@@ -86,12 +86,19 @@ def test_a_patch_of_a_network_lies_on_the_road_that_it_names() -> None:
     assert (patch.start, patch.end) == pytest.approx((5.0, 20.0))
 
 
+@pytest.mark.parametrize("where", ["lane: 1, side: right", "lane: -1, side: left"])
+def test_a_patch_on_a_side_without_its_lane_is_on_no_lane(where: str) -> None:
+    found = road(f"road main {{ {STRAIGHT}, surface_patches: [{{ surface: ice, {where} }}] }}")
+    assert found.surface_patches == ()
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [
         (f"road main {{ {STRAIGHT}, surface: mud }}", "RL2"),
         (f"road main {{ {STRAIGHT}, surface_patches: [{{ over: [4m, 9m] }}] }}", "RL221"),
         (f"road main {{ {STRAIGHT}, surface_patches: [{{ surface: wet, lane: 3 }}] }}", "RL613"),
+        (f"road main {{ {STRAIGHT}, surface_patches: [{{ surface: wet, lane: 0 }}] }}", "RL613"),
         (f"road main {{ {STRAIGHT}, surface_patches: [{{ surface: wet, road: 3 }}] }}", "RL411"),
         (
             f"road main {{ {STRAIGHT}, surface_patches: [{{ surface: wet, over: [1km, 2km] }}] }}",

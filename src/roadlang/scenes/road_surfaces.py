@@ -26,13 +26,13 @@ Statement = ScenarioRoad | ScenarioNetwork
 
 @dataclass(frozen=True)
 class _Patch:
-    """A stretch by arc lengths of the root road; `lane` 0 and `side` "" are all lanes."""
+    """A stretch by arc lengths of the root road; without `lane` and `side` of all lanes."""
 
     surface: SurfaceName
     start: float
     end: float
-    lane: int = 0
-    side: str = ""
+    lane: int | None = None
+    side: str | None = None
     road: int | None = None
 
 
@@ -109,11 +109,8 @@ def _cover(source: Statement, candidates: CandidateBatch) -> _Cover:
 def _patch(written: Any) -> _Patch:
     said = {name: scalar(value) for name, value in dict(written).items()}
     start, end = said.get("over", (0.0, np.inf))
-    road = said.get("road")
-    return _Patch(
-        said["surface"], float(start), float(end), int(said.get("lane", 0)), said.get("side", ""),
-        None if road is None else int(road),
-    )  # fmt: skip
+    lane, road = (None if said.get(name) is None else int(said[name]) for name in ("lane", "road"))
+    return _Patch(said["surface"], float(start), float(end), lane, said.get("side"), road)
 
 
 def _of_parts(road: ScenarioRoad, candidates: CandidateBatch) -> tuple[_Patch, ...]:
@@ -138,10 +135,12 @@ def _with(road: SceneRoad, source: Statement, cover: _Cover) -> SceneRoad:
     patches = [
         _placed(patch, road, source) for patch in cover.patches if patch.road in (None, road.edge)
     ]
-    return replace(road, surface=cover.surface, surface_patches=tuple(patches))
+    found = tuple(patch for patch in patches if patch is not None)
+    return replace(road, surface=cover.surface, surface_patches=found)
 
 
-def _placed(patch: _Patch, road: SceneRoad, source: Statement) -> SurfacePatch:
+def _placed(patch: _Patch, road: SceneRoad, source: Statement) -> SurfacePatch | None:
+    """Where it is on a road; None where none of its lanes is on its side."""
     last = road.length if road.closed else road.stations[-1]
     root = road.reference_stations
     root = (*root, 2.0 * root[-1] - root[-2]) if road.closed else root
@@ -158,16 +157,17 @@ def _placed(patch: _Patch, road: SceneRoad, source: Statement) -> SurfacePatch:
             )
         )  # fmt: skip
     ids = tuple(lane.id for lane in road.lane_list)
-    if patch.lane and patch.lane not in ids:
+    if patch.lane is not None and patch.lane not in ids:
         help_ = f"its lanes are {', '.join(map(str, ids))}"
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_LANE, source.span, road=road.name, lane=patch.lane, help=help_)
         )
     start, end = np.interp((patch.start, min(patch.end, 1e9)), root, stations).tolist()
-    chosen = {
-        "": ids,
-        "left": tuple(id for id in ids if id > 0),
-        "right": tuple(id for id in ids if id < 0),
-    }[patch.side]
-    lanes = tuple(id for id in chosen if patch.lane in (0, id))
+    lanes = tuple(
+        id
+        for id in ids
+        if patch.lane in (None, id) and patch.side in (None, "left" if id > 0 else "right")
+    )
+    if not lanes:  # which would be all
+        return None
     return SurfacePatch(patch.surface, start, end, () if lanes == ids else lanes)
