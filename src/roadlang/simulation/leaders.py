@@ -78,7 +78,7 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
     return np.where(fits, gap, math.inf)
 
 
-def _in_the_way(world: World, shape: tuple[int, int]) -> Floats | float:
+def _in_the_way(world: World, shape: tuple[int, int]) -> Floats:
     """(S, A, A) how far beside the line of the first the middle of the second is in its way: who is
     wide, or turned toward the lane, takes more of the road."""
     bodies = world.bodies
@@ -86,7 +86,8 @@ def _in_the_way(world: World, shape: tuple[int, int]) -> Floats | float:
     along = np.sqrt(1.0 - np.minimum(turned * turned, 1.0))
     across = 0.5 * bodies.length * np.maximum(turned - ALONG, 0.0)
     half = (0.5 * bodies.width * along + across + MARGIN).reshape(shape)
-    return np.maximum(SAME_LANE, 0.5 * bodies.width.reshape(shape)[:, :, None] + half[:, None, :])
+    between = 0.5 * bodies.width.reshape(shape)[:, :, None] + half[:, None, :]
+    return np.asarray(np.maximum(SAME_LANE, between))
 
 
 def _search(world: World, poses: Poses, apart: Booleans, gap: Floats, turned: Floats) -> None:
