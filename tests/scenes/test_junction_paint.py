@@ -113,3 +113,58 @@ def test_phases_follow_one_another(time: float, first: str, second: str) -> None
     control = SceneControl("signals", (), phases, offset=2.0)
     assert control.cycle == 29.0
     assert (control.light(0, time), control.light(1, time)) == (first, second)
+
+
+@pytest.mark.parametrize("traffic", ["right", "left"])
+def test_the_priority_road_keeps_its_lines_through_the_mouth_of_a_t(
+    sample: Sample, traffic: str
+) -> None:
+    """Without them until now: its middle line, broken, and its edge line along the mouth only."""
+    source = CROSSING.split('....#....\n....#....\n"""')[0] + '"""' + CROSSING.split('"""')[2]
+    world = f"world {{ traffic: {traffic} }}"
+    source = source.replace("WORLD", world).replace(
+        "LANES", "extract with auto { width: 8m }\nlanes: 2\ncontrol with yield"
+    )
+    scene = sample(source).scenes[0]
+    (junction,) = scene.networks[0].junctions
+    (minor,) = junction.control.minor
+    faces = {
+        a.road: np.array([junction.area[a.left], junction.area[a.right]]) for a in junction.arms
+    }
+    mouth = faces.pop(minor).mean(axis=0)
+    west, east = sorted(face.mean(axis=0)[0] for face in faces.values())
+    (middle,) = {round(face.mean(axis=0)[1], 6) for face in faces.values()}
+    lane, edge = (painted(scene, junction, kind) for kind in ("lane_line", "edge_line"))
+    xs = np.array([dash.points[:, 0] for dash in sorted(lane, key=lambda one: one.points[0, 0])])
+    assert np.array([dash.points[:, 1] for dash in lane]) == pytest.approx(middle, abs=1e-6)
+    assert (xs.min(), xs.max()) == pytest.approx((west, east))
+    dashes, gaps = np.ptp(xs, axis=1), xs[1:].min(axis=1) - xs[:-1].max(axis=1)
+    assert dashes == pytest.approx(dashes[0])
+    assert gaps == pytest.approx(dashes[0])
+    assert 2.0 < dashes[0] < 4.5
+    side = np.sign(mouth[1] - middle)
+    assert len(edge) >= 3
+    for dash in edge:
+        assert dash.points[:, 1] == pytest.approx(middle + side * (4.0 - 0.25), abs=1e-6)
+        assert west < dash.points[:, 0].min() < dash.points[:, 0].max() < east
+
+
+@pytest.mark.parametrize(
+    ("control", "lane", "edge"),
+    [
+        ("stop", 3, 2),
+        ("yield", 3, 2),
+        ("all_way_stop", 0, 0),
+        ("signals", 0, 0),
+        ("right_first", 0, 0),
+    ],
+)
+def test_lines_go_on_only_where_one_road_has_priority(
+    sample: Sample, control: str, lane: int, edge: int
+) -> None:
+    """Of four lanes: the middle line and two lane lines; an edge line at each of two mouths."""
+    scene, junction = crossing(sample, f"lanes: 4\ncontrol with {control}")
+    for kind, count in (("lane_line", lane), ("edge_line", edge)):
+        dashes = painted(scene, junction, kind)
+        middles = np.array([dash.points.mean(axis=0) for dash in dashes]).reshape(-1, 2)
+        assert min(len(np.unique(column.round(2))) for column in middles.T) == count

@@ -12,12 +12,15 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Scene
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_road import SceneRoad
+from .lines_through import lines_through
 from .turn_arrows import arrow
 from .zebra_crossings import crossings
 
 STOP_LINE = 0.4
 """Meters: the width of a stop line and of a line to yield at."""
 ARROW_LINE = 0.15
+LANE_LINE = 0.14
+"""Meters: the width of lines between lanes and at the edge, as along roads."""
 _TEETH = (0.5, 0.4)
 _ARROW_BEFORE = 9.0
 _ARROW_ROOM = 14.0
@@ -27,7 +30,7 @@ _ARROW_ROOM = 14.0
 class PaintedShape:
     """A shape in white: a line of some width, or the inside of a ring."""
 
-    kind: Literal["stop_line", "yield_line", "arrow", "crossing"]
+    kind: Literal["stop_line", "yield_line", "arrow", "crossing", "lane_line", "edge_line"]
     """what it is for"""
     points: Floats
     """(n, 2) meters"""
@@ -38,13 +41,16 @@ class PaintedShape:
 
 
 def junction_paint(scene: Scene, junctions: Iterable[SceneJunction]) -> Iterator[PaintedShape]:
-    """Stop lines, lines to yield at, turn arrows, and zebra crossings between sidewalks."""
+    """Stop lines, lines to yield at, turn arrows, zebra crossings between sidewalks, and the broken
+    lines of priority roads (a shape for each dash) that go straight on."""
     roads = {road.name: road for road in scene.roads}
     for junction in junctions:
         if junction.kind == "joint":
             continue
         for stripe in crossings(junction, roads):
             yield PaintedShape("crossing", stripe)
+        for line in lines_through(junction, roads):
+            yield PaintedShape(line.kind, line.points, LANE_LINE)
         lanes = connections_by_lane(junction)
         for connections in lanes.values():
             yield from _line(junction, connections[0])

@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 
 _SMALLEST_ARROW = 2.5
 """Pixels of a meter, below which arrows are left out and the stripes of crossings blur."""
-_LEAST_LINE, _LEAST_ARROW = 1.4, 0.4
-"""Pixels"""
+_LEAST_LINE, _LEAST_THIN = 1.4, 0.4
+"""Pixels; of arrows and of lines along lanes the latter"""
+_ACROSS = ("stop_line", "yield_line")
 
 
 def shown_junctions(scene: Scene, names: set[str]) -> list[SceneJunction]:
@@ -67,7 +68,7 @@ def _inward(ring: Floats) -> Floats:
 
 
 def paint(scene: Scene, junctions: Sequence[SceneJunction], viewport: Viewport) -> Iterator[str]:
-    """Stop lines, lines to yield at, turn arrows and zebra crossings."""
+    """Stop lines, lines to yield at, turn arrows, zebra crossings and lines that go on."""
     from roadlang.api import junction_paint
 
     scale = viewport.pixels_per_meter
@@ -80,7 +81,7 @@ def paint(scene: Scene, junctions: Sequence[SceneJunction], viewport: Viewport) 
             color = palette.FAINT_MARKING if shape.kind == "crossing" and small else palette.MARKING
             yield element("path", d=line, fill=color)
             continue
-        least = _LEAST_ARROW if shape.kind == "arrow" else _LEAST_LINE
+        least = _LEAST_LINE if shape.kind in _ACROSS else _LEAST_THIN
         dashes = shape.dashes and " ".join(f"{part * scale:.2f}" for part in shape.dashes)
         yield element("path", d=line, fill="none", stroke=palette.MARKING,
                       stroke_width=max(shape.width * scale, least),
