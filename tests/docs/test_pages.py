@@ -82,6 +82,7 @@ def test_the_reference_has_every_name_of_the_api() -> None:
     page = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
     for name in api.__all__:
         assert re.search(rf"^### {name}$|`{name}(\[|`)|`@{name}`|^{name}\(", page, re.M), name
+    assert "(*args" not in page, "a type that is no function"
 
 
 def test_the_command_reference_has_every_command_and_no_other() -> None:
