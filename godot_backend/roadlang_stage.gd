@@ -26,7 +26,7 @@ const Agent := preload("agents/agent.gd")
 const Simulation := preload("agents/simulation.gd")
 const View := preload("view/view.gd")
 
-## An idle engine without a window polls this often, so that it does not take a core for nothing.
+## An idle engine that nobody watches polls this often, so that it does not take a core for nothing.
 const IDLE_MSEC := 2
 
 ## Address to listen on: other machines reach this one at their own risk.
@@ -115,7 +115,8 @@ func _process(_dt: float) -> void:
 	if _server == null:
 		return
 	var is_busy := _server.poll(true) or is_driving()
-	if eyes != View.Eyes.GUEST and not is_busy and DisplayServer.get_name() == "headless":
+	var is_watched := eyes != View.Eyes.STILL and DisplayServer.get_name() != "headless"
+	if eyes != View.Eyes.GUEST and not is_busy and not is_watched:
 		OS.delay_msec(IDLE_MSEC)
 
 
