@@ -40,9 +40,9 @@ def test_lines_are_painted_where_traffic_stops(sample: Callable[..., SamplingRes
     stops = group_of(junction_figure(sample, "control with all_way_stop"), "paint")
     assert len(stops) == 7
     assert all(line.get("stroke-dasharray") is None for line in stops)
-    yields = group_of(junction_figure(sample, "control with yield"), "paint")
-    assert len(yields) == 3
-    assert all(line.get("stroke-dasharray") for line in yields)
+    painted = group_of(junction_figure(sample, "control with yield"), "paint")
+    yields = [line for line in painted if line.get("stroke-dasharray")]
+    assert len(yields) == 3, "the others are the lines of the road that goes first"
 
 
 def test_signals_show_the_light_of_the_first_moment(

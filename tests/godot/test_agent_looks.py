@@ -6,6 +6,7 @@ import dataclasses
 
 import pytest
 
+from roadlang.ir.category import category_by_size
 from roadlang_godot.agent_looks import EGO_COLOR, category_of, color_of, look_of
 from tests.godot.godot_scenes import bend, car, pieces, road
 
@@ -41,5 +42,6 @@ def test_kinds_of_plugins_look_like_what_has_their_size(
 ) -> None:
     street = road("main", pieces(bend(50, 90)))
     made = car("a", street, 5.0, kind=kind)
-    sized = dataclasses.replace(made, length=length, width=width, height=height)
+    usual = category_by_size(length, width, height)
+    sized = dataclasses.replace(made, length=length, width=width, height=height, category=usual)
     assert category_of(sized) == category
