@@ -59,6 +59,9 @@ _SET_BY_BASES = ("verb", "required_methods")
 
 def api_page() -> str:
     """The public API: hooks, options, base classes, and what their methods get and return."""
+    unlisted = _unlisted()
+    of_scenes = tuple(name for name in unlisted if _is_of_scenes(name))
+    others = tuple(name for name in unlisted if name not in of_scenes)
     lines = [
         "# The public API",
         "",
@@ -77,8 +80,8 @@ def api_page() -> str:
         *_hooks(),
         *_options(),
         *_bases(),
-        *_section("What methods get and return", (*_DATA, *_unlisted())),
-        *_section("Scenes", _SCENE, _ABOUT_SCENES),
+        *_section("What methods get and return", (*_DATA, *others)),
+        *_section("Scenes", (*_SCENE, *of_scenes), _ABOUT_SCENES),
         *_section("Diagnostics", _DIAGNOSTICS, _ABOUT_DIAGNOSTICS),
         *_section("Files", _FILES),
         *_geometry(),
@@ -91,6 +94,14 @@ def _unlisted() -> tuple[str, ...]:
     bases = {base.__name__ for base in BASES}
     listed = {*_DATA, *_SCENE, *_DIAGNOSTICS, *_FILES, *_ANNOTATION_MAKERS, *bases, *_ELSEWHERE}
     return tuple(name for name in api.__all__ if name not in listed and not _is_in_table(name))
+
+
+def _is_of_scenes(name: str) -> bool:
+    """Whether it is a class or function of the rooms that scenes are described and made in."""
+    module: str = getattr(getattr(api, name), "__module__", "")
+    return module.startswith(("roadlang.ir.scene_", "roadlang.scenes.")) or module in (
+        "roadlang.ir.surface_stretches",
+    )
 
 
 def _is_in_table(name: str) -> bool:

@@ -30,40 +30,42 @@ emit json
 
 
 @dataclass(frozen=True)
-class Jeep(AgentKind):
+class Sized(AgentKind):
+    """As large as a car."""
+
+    length: Length = option(4.2)
+    width: Length = option(1.8)
+    height: Length = option(1.6)
+
+
+@dataclass(frozen=True)
+class Jeep(Sized):
     """Of the police."""
 
     name: ClassVar[str] = "jeep"
     category: ClassVar[str] = "car"
     role: ClassVar[str] = "police"
-    length: Length = option(4.2)
-    width: Length = option(1.8)
-    height: Length = option(1.9)
 
 
 @dataclass(frozen=True)
-class Litter(AgentKind):
+class Litter(Sized):
     """Carried by people on foot."""
 
     name: ClassVar[str] = "litter"
     category: ClassVar[str] = "pedestrian"
-    length: Length = option(1.9)
-    width: Length = option(0.7)
-    height: Length = option(1.7)
 
 
 @dataclass(frozen=True)
-class Trike(AgentKind):
+class Trike(Sized):
     """States no category, and is small."""
 
     name: ClassVar[str] = "trike"
     length: Length = option(1.9)
     width: Length = option(0.8)
-    height: Length = option(1.6)
 
 
 @dataclass(frozen=True)
-class Carrier(AgentKind):
+class Carrier(Sized):
     """States no category, and is large."""
 
     name: ClassVar[str] = "carrier"

@@ -24,6 +24,14 @@ STREETS = {
         for way in WAYS
     ],
 }
+PATCHED = (
+    "road main {{ draw with segments {{ pieces: [straight(80m)] }}, surface_patches: [{0}] }}\n"
+)
+PLAN = (
+    'image plan from """\n####\n""" {{ scale: 8m/px, legend: {{ "#": road }} }}\n'
+    "network town from plan {{ {0} }}\n"
+)
+FOUND = "agent ego is car on main at 5m\nexpect far: eventually (ego.x > 9m)\n"
 GRID = "sample with grid {{ steps: {0} }}\n"
 MAP = 'network town from "map.geojson" {{ {0} }}\nroad main from town {{ {1} }}\n'
 
@@ -54,6 +62,20 @@ FAULTS = [
     ),
     (MAP.format("", "select: road(99)"), "RL472", 2),
     (WAY + "emit json\nemit svg\nemit json\n", "RL931", 4),
+    (_draws(6) + FOUND + "falsify with grid { steps: 100 }\n", "RL614", 4),
+    (PATCHED.format("{ surface: wet, lane: 3 }"), "RL613", 1),
+    (PATCHED.format("{ surface: wet, road: 1 }"), "RL411", 1),
+    (PATCHED.format("{ surface: wet, over: [200m, 300m] }"), "RL414", 1),
+    (PATCHED.format("{ surface: wet, over: [20m, 20m] }"), "RL414", 1),
+    (
+        PATCHED.format("{ surface: wet, lane: 2 }") + "road bent from main { lanes: 4 }\n",
+        "RL613",
+        1,
+    ),
+    (PATCHED.format("{ surface: wet, lane: 2 }") + "road bent from main {}\n", "RL613", 1),
+    (PLAN.format("lanes: 2, surface_patches: [{ surface: wet, lane: 7 }]"), "RL613", 4),
+    (PLAN.format("surface_patches: [{ surface: wet }, { surface: ice, road: 9 }]"), "RL411", 4),
+    (MAP.format("surface_patches: [{ surface: ice, road: 9, lane: 4 }]", ""), "RL411", 1),
     (WAY + "emit svg { size: 300px }\nemit svg { size: 300px }\n", "RL931", 3),
 ]
 
@@ -83,6 +105,11 @@ def test_check_says_what_would_stop_every_scene(
         MAP.format("", "select: road(choice(1, 99))"),
         WAY + "emit svg { size: 300px }\nemit svg { size: 400px }\n",
         WAY + "emit json\nemit svg\n",
+        _draws(6) + FOUND + "falsify with grid { steps: 10 }\n",
+        _draws(6) + FOUND + "falsify with random\n",
+        PATCHED.format("{ surface: wet, lane: choice(-1, 3) }"),
+        PATCHED.format("{ surface: wet, lane: 1, over: [70m, 300m] }"),
+        PLAN.format("lanes: 2, surface_patches: [{ surface: wet, lane: -1, road: 1 }]"),
     ],
 )
 def test_what_some_scene_may_have_is_left_to_compile(text: str, folder: Path) -> None:

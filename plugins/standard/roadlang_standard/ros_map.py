@@ -30,6 +30,7 @@ _FARTHEST = 1e7
 _SHORT = Repr()
 """What is quoted of a wrong value: aliases of aliases may stand for billions of items."""
 _SHORT.maxlevel = 2
+_WORDS = {"true": True, "yes": True, "on": True, "false": False, "no": False, "off": False}
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,9 @@ def read_record(path: Path) -> MapRecord:
     import yaml
 
     try:
-        record = yaml.safe_load(read_input(path, _LARGEST).decode("utf-8-sig"))
+        text = read_input(path, _LARGEST).decode("utf-8-sig")
+        # Scalars as texts: the safe loader reads YAML 1.1, where `010` is 8 and `1:30` is 90.
+        record = yaml.load(text, Loader=yaml.BaseLoader)  # noqa: S506
     except (yaml.YAMLError, UnicodeDecodeError, RecursionError) as error:
         raise _fault(path, f"it is not YAML: {' '.join(str(error).split())}") from None
     if not isinstance(record, dict):
@@ -109,16 +112,17 @@ def read_record(path: Path) -> MapRecord:
     return found
 
 
-def _is_set(path: Path, record: dict[Any, Any], key: str) -> bool:
-    value = record.get(key, False)
-    return value if isinstance(value, bool) else bool(_number(path, record, key, None))
+def _is_set(path: Path, record: dict[str, Any], key: str) -> bool:
+    value = record.get(key, "false")
+    found = _WORDS.get(value.lower()) if isinstance(value, str) else None
+    return bool(_number(path, record, key, None)) if found is None else found
 
 
-def _origin(path: Path, record: dict[Any, Any]) -> tuple[float, float, float]:
+def _origin(path: Path, record: dict[str, Any]) -> tuple[float, float, float]:
     written = record.get("origin", [0.0, 0.0, 0.0])
     if not isinstance(written, list) or len(written) not in (2, 3):
         raise _fault(path, "`origin` is not [x, y, yaw]")
-    numbers = {str(index): value for index, value in enumerate(written)}
+    numbers: dict[str, Any] = {str(index): value for index, value in enumerate(written)}
     x, y, yaw = (_number(path, numbers, str(index), 0.0, "origin") for index in range(3))
     if math.hypot(x, y) > _FARTHEST:
         raise _fault(path, "`origin` is more than 10,000km away")
@@ -126,15 +130,15 @@ def _origin(path: Path, record: dict[Any, Any]) -> tuple[float, float, float]:
 
 
 def _number(
-    path: Path, record: dict[Any, Any], key: str, default: float | None, shown: str = ""
+    path: Path, record: dict[str, Any], key: str, default: float | None, shown: str = ""
 ) -> float:
     value = record.get(key, default)
-    if value is None:
+    if value in (None, "", "~", "null"):
         raise _fault(path, f"`{key}` is missing")
     try:
-        # YAML 1.1 takes `1e-2`, which other writers use, for text.
-        number = math.nan if isinstance(value, bool | list | dict) else float(value)
-    except (TypeError, ValueError, OverflowError):
+        is_number = isinstance(value, float) or (isinstance(value, str) and "_" not in value)
+        number = float(value) if is_number else math.nan
+    except ValueError:
         number = math.nan
     if not math.isfinite(number):
         raise _fault(path, f"`{shown or key}` is not a number: {_SHORT.repr(value)}")

@@ -13,17 +13,23 @@ from roadlang.api import (
     Pixels,
     PointInSpace,
     ReadingArray,
-    Sensor,
     option,
 )
 
+from .mounted_sensor import MountedSensor
+
 
 @dataclass(frozen=True)
-class Camera(Sensor):
+class Camera(MountedSensor):
     """A camera: color, depth and what each pixel shows. For engines that draw, such as Godot."""
 
     name: ClassVar[str] = "camera"
 
+    at: PointInSpace = option(
+        (1.5, 0.0, 1.2),
+        help="where it is: ahead of the center of the vehicle, left of it, above the ground",
+        example="(1.5m, 0m, 1.2m)",
+    )
     width: Pixels = option(320.0, minimum=16, maximum=4096, help="width of the picture")
     height: Pixels = option(180.0, minimum=16, maximum=4096, help="height of the picture")
     fov: Angle = option(
@@ -32,19 +38,6 @@ class Camera(Sensor):
         maximum=math.radians(170),
         help="horizontal field of view",
         example="60deg",
-    )
-    at: PointInSpace = option(
-        (1.5, 0.0, 1.2),
-        help="where it is: ahead of the center of the vehicle, left of it, above the ground",
-        example="(1.5m, 0m, 1.2m)",
-    )
-    yaw: Angle = option(0.0, help="to the left of straight ahead", example="180deg")
-    pitch: Angle = option(
-        0.0,
-        minimum=-math.pi / 2,
-        maximum=math.pi / 2,
-        help="upward from the horizontal",
-        example="-10deg",
     )
     outputs: ListOf[Literal["rgb", "depth", "semantic", "instance"]] = option(
         ("rgb",),

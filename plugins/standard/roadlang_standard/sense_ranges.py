@@ -6,7 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from roadlang.api import Angle, Integer, Length, Number, PointInSpace, ReadingArray, Sensor, option
+from roadlang.api import Angle, Integer, Length, Number, ReadingArray, option
+
+from .mounted_sensor import MountedSensor
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,8 +20,8 @@ FULL_TURN = 2 * math.pi
 
 
 @dataclass(frozen=True)
-class Ranges(Sensor):
-    """Rays, and how far away the first agent, object or ground is along each: a lidar."""
+class Ranges(MountedSensor):
+    """Distances to agents, objects and ground along rays: a lidar, or a radar without speeds."""
 
     name: ClassVar[str] = "ranges"
 
@@ -40,19 +42,6 @@ class Ranges(Sensor):
         minimum=0,
         maximum=math.pi,
         help="between the lowest and the highest row, if there are several",
-    )
-    at: PointInSpace = option(
-        (0.0, 0.0, 0.5),
-        help="where it is: ahead of the center of the vehicle, left of it, above the ground",
-        example="(2.2m, 0m, 0.5m)",
-    )
-    yaw: Angle = option(0.0, help="to the left of straight ahead", example="180deg")
-    pitch: Angle = option(
-        0.0,
-        minimum=-math.pi / 2,
-        maximum=math.pi / 2,
-        help="upward from the horizontal",
-        example="-5deg",
     )
     noise: Length = option(
         0.0, minimum=0, maximum=100, help="standard deviation of a distance", example="3cm"

@@ -40,6 +40,12 @@ def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
     return tuple(_axis(name, draws.get(draw_place(name)), scenario) for name in names)
 
 
+def axes_written(scenario: IndexedScenario) -> tuple[Axis, ...]:
+    """An axis for each place where something is drawn, whether or not a scene makes use of it."""
+    draws = {draw.place: draw for draw in scenario.draws()}
+    return tuple(_axis(place, draw, scenario) for place, draw in draws.items())
+
+
 def _axis(name: str, draw: RandomValue | None, scenario: IndexedScenario) -> Axis:
     """An axis of a random number: one that a pass draws for itself is continuous."""
     if draw is None or scenario.dependencies.draws(

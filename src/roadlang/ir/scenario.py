@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ..diagnostics import Span
 from .dimension import Dimension
 from .read_only import FrozenDict
-from .values import NO_OPTIONS, NO_SPANS, Condition, Options, PassCall, Value
+from .values import NO_OPTIONS, NO_SPANS, UNWRITTEN, Condition, Options, PassCall, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
 
@@ -99,6 +99,9 @@ class ScenarioNetwork:
     options: Options = NO_OPTIONS
     passes: tuple[PassCall, ...] = ()
     span: Span | None = None
+    option_spans: FrozenDict[str, Span] = field(
+        default=NO_SPANS, compare=False, metadata=UNWRITTEN
+    )  # where the values of options and the members of lists are written
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +114,9 @@ class ScenarioRoad:
     options: Options = NO_OPTIONS
     passes: tuple[PassCall, ...] = ()
     span: Span | None = None
+    option_spans: FrozenDict[str, Span] = field(
+        default=NO_SPANS, compare=False, metadata=UNWRITTEN
+    )  # where the values of options and the members of lists are written
 
 
 @dataclass(frozen=True, slots=True)

@@ -127,15 +127,21 @@ class AgentOptions(PlacementOptions):
 
 
 @dataclass(frozen=True)
-class PerturbOptions:
-    """Options of every `perturb with`."""
+class IntervalOptions:
+    """Options of what may be on a part of a road only."""
 
     over: LengthInterval = option(
         None,
         minimum=0,
-        help="interval of arc length to perturb; by default the whole road",
+        help="interval of arc length of the root road; by default the whole road",
         example="[50m, 120m]",
     )
+
+
+@dataclass(frozen=True)
+class PerturbOptions(IntervalOptions):
+    """Options of every `perturb with`."""
+
     taper: Length = option(
         None, minimum=0, help="length of the transition at both ends of `over`", example="15m"
     )

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import DiagnosticError, Span
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -17,10 +17,12 @@ from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene_road import SceneRoad
 from ..ir.scene_surface import SurfaceName, SurfacePatch
 from ..ir.values import Value
+from ..world.interval_faults import interval_off_road
 from ..world.roads import road_root
+from ..world.surface_faults import PATCHES, patch_span, unknown_patch_lane, unknown_patch_road
 from .scene_rows import SceneRows
 
-SURFACE_OPTIONS = ("surface", "surface_patches")
+SURFACE_OPTIONS = ("surface", PATCHES)
 Statement = ScenarioRoad | ScenarioNetwork
 
 
@@ -34,6 +36,7 @@ class _Patch:
     lane: int | None = None
     side: str | None = None
     road: int | None = None
+    span: Span | None = None
 
 
 @dataclass(frozen=True)
@@ -56,20 +59,18 @@ def covered(
     if not said:
         return list(roads)
     if not rows.differ(*said):
-        cover = _checked(_cover(source, rows.alone(0)), source, ids)
-        made = {id(road): _with(road, source, cover) for road in roads}
+        cover = _checked(_cover(source, rows.alone(0)), ids)
+        made = {id(road): _with(road, cover) for road in roads}
         return [made[id(road)] for road in roads]
-    covers = rows.each(lambda candidate: _checked(_cover(source, candidate), source, ids))
-    return [_with(road, source, cover) for road, cover in zip(roads, covers, strict=True)]
+    covers = rows.each(lambda candidate: _checked(_cover(source, candidate), ids))
+    return [_with(road, cover) for road, cover in zip(roads, covers, strict=True)]
 
 
-def _checked(cover: _Cover, source: Statement, ids: Sequence[int]) -> _Cover:
+def _checked(cover: _Cover, ids: Sequence[int]) -> _Cover:
     for patch in cover.patches:
-        if patch.road is not None and patch.road not in ids:
-            help_ = f"its roads are {', '.join(map(str, ids))}" if ids else "leave `road` out"
-            raise DiagnosticError(
-                diagnose(Code.UNKNOWN_ROAD_ID, source.span, id=patch.road, help=help_)
-            )
+        fault = None if patch.road is None else unknown_patch_road(patch.span, patch.road, ids)
+        if fault is not None:
+            raise DiagnosticError(fault)
     return cover
 
 
@@ -96,21 +97,23 @@ def _cover(source: Statement, candidates: CandidateBatch) -> _Cover:
     written = next((link.options["surface"] for link in chain if "surface" in link.options), None)
     # A patch of a network counts along one of its roads, which is not what is selected from it.
     alike = [link for link in chain if type(link) is type(source)]
-    listed = (link for link in alike if "surface_patches" in link.options)
-    patches = next((link.options["surface_patches"] for link in listed), None)
+    listed = next((link for link in alike if PATCHES in link.options), None)
     surface = None if written is None else scalar(evaluate(written, candidates))
     below: tuple[_Patch, ...] = ()
     if written is None and alike and isinstance(alike[-1], ScenarioRoad):
         below = _of_parts(alike[-1], candidates)
-    own = () if patches is None else evaluate(patches, candidates)
-    return _Cover(surface, (*below, *map(_patch, own)))
+    own: list[_Patch] = []
+    if listed is not None:
+        items = enumerate(evaluate(listed.options[PATCHES], candidates))
+        own = [_patch(item, patch_span(listed, place)) for place, item in items]
+    return _Cover(surface, (*below, *own))
 
 
-def _patch(written: Any) -> _Patch:
+def _patch(written: Any, span: Span | None) -> _Patch:
     said = {name: scalar(value) for name, value in dict(written).items()}
     start, end = said.get("over", (0.0, np.inf))
     lane, road = (None if said.get(name) is None else int(said[name]) for name in ("lane", "road"))
-    return _Patch(said["surface"], float(start), float(end), lane, said.get("side"), road)
+    return _Patch(said["surface"], float(start), float(end), lane, said.get("side"), road, span)
 
 
 def _of_parts(road: ScenarioRoad, candidates: CandidateBatch) -> tuple[_Patch, ...]:
@@ -131,37 +134,28 @@ def _of_parts(road: ScenarioRoad, candidates: CandidateBatch) -> tuple[_Patch, .
     return tuple(found)
 
 
-def _with(road: SceneRoad, source: Statement, cover: _Cover) -> SceneRoad:
-    patches = [
-        _placed(patch, road, source) for patch in cover.patches if patch.road in (None, road.edge)
-    ]
+def _with(road: SceneRoad, cover: _Cover) -> SceneRoad:
+    patches = [_placed(patch, road) for patch in cover.patches if patch.road in (None, road.edge)]
     found = tuple(patch for patch in patches if patch is not None)
     return replace(road, surface=cover.surface, surface_patches=found)
 
 
-def _placed(patch: _Patch, road: SceneRoad, source: Statement) -> SurfacePatch | None:
+def _placed(patch: _Patch, road: SceneRoad) -> SurfacePatch | None:
     """Where it is on a road; None where none of its lanes is on its side."""
     last = road.length if road.closed else road.stations[-1]
     root = road.reference_stations
     root = (*root, 2.0 * root[-1] - root[-2]) if road.closed else root
     stations = (*road.stations, last) if road.closed else road.stations
     if not patch.start < patch.end or (patch.start >= root[-1] and road.network is None):
-        interval = f"[{patch.start:g}m, {patch.end:g}m]"
-        reason = f"the road is {root[-1]:.1f}m long"
-        if patch.start >= patch.end:
-            reason = "it has no length"
         raise DiagnosticError(
-            diagnose(
-                Code.INTERVAL_OFF_ROAD, source.span, interval=interval, road=road.name,
-                reason=reason,
-            )
-        )  # fmt: skip
-    ids = tuple(lane.id for lane in road.lane_list)
-    if patch.lane is not None and patch.lane not in ids:
-        help_ = f"its lanes are {', '.join(map(str, ids))}"
-        raise DiagnosticError(
-            diagnose(Code.UNKNOWN_LANE, source.span, road=road.name, lane=patch.lane, help=help_)
+            interval_off_road(patch.span, road.name, patch.start, patch.end, root[-1])
         )
+    ids = tuple(lane.id for lane in road.lane_list)
+    lost = (
+        None if patch.lane is None else unknown_patch_lane(patch.span, road.name, patch.lane, ids)
+    )
+    if lost is not None:
+        raise DiagnosticError(lost)
     start, end = np.interp((patch.start, min(patch.end, 1e9)), root, stations).tolist()
     lanes = tuple(
         id

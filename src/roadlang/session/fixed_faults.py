@@ -7,14 +7,12 @@ of a road, where a road may not close, and where a table or map is named, is the
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from ..diagnostics import Diagnostic
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..files.reading import UnreadableFile, read_file, read_start
-from ..geometry.lanes import DEFAULT_LANES
 from ..images.image_header import read_header
 from ..images.image_scale import scale_in_file
 from ..ir.scenario import (
@@ -23,23 +21,24 @@ from ..ir.scenario import (
     ScenarioActor,
     ScenarioImage,
 )
-from ..ir.values import ConstantValue, PassCall, TextValue
+from ..ir.values import PassCall, TextValue
 from ..plugins.registry import Registry
-from ..world.lane_plan import known_ids, lane_plan
 from ..world.placement_faults import missing_scale, unknown_lane
 from .fixed_closed_roads import fixed_closed_roads
 from .fixed_overlaps import fixed_overlaps
-from .fixed_positions import drawer_of, intervals_off_road, position_fault
+from .fixed_positions import intervals_off_road, position_fault
 from .fixed_roads import fixed_roads
-from .fixed_runs import equal_outputs, large_grid
+from .fixed_runs import equal_outputs, large_grids
+from .fixed_surfaces import road_lane_ids, surface_faults
 from .refused_options import refused_options
 from .unsupported import unsupported_parts
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
     """Kinds that refuse their options, images without scale, lanes that are not there,
-    positions and intervals beyond their roads, things in one place, formulas that cannot be
-    evaluated on closed roads, equal outputs, and what backends and the simulator do not support.
+    positions, intervals and patches of surfaces beyond their roads, things in one place, formulas
+    that cannot be evaluated on closed roads, equal outputs, and what backends and the simulator do
+    not support.
     Where there are none: roads that cannot be made, parts of maps that are not there, and grids
     that are too large.
 
@@ -50,6 +49,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
         *refused_options(scenario),
         *_missing_scales(scenario),
         *intervals_off_road(scenario),
+        *surface_faults(scenario),
     ]
     for actor in (*source.agents, *source.objects):
         if actor.on in scenario.roads:
@@ -57,7 +57,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
             found += [fault] if fault is not None else []
     found += [*fixed_overlaps(scenario), *fixed_closed_roads(scenario), *equal_outputs(scenario)]
     found += unsupported_parts(scenario)
-    return found or [*fixed_roads(scenario), *large_grid(scenario)]
+    return found or [*fixed_roads(scenario), *large_grids(scenario)]
 
 
 def _nothing_measured(call: PassCall, candidates: Any, element: int) -> Any:
@@ -94,17 +94,8 @@ def _file_has_scale(source: FileSource) -> bool:
 
 def _lane_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
     lane = actor.options.get("lane")
-    lanes = _lane_ids(actor, scenario)
+    lanes = road_lane_ids(scenario.roads[str(actor.on)], scenario)
     if lane is None or lanes is None or isinstance(lane, TextValue | PassCall):
         return None
     low, high = scenario.value_bounds.of(lane)
     return unknown_lane(actor, round(low), lanes) if low == high else None
-
-
-def _lane_ids(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[int, ...] | None:
-    """The lanes of the road of an agent or object; None where they are not known yet."""
-    road = scenario.roads[str(actor.on)]
-    plan = lane_plan(road, scenario)
-    if plan.owner is None and drawer_of(road, scenario) is not None:
-        plan = replace(plan, owner=road, lanes=ConstantValue(DEFAULT_LANES))
-    return known_ids(plan, scenario)

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
-from ..ir.values import Flag, PassCall
+from ..ir.values import Flag, PassCall, Value
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
 from ..plugins.stated_bounds import OptionRange
@@ -45,27 +45,29 @@ def intervals_off_road(scenario: IndexedScenario) -> Iterator[Diagnostic]:
     for source in [*sources, *scenario.networks.values()]:
         for call in source.passes:
             over = call.common.get("over") if call.verb == "perturb" else None
-            interval = None if over is None else scenario.value_bounds.option(over)
-            if isinstance(interval, tuple) and not isinstance(interval, OptionRange):
-                low, high = interval
-                yield from _interval_fault(call, source, low, high, scenario)
+            span = call.option_spans.get("over", call.span)
+            yield from interval_fault(over, span, source, scenario)
 
 
-def _interval_fault(
-    call: PassCall,
+def interval_fault(
+    over: Value | None,
+    span: Span | None,
     source: ScenarioRoad | ScenarioNetwork,
-    low: OptionRange,
-    high: OptionRange,
     scenario: IndexedScenario,
 ) -> Iterator[Diagnostic]:
+    """RL414 for an interval that is on no road, whatever is drawn."""
+    interval = None if over is None else scenario.value_bounds.option(over)
+    if not isinstance(interval, tuple) or isinstance(interval, OptionRange):
+        return
+    low, high = interval
     if low.low == low.high == high.low == high.high:
-        yield interval_off_road(call, source.name, low.low, low.low)
+        yield interval_off_road(span, source.name, low.low, low.low)
     elif isinstance(source, ScenarioRoad):
         length = None
         if drawer_of(source, scenario) is not None and not _may_be_closed(source, scenario):
             length = _length_if_beyond(source, low.low, scenario)
         if length is not None and low.low >= length:
-            yield interval_off_road(call, source.name, low.low, high.low, length)
+            yield interval_off_road(span, source.name, low.low, high.low, length)
 
 
 def _off_road(actor: ScenarioActor, position: str, help_: str = "") -> Diagnostic:

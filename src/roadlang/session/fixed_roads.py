@@ -11,6 +11,7 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import FileSource, ScenarioImage, ScenarioNetwork, ScenarioRoad, TextSource
 from ..ir.values import Flag, PassCall
+from .fixed_surfaces import names_roads, unknown_roads
 
 _LARGEST_FILE = 1_000_000
 """Bytes of a map or table that is read, about a second's worth; `compile` reads larger ones."""
@@ -31,6 +32,8 @@ def fixed_roads(scenario: IndexedScenario) -> Iterator[Diagnostic]:
         if _is_cheap(network, scenario):
             named = [call for call in network.passes if _names_parts(call, scenario)]
             chosen = [road for road in scenario.roads.values() if _selects(road, network, scenario)]
+            if names_roads(network, scenario):
+                yield from _raised(partial(_patched_roads, network, scenario))
             if named:
                 yield from _raised(partial(_look_up, network, named, scenario))
             if chosen:
@@ -92,6 +95,18 @@ def _make(roads: list[ScenarioRoad], scenario: IndexedScenario) -> None:
     candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
     for road in roads:
         road_root(road.name, candidate)
+
+
+def _patched_roads(network: ScenarioNetwork, scenario: IndexedScenario) -> None:
+    from ..evaluate.candidates import fixed_candidate
+    from ..world.index import index_scenario
+    from ..world.networks import network_root
+
+    candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
+    ids = [edge.id for edge in network_root(network, candidate).edges]
+    found = tuple(unknown_roads(network, ids, scenario))
+    if found:
+        raise DiagnosticError(*found)
 
 
 def _look_up(network: ScenarioNetwork, calls: list[PassCall], scenario: IndexedScenario) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -123,11 +124,18 @@ class _ParamReader:
 
     def _text(self, name: str, node: yaml.Node) -> Source | None:
         """A value as it would be written in a scene file, at its place."""
-        start, end = _ends(node)
         import yaml
 
+        start, end = _ends(node)
         try:
             text = param_texts({name: _plain(node, iter(range(_MOST_ITEMS)))})[name]
+        except _ReadTwoWays as error:
+            self.report(
+                self._source.span(*_ends(error.node)),
+                f"YAML 1.1 reads `{error.node.value}` as {error}, YAML 1.2 does not",
+                "write a number without leading zeros, `true` or `false`, or a text in quotes",
+            )
+            return None
         except (TypeError, ValueError, RecursionError, yaml.YAMLError):
             self.report(
                 self._source.span(start, end),
@@ -143,6 +151,28 @@ class _ParamReader:
         return Source(f"{self._source.path}:{self._source.position(start)[0]}", text)
 
 
+class _ReadTwoWays(Exception):
+    """A plain word or number that is another value in YAML 1.2 than in YAML 1.1, which PyYAML
+    reads: `010` is 8 there, `1:30` 90, and `yes` true."""
+
+    def __init__(self, node: yaml.ScalarNode, value: str) -> None:
+        super().__init__(value)
+        self.node = node
+
+
+_CORE = {
+    "bool": re.compile(r"true|True|TRUE|false|False|FALSE"),
+    "int": re.compile(r"[-+]?(0|[1-9][0-9]*)|0x[0-9a-fA-F]+"),
+    "float": re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?|[-+]?\.\w+"),
+}
+"""What both versions read alike, of each type: of the core schema of YAML 1.2, section 10.3.2."""
+
+
+def _is_of_old_yaml(node: yaml.ScalarNode) -> bool:
+    alike = _CORE.get(node.tag.rpartition(":")[2])
+    return alike is not None and alike.fullmatch(node.value) is None
+
+
 def _ends(node: yaml.Node) -> tuple[int, int]:
     return node.start_mark.index, node.end_mark.index
 
@@ -156,5 +186,8 @@ def _plain(node: yaml.Node, budget: Iterator[int]) -> Any:
     if isinstance(node, yaml.SequenceNode) and node.tag.endswith(":seq"):
         return [_plain(item, budget) for item in node.value]
     if isinstance(node, yaml.ScalarNode):
-        return yaml.constructor.SafeConstructor().construct_object(node)
+        value = yaml.constructor.SafeConstructor().construct_object(node)
+        if node.style is None and _is_of_old_yaml(node):
+            raise _ReadTwoWays(node, param_texts({"value": value})["value"])
+        return value
     raise TypeError(node.tag)

@@ -165,5 +165,6 @@ def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: flo
     end = float(road.period if road.period is not None else road.stations[-1])
     reversed_ = low > high and road.period is None
     if low == high or reversed_ or low >= end or high <= 0:
-        raise DiagnosticError(interval_off_road(call, road.name, low, high, end))
+        span = call.option_spans.get("over", call.span)
+        raise DiagnosticError(interval_off_road(span, road.name, low, high, end))
     return over(road.stations, low, high, taper, road.period)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Literal
 
 from roadlang.geometry import MapControl
 
 from .records import Contact, OpenDriveRecord, RoadRecord, SignalRecord
 
-_SIGNS = {"206": "stop", "205": "yield"}
+Rule = Literal["signals", "stop", "yield"]
+_SIGNS: Mapping[str, Rule] = {"206": "stop", "205": "yield"}
 """Of the German catalog, which CARLA and others use everywhere."""
 _PEDESTRIANS = "1000002"
 _FARTHEST = 50.0
@@ -27,13 +29,15 @@ def map_controls(record: OpenDriveRecord, numbers: Mapping[str, int]) -> tuple[M
     for road in record.roads.values():
         for signal in road.signals:
             rule = _rule(known.get(signal.id, signal))
-            for id, end in _arms(road, signal, record) if rule else ():
+            if rule is None:
+                continue
+            for id, end in _arms(road, signal, record):
                 if id in numbers:
-                    found[MapControl(rule, ((numbers[id], end),))] = None  # type: ignore[arg-type]
+                    found[MapControl(rule, ((numbers[id], end),))] = None
     return tuple(found)
 
 
-def _rule(signal: SignalRecord) -> str | None:
+def _rule(signal: SignalRecord) -> Rule | None:
     if signal.is_dynamic:
         return None if signal.type == _PEDESTRIANS else "signals"
     return _SIGNS.get(signal.type)

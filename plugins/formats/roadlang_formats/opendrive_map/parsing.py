@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal
 
 from roadlang_formats.map_xml import MapElement, MapFile
 
@@ -21,6 +21,7 @@ from .records import (
     OpenDriveRecord,
     RoadLink,
     RoadRecord,
+    Shape,
     SignalRecord,
 )
 from .short_roads import without_short_roads
@@ -29,7 +30,8 @@ from .speeds import speed_of
 _PLAIN_PROJECTIONS = ("tmerc", "aeqd", "stere", "sterea", "laea", "ortho", "gnom")
 """Those whose (0, 0) is at `+lat_0`, `+lon_0`."""
 _ORDER = ("line", "arc", "spiral", "poly3", "paramPoly3")
-_NUMBERS = {
+_LINKED: Mapping[str, Literal["road", "junction"]] = {"road": "road", "junction": "junction"}
+_NUMBERS: Mapping[Shape, tuple[str, ...]] = {
     "line": (),
     "arc": ("curvature",),
     "spiral": ("curvStart", "curvEnd"),
@@ -148,22 +150,22 @@ def _increasing(file: MapFile, records: Iterable[Any]) -> tuple[Any, ...]:
 
 
 def _geometry(file: MapFile, element: MapElement) -> GeometryRecord:
-    shapes = [child for child in element.children if child.tag in _NUMBERS]
+    shapes = [(kind, child) for child in element.children for kind in _NUMBERS if child.tag == kind]
     if len(shapes) != 1:
         known = ", ".join(_ORDER)
         raise file.fault(
             element, f"a `geometry` must have exactly one of {known}; this has {len(shapes)}"
         )
-    shape = shapes[0]
+    kind, shape = shapes[0]
     length = file.number(element, "length")
     if not 0.0 <= length <= _LONGEST:
         raise file.fault(element, f"a `geometry` of length {length:g}")
-    numbers = tuple(file.number(shape, name) for name in _NUMBERS[shape.tag])
-    if shape.tag in ("arc", "spiral") and max(map(abs, numbers)) > _LARGEST_CURVATURE:
+    numbers = tuple(file.number(shape, name) for name in _NUMBERS[kind])
+    if kind in ("arc", "spiral") and max(map(abs, numbers)) > _LARGEST_CURVATURE:
         raise file.fault(shape, f"a curvature of more than {_LARGEST_CURVATURE:g} 1/m")
     return GeometryRecord(
         element,
-        shape.tag,  # type: ignore[arg-type]
+        kind,
         file.number(element, "s"),
         file.number(element, "x"),
         file.number(element, "y"),
@@ -178,11 +180,12 @@ def _geometry(file: MapFile, element: MapElement) -> GeometryRecord:
 def _link(file: MapFile, element: MapElement | None, default: Contact) -> RoadLink | None:
     if element is None or "elementId" not in element.attributes:
         return None
-    kind = element.attributes.get("elementType", "road")
-    if kind not in ("road", "junction"):
-        raise file.fault(element, f"`elementType` must be road or junction, not `{kind}`")
+    written = element.attributes.get("elementType", "road")
+    kind = _LINKED.get(written)
+    if kind is None:
+        raise file.fault(element, f"`elementType` must be road or junction, not `{written}`")
     contact = _contact(file, element, element.attributes.get("contactPoint", default))
-    return RoadLink(kind, element.attributes["elementId"], contact)  # type: ignore[arg-type]
+    return RoadLink(kind, element.attributes["elementId"], contact)
 
 
 def _contact(file: MapFile, element: MapElement, written: str) -> Contact:

@@ -9,6 +9,7 @@ from typing import Literal, TypeAlias
 from roadlang_formats.map_xml import MapElement
 
 Contact: TypeAlias = Literal["start", "end"]
+Shape: TypeAlias = Literal["line", "arc", "spiral", "poly3", "paramPoly3"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +28,7 @@ class GeometryRecord:
     """A piece of a reference line. `numbers` are those of its kind: curvatures, or coefficients."""
 
     element: MapElement
-    kind: Literal["line", "arc", "spiral", "poly3", "paramPoly3"]
+    kind: Shape
     s: float
     x: float
     y: float

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from typing import Any, TypeVar
 
 from .records import (
     ConnectionRecord,
     Contact,
     JunctionRecord,
+    LaneRecord,
     OpenDriveRecord,
     RoadLink,
     RoadRecord,
 )
+
+Linked = TypeVar("Linked", RoadRecord, LaneRecord)
 
 _SHORTEST = 1e-4
 """Meters of a road and of all its pieces together."""
@@ -55,7 +59,7 @@ def _lanes(road: RoadRecord, end: Contact) -> dict[int, int]:
 
 def _relinked(road: RoadRecord, gone: RoadRecord) -> RoadRecord:
     """A road that leads to what lies behind one that is gone, if it led to that."""
-    for end, name in _NAMES.items():
+    for end in _NAMES:
         link = road.link(end)
         if link is None or link.kind != "road" or link.id != gone.id:
             continue
@@ -67,13 +71,18 @@ def _relinked(road: RoadRecord, gone: RoadRecord) -> RoadRecord:
         sections = list(road.sections)
         section = sections[_SECTIONS[end]]
         lanes = {
-            id: replace(lane, **{name: behind.get(entered.get(id, 0))})  # type: ignore[arg-type]
+            id: _with_link(lane, end, behind.get(entered.get(id, 0)))
             for id, lane in section.lanes.items()
         }
         sections[_SECTIONS[end]] = replace(section, lanes=lanes)
         beyond = gone.link(_OTHER[link.contact])
-        road = replace(road, **{name: beyond}, sections=tuple(sections))  # type: ignore[arg-type]
+        road = _with_link(replace(road, sections=tuple(sections)), end, beyond)
     return road
+
+
+def _with_link(part: Linked, end: Contact, to: Any) -> Linked:
+    """A road or lane that leads elsewhere at one of its ends."""
+    return replace(part, **{_NAMES[end]: to})
 
 
 def _reconnected(junction: JunctionRecord, gone: RoadRecord) -> Iterator[ConnectionRecord]:

@@ -5,14 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import Literal
 
 from roadlang.geometry import MapControl
 
 from .records import OsmNode
 
-Arm = tuple[int, str]
+Rule = Literal["signals", "stop", "yield"]
+End = Literal["start", "end"]
+Arm = tuple[int, End]
 Place = tuple[float, float]
-_RULES = {"traffic_signals": "signals", "stop": "stop", "give_way": "yield"}
+_RULES: dict[str, Rule] = {"traffic_signals": "signals", "stop": "stop", "give_way": "yield"}
+_AHEAD: Mapping[str, tuple[End, ...]] = {"forward": ("end",), "backward": ("start",)}
 _FARTHEST = 40.0
 """Meters along a street from a signal or sign to the junction that it is for."""
 _MEETING = 3
@@ -36,11 +40,14 @@ def map_controls(
         tags = nodes[id].tags
         rule = _RULES.get(tags.get("highway", ""))
         if rule and len(arms) >= _MEETING and (rule == "signals" or tags.get("stop") == "all"):
-            found.append(MapControl(rule, tuple(arms)))  # type: ignore[arg-type]
+            found.append(MapControl(rule, tuple(arms)))
     for edge, ids in streets.items():
-        ends = {end: len(at[id]) >= _MEETING for end, id in (("start", ids[0]), ("end", ids[-1]))}
+        ends: dict[End, bool] = {
+            "start": len(at[ids[0]]) >= _MEETING,
+            "end": len(at[ids[-1]]) >= _MEETING,
+        }
         for rule, end in _on_the_way(ids, nodes, points, ends):
-            found.append(MapControl(rule, ((edge, end),)))  # type: ignore[arg-type]
+            found.append(MapControl(rule, ((edge, end),)))
     return tuple(found)
 
 
@@ -48,8 +55,8 @@ def _on_the_way(
     ids: Sequence[str],
     nodes: Mapping[str, OsmNode],
     points: Mapping[str, Place],
-    meets: Mapping[str, bool],
-) -> Iterator[tuple[str, str]]:
+    meets: Mapping[End, bool],
+) -> Iterator[tuple[Rule, End]]:
     """Rules of nodes between the ends of a street, each with the end that it is for."""
     steps = [math.dist(points[one], points[other]) for one, other in pairwise(ids)]
     for place, id in enumerate(ids[1:-1], 1):
@@ -57,9 +64,9 @@ def _on_the_way(
         rule = _RULES.get(tags.get("highway", ""))
         if rule is None:
             continue
-        away = {"start": sum(steps[:place]), "end": sum(steps[place:])}
+        away: dict[End, float] = {"start": sum(steps[:place]), "end": sum(steps[place:])}
         written = tags.get("traffic_signals:direction", tags.get("direction", ""))
-        wanted = {"forward": ["end"], "backward": ["start"]}.get(written, ["start", "end"])
+        wanted = _AHEAD.get(written, ("start", "end"))
         near = [end for end in wanted if meets[end] and away[end] <= _FARTHEST]
         if near:
             yield rule, min(near, key=lambda end: away[end])

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...diagnostics import Code, Label, Span, nearest
+from ...ir.read_only import FrozenDict
 from ...ir.values import PassCall
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
@@ -132,6 +133,17 @@ def lower_options(
         span=span,
         complete_block=_is_complete(block),
     )
+
+
+def value_spans(block: ast.Block | None) -> FrozenDict[str, Span]:
+    """Where the values of the options are written, and the members of lists: `route 0`."""
+    options = block.options if block else ()
+    spans = {option.key.text: option.value.span for option in options}
+    for option in options:
+        if isinstance(option.value, ast.ListValue):
+            members = enumerate(option.value.items)
+            spans |= {f"{option.key.text} {place}": item.span for place, item in members}
+    return FrozenDict(spans)
 
 
 def _is_complete(block: ast.Block | None) -> bool:

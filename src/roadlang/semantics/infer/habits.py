@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...diagnostics import Fix, nearest
-from ...plugins.kinds import VERBS
 from ...syntax.tree import nodes as ast
+from ...syntax.words import PASS_VERBS
 from ..types.expression_types import DeclaredType, TypedExpression
 
 if TYPE_CHECKING:
@@ -55,6 +55,9 @@ _MEMBERS = {
     "width": "dimensions are options, not signals",
     "length": "dimensions are options, not signals",
 }
+_READINGS = "what a sensor reads goes to controllers; formulas measure: `gap(ego, lead) > 2m`"
+_MEMBERS |= dict.fromkeys(("lidar", "radar", "camera", "ranges", "gps", "imu"), _READINGS)
+_SENSOR = "a sensor is written in the block of the agent: `sense with ranges { ... }`"
 _SPEED = "it is an option of the controller: `drive with pure_pursuit { speed: 10m/s }`"
 _OPTIONS = {
     "speed": _SPEED,
@@ -63,6 +66,10 @@ _OPTIONS = {
     "position": "the position is written before the block: `at 20m`",
     "at": "the position is written before the block: `at 20m`",
     "on": "the road is written before the block: `on main at 20m`",
+    "lidar": _SENSOR,
+    "radar": _SENSOR,
+    "sensor": _SENSOR,
+    "sensors": _SENSOR,
 }
 _SETTINGS = {
     ("falsify", "budget"): "evaluations",
@@ -145,7 +152,7 @@ def option_help(name: str, owner: str) -> tuple[str, ...]:
     """Help for an option that a statement or kind, the `owner`, does not have."""
     if (owner, name) == ("`network`", "width"):
         return (_NETWORK_WIDTH,)
-    if name in VERBS:
+    if name in (*PASS_VERBS, "sample", "simulate", "falsify"):
         return (f"write `{name} with KIND {{ ... }}`",)
     verb = owner.strip("`").split(" ")[0]
     if (verb, name) in _SETTINGS:

@@ -6,24 +6,19 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 from ...ir.scene_surface import SURFACE_NAMES
-from ...plugins.annotations import Flag, Integer, Length, LengthInterval, Speed, Word
+from ...plugins.annotations import Flag, Integer, Length, Speed, Word
+from ...plugins.common_options import IntervalOptions
 from ...plugins.option_types import CallType, ListType, RecordType
 from ...plugins.options import option
 
 LaneList = Annotated[tuple[Any, ...], ListType(CallType("lane"))]
 
 
-@dataclass(frozen=True)
-class PatchOptions:
+@dataclass(frozen=True, kw_only=True)
+class PatchOptions(IntervalOptions):
     """A stretch of a road of another surface."""
 
     surface: Word = option(words=SURFACE_NAMES, help="what it is covered by", example="wet")
-    over: LengthInterval = option(
-        None,
-        minimum=0,
-        help="interval of arc length of the root road; by default the whole road",
-        example="[40m, 60m]",
-    )
     side: Word = option(
         None, words=("left", "right"), help="only the lanes to this side of the center line"
     )

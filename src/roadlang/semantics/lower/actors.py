@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from ...diagnostics import Code, Span
+from ...diagnostics import Code
 from ...ir import scenario as ir
 from ...ir.read_only import FrozenDict
 from ...ir.values import NO_OPTIONS, Entity, Options, PassCall, Reference
@@ -14,7 +14,7 @@ from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
 from ..infer.actor_kinds import calls_in, shared_options, with_options
-from ..infer.blocks import lower_options, lower_passes
+from ..infer.blocks import lower_options, lower_passes, value_spans
 from ..infer.inherited_roads import road_of
 from ..infer.option_binding import divided
 from ..infer.statement_spec import StatementSpec
@@ -60,7 +60,9 @@ def lower_actor(
     value = with_options(checker, kind.value, kind_options)
     fraction = isinstance(at.type, Quantity) and at.type.dimension.is_pure and not at.type.fits_any
     road = on if isinstance(on, str) else None
-    spans = _option_spans(statement)
+    spans = value_spans(statement.block)
+    if statement.at is not None:
+        spans = FrozenDict({**spans, "at": statement.at.span})
     return ir.ScenarioActor(
         name, value, road, at.value, fraction, placement, drive, sensors, statement.span, spans
     )
@@ -75,17 +77,6 @@ def _warn_without_base(checker: Checker, name: str, drive: tuple[PassCall, ...])
         checker.report(
             Code.NO_BASE_CONTROLLER, span, kind=kind.name, name=name, rest=kind.leaves_open
         )
-
-
-def _option_spans(statement: ast.Actor) -> FrozenDict[str, Span]:
-    """Where `at` and the values of the options are written, and the members of lists: `route 0`."""
-    options = statement.block.options if statement.block else ()
-    spans = {option.key.text: option.value.span for option in options}
-    for option in options:
-        if isinstance(option.value, ast.ListValue):
-            members = enumerate(option.value.items)
-            spans |= {f"{option.key.text} {place}": item.span for place, item in members}
-    return FrozenDict(spans if statement.at is None else {**spans, "at": statement.at.span})
 
 
 def _is_network(checker: Checker, name: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ from ...ir.values import NO_OPTIONS, Entity, Options, PassCall
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from ..infer.blocks import lower_options, lower_passes
+from ..infer.blocks import lower_options, lower_passes, value_spans
 from ..infer.file_readers import reader_of
 from ..infer.kinds import find_default
 from ..infer.statement_spec import StatementSpec
@@ -71,7 +71,9 @@ def lower_geometry(
     lowered: ir.ScenarioImage | ir.ScenarioNetwork | ir.ScenarioRoad = _MAKERS[word](
         name, source.source, bound.values, options, statement.span
     )
-    return lowered
+    if isinstance(lowered, ir.ScenarioImage):
+        return lowered
+    return replace(lowered, option_spans=value_spans(statement.block))
 
 
 _SHARED_BY_ALL = ("station_spacing", "moved_at", "moved_by", "moved_radius")
