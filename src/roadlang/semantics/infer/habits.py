@@ -56,8 +56,8 @@ _MEMBERS = {
     "length": "dimensions are options, not signals",
 }
 _READINGS = "what a sensor reads goes to controllers; formulas measure: `gap(ego, lead) > 2m`"
-_MEMBERS |= dict.fromkeys(("lidar", "radar", "camera", "ranges", "gps", "imu"), _READINGS)
-_SENSOR = "a sensor is written in the block of the agent: `sense with ranges { ... }`"
+_MEMBERS |= {"lidar": _READINGS, "radar": _READINGS}
+_SENSOR = "a sensor is written in the block of the agent: `sense with KIND { ... }`"
 _SPEED = "it is an option of the controller: `drive with pure_pursuit { speed: 10m/s }`"
 _OPTIONS = {
     "speed": _SPEED,
