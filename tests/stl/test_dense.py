@@ -167,6 +167,27 @@ def test_a_window_between_two_samples_is_not_empty() -> None:
     assert formula.rho([0, 1, 2], x, semantics="linear") == pytest.approx(-7.2)
 
 
+def test_a_number_is_known_before_and_after_the_positions_asked_for() -> None:
+    signals = {"x": stl.OwnGrid([0, 1, 2, 3, 4], [0, 0, 0, 0, 9]), "limit": 5}
+    for text in ("eventually[2, 4] (x > limit)", "once (x < limit) and eventually (x > limit)"):
+        assert stl.parse(text).robustness([0, 1], signals, semantics="held").tolist() == [4, 4]
+    assert stl.parse("always[3, 3] (x < limit)").rho([0], signals, semantics="linear") == 5
+    low, high = (signals | {"limit": limit} for limit in ([[5]], [[5], [3]]))
+    assert stl.parse("eventually (x > limit)").rho([0, 1], low, semantics="linear") == [4]
+    assert stl.parse("eventually (x > limit)").rho([0, 1], high, semantics="held").tolist() == [
+        4,
+        6,
+    ]
+
+
+def test_more_than_a_duration_is_not_just_that_long() -> None:
+    """At 2, which is neither a sample nor the end of a window, 3 seconds are left."""
+    signals = {"x": stl.OwnGrid([0, 1.5, 5], [-1, 2, 2])}
+    for text, expected in ((">= 3", 2), ("> 3", -np.inf), ("<= 3", np.inf), ("< 3", -2)):
+        formula = stl.parse(f"duration (x > 0) {text}")
+        assert formula.robustness([0, 2], signals, semantics="held")[1] == expected
+
+
 def test_batches_are_judged_row_by_row() -> None:
     rng = np.random.default_rng(1)
     signals = {"x": rng.normal(0, 1, (3, 9)), "limit": rng.uniform(0, 1, (3, 1))}

@@ -87,7 +87,7 @@ class DenseBounds:
         operand, interval = self.bound(formula.operand, side), formula.interval or UNBOUNDED
         if side == "lower":
             operand = self._absent(operand, -np.inf)
-        return lasting(operand, interval, self.evaluation.least_time(formula))
+        return lasting(operand, interval, formula.amount, self.evaluation.least_time(formula))
 
     def _with_now(
         self,

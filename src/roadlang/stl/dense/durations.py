@@ -17,10 +17,17 @@ from ..formula.interval import Interval
 from .piecewise import PiecewiseLinear, merged
 
 
-def lasting(f: PiecewiseLinear, interval: Interval, amount: float) -> PiecewiseLinear:
+def lasting(
+    f: PiecewiseLinear, interval: Interval, amount: float, enough: float
+) -> PiecewiseLinear:
     """The greatest r such that f is r or more for at least `amount` in t + [lo, hi], clipped to the
-    time for which f is known; -inf where the window is shorter."""
-    search = _LevelSearch(f, interval, amount)
+    time for which f is known; -inf where the window is shorter.
+
+    `enough` is `amount` with the rounding of sums of times, more where just `amount` is too little.
+    Moments at which it is reached are sought with `amount`: with `enough` they would be so much
+    earlier or later that the value there were that of the wrong side.
+    """
+    search = _LevelSearch(f, interval, amount, enough)
     shifted = [f.times[[0, -1]], f.times - interval.lo]
     if np.isfinite(interval.hi):
         shifted.append(f.times - interval.hi)
@@ -93,13 +100,15 @@ class _Pieces:
 class _LevelSearch:
     """Levels of one function for windows of one shape."""
 
-    def __init__(self, f: PiecewiseLinear, interval: Interval, amount: float) -> None:
-        self.f, self.interval, self.amount = f, interval, amount
+    def __init__(
+        self, f: PiecewiseLinear, interval: Interval, amount: float, enough: float
+    ) -> None:
+        self.f, self.interval, self.amount, self.enough = f, interval, amount, enough
         self.end = float(f.times[-1])
 
     def level(self, time: float) -> float:
         """The greatest level that lasts for long enough in the window of `time`."""
-        return self._window(time).greatest(self.amount)
+        return self._window(time).greatest(self.enough)
 
     def changes(self, start: float, end: float) -> FloatArray:
         """The moments between two at which the level may begin to go another way, where no end of

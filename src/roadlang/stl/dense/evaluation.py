@@ -144,9 +144,8 @@ class DenseEvaluation:
                 found = reaching(p, q, interval or UNBOUNDED)
                 return found.reversed() if formula.past else found
             case f.AtLeast(interval, operand) if not formula.counts:
-                return lasting(
-                    self.formula(operand), interval or UNBOUNDED, self.least_time(formula)
-                )
+                function, reach = self.formula(operand), interval or UNBOUNDED
+                return lasting(function, reach, formula.amount, self.least_time(formula))
         measured = formula.measured if isinstance(formula, f.AtLeast) else formula
         raise self.refusal(str(measured))
 

@@ -52,7 +52,10 @@ class GridSignals:
                 traces[name] = SampledSignals.of(value.positions, {name: value.values}, [name])
             else:
                 traces[name] = SampledSignals.of(positions, common or signals, [name])
-        stations = [trace.positions for trace in traces.values()] or [checked_positions(positions)]
+        # A number is known at all times.
+        stations = [
+            trace.positions for name, trace in traces.items() if name not in trace.constants
+        ] or [checked_positions(positions)]
         first = max(float(grid[0]) for grid in stations)
         last = min(float(grid[-1]) for grid in stations)
         if first > last:
@@ -109,7 +112,8 @@ class GridSignals:
         which nothing is on a line."""
         trace = self.traces[name]
         row = 0 if trace.variants == 1 else variant
-        values = np.broadcast_to(trace.rows(name, row, row + 1)[0], (trace.samples,))
+        samples = self.span.size if name in trace.constants else trace.samples
+        values = np.broadcast_to(trace.rows(name, row, row + 1)[0], (samples,))
         if linear and np.isinf(values).any():
             index = int(np.argmax(np.isinf(values)))
             place = f"position {position_text(float(trace.positions[index]))}"
@@ -118,7 +122,7 @@ class GridSignals:
             )
         values = np.asarray(values, dtype=np.float64)
         whole = PiecewiseLinear(
-            trace.positions - self.origin,
+            self.span if name in trace.constants else trace.positions - self.origin,
             values,
             values[:-1],
             values[1:] if linear else values[:-1],

@@ -65,7 +65,7 @@ def at_start(
     formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
 ) -> FloatArray:
     """The value at the first sample of each variant, (V,)."""
-    positions, boolean = trace.positions.tobytes(), leaves is BOOLEAN
+    positions, boolean = _Clock(trace.positions), leaves is BOOLEAN
 
     def value(infinite: bool) -> FloatArray:
         return _run(_plan_at_start(formula, boolean, positions, trace.wrap, infinite), trace)
@@ -84,12 +84,33 @@ def finite_first(value: Callable[[bool], Result]) -> Result:
         return value(True)
 
 
+class _Clock:
+    """The positions of samples as a key of plans that are kept. The hash of all their bytes would
+    take as long as a window's minima, so it is that of the last few."""
+
+    __slots__ = ("content",)
+
+    def __init__(self, positions: FloatArray) -> None:
+        self.content = positions.tobytes()
+
+    def __hash__(self) -> int:
+        return hash(self.content[-64:])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Clock) and self.content == other.content
+
+    @property
+    def positions(self) -> FloatArray:
+        """The positions, read-only."""
+        return np.frombuffer(self.content)
+
+
 @lru_cache(maxsize=64)
 def _plan_at_start(
-    formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
+    formula: f.Formula, boolean: bool, clock: _Clock, wrap: float | None, infinite: bool
 ) -> EvaluationPlan:
     """Kept, as batch after batch of candidates is evaluated on the same stations."""
-    axis = SamplePositions.of(np.frombuffer(positions), wrap)
+    axis = SamplePositions.of(clock.positions, wrap)
     return EvaluationPlan.of(
         FormulaGraph.of(formula, BOOLEAN if boolean else ROBUST, infinite), axis, (0, 0)
     )
@@ -123,8 +144,8 @@ def everywhere(
 
     def value(infinite: bool) -> FloatArray:
         if kept:
-            content = trace.positions.tobytes()
-            plan = _plan_everywhere(formula, leaves is BOOLEAN, content, trace.wrap, infinite)
+            clock = _Clock(trace.positions)
+            plan = _plan_everywhere(formula, leaves is BOOLEAN, clock, trace.wrap, infinite)
         else:
             plan = _everywhere(formula, leaves, trace.positions, trace.wrap, infinite)
         result = np.empty((trace.variants, trace.samples))
@@ -137,11 +158,11 @@ def everywhere(
 
 @lru_cache(maxsize=32)
 def _plan_everywhere(
-    formula: f.Formula, boolean: bool, positions: bytes, wrap: float | None, infinite: bool
+    formula: f.Formula, boolean: bool, clock: _Clock, wrap: float | None, infinite: bool
 ) -> EvaluationPlan:
     """Kept, as trace after trace of one clock is evaluated."""
     leaves = BOOLEAN if boolean else ROBUST
-    return _everywhere(formula, leaves, np.frombuffer(positions), wrap, infinite)
+    return _everywhere(formula, leaves, clock.positions, wrap, infinite)
 
 
 def _everywhere(

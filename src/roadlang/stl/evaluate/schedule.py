@@ -268,7 +268,8 @@ def _spent(graph: FormulaGraph) -> tuple[tuple[int, ...], ...]:
 def _unrolled(values: FloatArray, windows: Windows) -> FloatArray:
     """The operand as the windows count it: every sample present, turned, repeated."""
     samples = windows.span[1] - windows.span[0] + 1
-    values = np.broadcast_to(values, (samples, values.shape[1]))
+    if len(values) != samples:
+        values = np.broadcast_to(values, (samples, values.shape[1]))
     if windows.flipped:
         values = values[::-1]
     return np.concatenate([values] * windows.laps) if windows.laps > 1 else values

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -9,10 +10,11 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...diagnostics import Code, did_you_mean
+from ...diagnostics import Code, DiagnosticError, did_you_mean
 from ..errors import stl_error
 from ..formula.terms import name_text
 from .position_text import position_text
+from .windows import BoolArray
 
 FloatArray: TypeAlias = NDArray[np.float64]
 Positions: TypeAlias = ArrayLike
@@ -88,7 +90,7 @@ class SampledSignals:
         part = array if array.shape[0] == 1 else array[first:last]
         values = np.asarray(part, dtype=np.float64)
         with np.errstate(invalid="ignore"):  # infinities of both signs
-            has_finite_sum = bool(np.isfinite(values.sum()))
+            has_finite_sum = math.isfinite(np.add.reduce(values, axis=None))
         if not has_finite_sum:
             _check_numbers(name, values, first, self.positions)
         return values, has_finite_sum
@@ -137,17 +139,20 @@ def checked_positions(positions: Positions) -> FloatArray:
         )
     if stations.size == 0:
         raise stl_error(Code.EMPTY_TRACE)
+    grows = stations[1:] > stations[:-1]
+    # Where all grow, none is NaN, and only the ends can be infinite.
+    if not (grows.all() and math.isfinite(stations[0]) and math.isfinite(stations[-1])):
+        raise _wrong_positions(stations, grows)
+    return stations
+
+
+def _wrong_positions(stations: FloatArray, grows: BoolArray) -> DiagnosticError:
     if not np.isfinite(stations).all():
         index = int(np.argmin(np.isfinite(stations)))
-        raise stl_error(Code.INVALID_POSITIONS, problem=f"position {index} is {stations[index]}")
-    steps = np.diff(stations)
-    if steps.size and not steps.min() > 0:
-        index = int(np.argmax(steps <= 0))
-        pair = " is followed by ".join(
-            position_text(position) for position in stations[index : index + 2]
-        )
-        raise stl_error(Code.INVALID_POSITIONS, problem=f"{pair} (sample {index + 1})")
-    return stations
+        return stl_error(Code.INVALID_POSITIONS, problem=f"position {index} is {stations[index]}")
+    index = int(np.argmin(grows))
+    pair = " is followed by ".join(map(position_text, stations[index : index + 2]))
+    return stl_error(Code.INVALID_POSITIONS, problem=f"{pair} (sample {index + 1})")
 
 
 def _shown(name: str) -> str:
