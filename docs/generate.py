@@ -45,6 +45,7 @@ USE = {
     "lane": "a call in `left: [...]` or `right: [...]` of a `road` or `network`; each also takes "
     "`width`, `speed_limit` and `marking`",
     "select": "a call in `select:` of a `road`",
+    "region": "a call in `within:` of a `network`",
     "position": "a call after `at` of an agent or object",
     "perturb": "`perturb with KIND { ... }` in a `network` or `road`; each also takes "
     "`over: [a, b]`, `taper`, and in a network `roads: [ids]`",

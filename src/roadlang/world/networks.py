@@ -23,6 +23,7 @@ from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
+from .clipped_networks import clipped_network
 from .cross_sections import LaneBatch
 from .junctions import NetworkPlans, directed, network_plans
 from .lane_building import built_lanes
@@ -169,19 +170,32 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
         assert isinstance(image, ScenarioImage)
         found = _extracted(network, image, candidates)
     if not found.network.edges:
-        raise DiagnosticError(
-            diagnose(
-                Code.EMPTY_NETWORK,
-                network.span,
-                name=network.name,
-                help=found.remarks or ("try `extract with contour { threshold: ... }`",),
-            )
-        )
+        raise _empty(network, found.remarks or ("try `extract with contour { threshold: ... }`",))
+    found = _within(network, found, candidates)
     moved = moved_network(network, found.network, candidates)
     if moved is not found.network:  # the pixels are where they were
         found = replace(found, network=moved, mask=None)
     plans = network_plans(network, found.network, candidates)
     return replace(found, junctions=plans)
+
+
+def _empty(network: ScenarioNetwork, help: tuple[str, ...]) -> DiagnosticError:
+    return DiagnosticError(diagnose(Code.EMPTY_NETWORK, network.span, name=network.name, help=help))
+
+
+def _within(
+    network: ScenarioNetwork, found: NetworkRoot, candidates: CandidateBatch
+) -> NetworkRoot:
+    """What its option `within` keeps of a network. Raises RL412 where that is nothing."""
+    every = Extraction(found.network, found.objects, mask=found.mask)
+    kept = clipped_network(network, every, found.scale, candidates)
+    if kept is every:
+        return found
+    if not kept.network.edges:
+        west, south, east, north = (f"{meters:.0f}m" for meters in every.network.bounds)
+        extent = f"its roads lie between ({west}, {south}) and ({east}, {north})"
+        raise _empty(network, (extent,))
+    return replace(found, network=kept.network, objects=kept.objects, mask=kept.mask)
 
 
 def _from_file(

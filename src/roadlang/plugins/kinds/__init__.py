@@ -14,14 +14,14 @@ from .lanes import LaneDirection, LaneKind, LaneMarking
 from .outputs import AgentKind, Backend, ObjectKind
 from .pictures import Adjuster, Extractor, Reader
 from .placing import Position, Standing
-from .roads import Drawer, Perturber, Piece, Selector
+from .roads import Drawer, Perturber, Piece, Region, Selector
 from .sampling import Distribution, DrawnValue, Sampler
 from .searching import Axis, Search, Searcher
 from .sensing import ReadingArray, Sensor
 from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
 BASES: tuple[type[Kind], ...] = (
-    Adjuster, Extractor, Reader, Drawer, Piece, Selector, Perturber,
+    Adjuster, Extractor, Reader, Drawer, Piece, Selector, Region, Perturber,
     JunctionControl,
     LaneKind, Position, Controller, Sensor, Signal, RoadNumber, DriveSignal, Monitor,
     Distribution, Sampler, Simulator, Searcher, Backend, AgentKind, ObjectKind,
@@ -70,6 +70,7 @@ __all__ = [
     "Position",
     "Reader",
     "ReadingArray",
+    "Region",
     "RightOfWay",
     "RoadNumber",
     "Sampler",

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from ... import geometry
-    from ...geometry.arrays import Floats
+    from ...geometry.arrays import Booleans, Floats
     from ...ir.batch import BatchRandom, RoadBatch
 
 
@@ -68,6 +68,21 @@ class Selector(Kind):
 
         Returns a `geometry.Path` of it: what `network.route` and `network.longest` return, or
         `Path(network, steps)` of steps that follow each other. Anything else is RL474.
+        """
+        raise NotImplementedError
+
+
+class Region(Kind):
+    """A part of the plane, written as a call: `box((0m, 0m), (200m, 100m))`."""
+
+    verb: ClassVar[str] = "region"
+    required_methods: ClassVar[tuple[str, ...]] = ("contains",)
+
+    def contains(self, points: Floats) -> Booleans:
+        """(n,) whether each of the points (n, 2), meters, lies inside.
+
+        Roads are cut where this changes along them, to the millimeter; stretches of less than half
+        a meter may be missed.
         """
         raise NotImplementedError
 

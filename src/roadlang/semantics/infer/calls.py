@@ -22,12 +22,10 @@ from .argument_binding import bind_arguments
 from .draws import draw_of
 from .group_copies import group_of, written_count
 from .habits import function_help
-from .kinds import find_kind, verbs_with
+from .kinds import FUNCTIONS, find_kind, verbs_with
 from .option_binding import BoundOptions, divided
 from .signals import measured
 
-_VERBS = ("signal", "drive_signal", "number", "distribution", "piece", "select", "lane",
-          "position")  # fmt: skip
 _COUNTS = {"abs": (1, 1), "min": (2, None), "max": (2, None), "fresh": (1, 1)}
 
 
@@ -40,7 +38,7 @@ def infer_call(checker: Checker, call: ast.CallExpression, context: Context) -> 
         )
     if name in _COUNTS:
         return _built_in(checker, call, name, context)
-    verbs = verbs_with(checker, context.verbs, name)[:1] or verbs_with(checker, _VERBS, name)
+    verbs = verbs_with(checker, context.verbs, name)[:1] or verbs_with(checker, FUNCTIONS, name)
     if not verbs and context.verbs == () and name in checker.program.declarations:
         checker.use(name, context)
         return checker.report(Code.NOT_A_FUNCTION, call.function.span, name=name)
@@ -73,7 +71,7 @@ def _no_function(
     if context.verbs:
         find_kind(checker, context.verbs[0], name, span)
         return unknown(call.span)
-    broken = checker.registry.broken_kind(_VERBS, name)
+    broken = checker.registry.broken_kind(FUNCTIONS, name)
     if broken is not None:
         plugin, reason = broken.origin, broken.reason
         checker.report(Code.BROKEN_PLUGIN, span, kind=name, plugin=plugin, reason=reason)
@@ -81,7 +79,7 @@ def _no_function(
     habit = function_help(call, name)
     if habit is not None:
         return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=habit[0], fixes=habit[1])
-    known = {entry.name for verb in _VERBS for entry in checker.registry.of(verb)} | {*_COUNTS}
+    known = {entry.name for verb in FUNCTIONS for entry in checker.registry.of(verb)} | {*_COUNTS}
     owner, dot, last = name.rpartition(".")
     if dot and last in known:
         arguments = ", ".join([owner, *(argument.span.text for argument in call.arguments)])

@@ -15,11 +15,15 @@ from ..suggestions import meant_name
 
 MOST_LISTED = 12
 """Names in one line of help"""
+FUNCTIONS = ("signal", "drive_signal", "number", "distribution", "piece", "select", "region",
+             "lane", "position")  # fmt: skip
+"""Verbs whose kinds are written as calls, `route(p, q)`."""
 _NOUNS = {
     "agent": "kind of agent",
     "object": "kind of object",
     "piece": "piece of a road",
     "select": "way to choose a road",
+    "region": "region",
     "lane": "kind of lane",
     "position": "position",
     "monitor": "monitor",
@@ -109,6 +113,7 @@ def display_name(verb: str, name: str) -> str:
         "object",
         "piece",
         "select",
+        "region",
         "lane",
         "position",
         "signal",
@@ -182,7 +187,7 @@ def _written(verb: str, name: str) -> str:
         return f"`{name}` is a kind of {verb}: write `{verb} NAME is {name}`"
     if verb == "drive_signal":
         return f"`{name}` is a signal of agents: write it in a formula, as in `ego.{name}`"
-    if verb in ("signal", "number", "distribution", "piece", "select", "lane", "position"):
+    if verb in FUNCTIONS:
         return f"`{name}` is a function: write `{name}(...)`"
     return f"`{name}` is a kind of `{verb}`: write `{display_name(verb, name)}`"
 

@@ -27,6 +27,7 @@ from .lane_options import CrossSectionOptions, SurfaceOptions
 Legend = Annotated[dict[str, str], MapType(KindNameType("object"))]
 Selection = Annotated[Any, CallType("select")]
 _ROAD = EntityType(("road",))
+Within = Annotated[Any, CallType("region")]
 Places = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
 JoinedRoads = Annotated[Any, UnionType((_ROAD, ListType(_ROAD, at_least=1)))]
 
@@ -93,6 +94,11 @@ class FormulaOptions:
 class NetworkOptions(SurfaceOptions, CrossSectionOptions):
     """Options of `network`."""
 
+    within: Within = option(
+        None,
+        help="the part of the map or picture that is kept; roads end where they leave it",
+        example="box((-100m, -50m), (200m, 150m))",
+    )
     moved_at: Places = option(
         None,
         help="places of the network, such as junctions, that are moved before anything else "

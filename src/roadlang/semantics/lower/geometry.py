@@ -204,7 +204,7 @@ def _options_belong(
         return True
     options = {option.key.text: option for option in statement.block.options}
     found = (role != "network", "an image or a file")
-    needs = {"moved_at": found, "moved_by": found}
+    needs = {"within": found, "moved_at": found, "moved_by": found}
     if statement.word == "road":
         needs = {
             "select": (role == "network" or isinstance(source, ir.FileSource), "a network"),

@@ -10,6 +10,7 @@ from ...plugins.describing import with_article, word_text
 _CALLS = {
     "piece": "a piece of a road, such as `straight(80m)`",
     "select": "a way to choose a road",
+    "region": "a region, such as `box((0m, 0m), (200m, 100m))`",
     "position": "a position, such as `ahead_of(ego, 20m)`",
     "lane": "a lane, such as `drive(3.25m)`",
 }

@@ -120,6 +120,7 @@ class KindCallType:
         nouns = {
             "piece": "a piece of a road",
             "select": "a way to choose a road",
+            "region": "a region",
             "lane": "a lane",
             "position": "a position",
         }
