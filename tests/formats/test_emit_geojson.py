@@ -15,12 +15,12 @@ from scipy.spatial import cKDTree
 from roadlang import DiagnosticError, testing
 from roadlang.api import Scene
 from roadlang.geometry import Curve, Floats
+from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.emit_geojson import GeoJsonBackend
-from roadlang_formats.local_projection import LocalProjection
 from roadlang_formats.read_geojson import GeoJson
 from roadlang_formats.road_mask import road_mask
-from tests.formats.test_local_projection import kruger
 from tests.formats.test_read_osm import osm, way
+from tests.geometry.test_local_projection import kruger
 
 ORIGIN = (math.radians(48.1), math.radians(11.6))
 TOWN = '''image plan from """

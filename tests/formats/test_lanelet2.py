@@ -10,8 +10,8 @@ from xml.etree.ElementTree import Element, fromstring
 import pytest
 
 from roadlang import testing
+from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.emit_lanelet2 import Lanelet2Backend
-from roadlang_formats.local_projection import LocalProjection
 from tests.formats.test_commonroad import CROSSING, STREET, scene_of
 
 

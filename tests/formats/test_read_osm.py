@@ -12,7 +12,7 @@ import roadlang
 from roadlang import testing
 from roadlang.api import Extraction
 from roadlang.geometry import CrossSection, Edge
-from roadlang_formats.local_projection import LocalProjection
+from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.osm_map.way_lanes import WayLanes, speed_limit, way_lanes
 from roadlang_formats.read_osm import OpenStreetMap
 
@@ -319,3 +319,18 @@ def test_bridges_cross_without_touching(tmp_path: Path, tags: dict[str, str], le
     scenes = testing.sample(f'network town from "{path}"')
     assert any(found.code == "RL436" for found in scenes.diagnostics) == (level == 0)
     assert scenes[0].record.networks[0].junctions == ()
+
+
+def test_ways_that_are_no_roads_are_named_with_their_line(tmp_path: Path) -> None:
+    """Node 99 lies 11 cm north of 35, and from 99 the way goes straight back."""
+    close = f'<node id="99" lat="{LATITUDE + 3 * STEP + 1e-6}" lon="{LONGITUDE + 5 * STEP}"/>\n'
+    text = osm(
+        way(1, "31 33 35"), way(7, "35 99", highway="service"), way(8, "11 12 11"), nodes=close
+    )
+    found = read(tmp_path, text)
+    assert len(found.network.edges) == 1
+    lines = [text[each.span.start :] for each in found.warnings if each.span]
+    assert [line[:12] for line in lines] == ['<way id="7">', '<way id="8">']
+    assert "a part of way 7 is left out: it is only 0.11 m long" in found.warnings[0].message
+    scene = testing.sample(f'network town from "{tmp_path / "town.osm"}"')
+    assert [each.code for each in scene.diagnostics].count("RL481") == 2

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from roadlang.diagnostics import DiagnosticError
 from roadlang.images.image_file import MOST_PIXELS, OpenedImage, open_image
 from roadlang.images.image_header import ImageHeader, read_header
+from tests.images.geotiffs import written_geotiff
 
 
 def shown(height: int = 40, width: int = 60, channels: int = 3, depth: str = "uint8") -> np.ndarray:
@@ -153,19 +154,9 @@ def test_damage_anywhere_is_refused_or_survived(
 
 
 def geotiff(path: Path, scale: float, unit: int, model: int = 1) -> Path:
-    """A 2 x 2 TIFF, uncompressed, with the tags of GeoTIFF."""
-    keys = (1, 1, 0, 2, 1024, 0, 1, model, 3076, 0, 1, unit)
-    extra = struct.pack("<3d", scale, scale, 0) + struct.pack(f"<{len(keys)}H", *keys)
-    entries = [
-        (256, 3, 1, 2), (257, 3, 1, 2), (258, 3, 1, 8), (259, 3, 1, 1), (262, 3, 1, 1),
-        (273, 4, 1, 8), (277, 3, 1, 1), (278, 3, 1, 2), (279, 4, 1, 4),
-        (33550, 12, 3, 12), (34735, 3, len(keys), 36),
-    ]  # fmt: skip
-    start = 12 + len(extra)
-    table = struct.pack("<H", len(entries))
-    table += b"".join(struct.pack("<HHII", *entry) for entry in entries) + b"\0\0\0\0"
-    path.write_bytes(b"II*\0" + struct.pack("<I", start) + b"\x01\x02\x03\x04" + extra + table)
-    return path
+    """A 2 x 2 TIFF with a scale, without a place."""
+    keys = ((1024, model), (3076, unit))
+    return written_geotiff(path, np.full((2, 2), 9, np.uint8), keys, {33550: (scale, scale, 0.0)})
 
 
 @pytest.mark.parametrize(
@@ -188,7 +179,7 @@ def test_a_world_file_beside_the_picture_says_its_scale(tmp_path: Path, beside: 
     assert picture.scale == pytest.approx(0.25)
     assert picture.found_scale is not None
     digest = sha256((tmp_path / beside).read_bytes()).hexdigest()
-    assert (picture.found_scale.world_file, picture.found_scale.sha256) == (beside, digest)
+    assert picture.found_scale.files == ((beside, digest),)
 
 
 def test_a_world_file_may_be_turned(tmp_path: Path) -> None:

@@ -37,7 +37,7 @@ def ways_of(content: Any, fault: Fault) -> OsmExtract:
             tags.setdefault("highway", "residential")
         for line in _lines(geometry, kind, number, fault):
             ids = tuple(_node(point, nodes, number, fault) for point in line)
-            ways.append(OsmWay(ids, tags))
+            ways.append(OsmWay(ids, tags, str(number), f"a line of feature {number}"))
     return OsmExtract(nodes, tuple(ways))
 
 

@@ -8,7 +8,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.parsers import expat
 
-from roadlang.api import Code, DiagnosticError, Source, Span, diagnose, read_input
+from roadlang.api import (
+    Code,
+    Diagnostic,
+    DiagnosticError,
+    Source,
+    Span,
+    diagnose,
+    read_input,
+)
 
 LARGEST = 200_000_000
 """Largest size of a map, in bytes."""
@@ -53,6 +61,10 @@ class MapFile:
     def fault(self, element: MapElement, reason: str, help: str = "") -> DiagnosticError:
         """RL479 at an element."""
         return fault_at(self.path, self.text, element.offset, reason, help)
+
+    def left_out(self, element: MapElement, what: str, reason: str) -> Diagnostic:
+        """RL481 at an element."""
+        return left_out_at(self.path, self.text, element.offset, what, reason)
 
     def line(self, element: MapElement) -> int:
         """The line in which an element begins."""
@@ -105,12 +117,22 @@ def read_map_xml(path: Path, root: str, limit: int = LARGEST) -> MapFile:
 
 def fault_at(path: Path, text: str, offset: int, reason: str, help: str = "") -> DiagnosticError:
     """RL479 at a place in a map: the rest of the tag there, or of its line."""
+    span = _span_at(path, text, offset)
+    diagnostic = diagnose(Code.DAMAGED_MAP, span, file=path.name, reason=reason, help=help or ())
+    return DiagnosticError(diagnostic)
+
+
+def left_out_at(path: Path, text: str, offset: int, what: str, reason: str) -> Diagnostic:
+    """RL481, a warning at a place in a map."""
+    span = _span_at(path, text, offset)
+    return diagnose(Code.LEFT_OUT_OF_MAP, span, file=path.name, what=what, reason=reason)
+
+
+def _span_at(path: Path, text: str, offset: int) -> Span:
     offset = max(0, min(offset, len(text)))
     line = text.find("\n", offset)
     stops = [stop for stop in (text.find(">", offset) + 1, line) if stop > offset]
-    span = Span(Source(path.name, text), offset, min(stops, default=len(text)))
-    diagnostic = diagnose(Code.DAMAGED_MAP, span, file=path.name, reason=reason, help=help or ())
-    return DiagnosticError(diagnostic)
+    return Span(Source(path.name, text), offset, min(stops, default=len(text)))
 
 
 class _Builder:

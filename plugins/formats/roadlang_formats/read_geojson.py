@@ -10,7 +10,9 @@ from .street_map import StreetMap
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from roadlang.api import DiagnosticError
+    from roadlang.api import Diagnostic, DiagnosticError
+
+    from .osm_map.records import OsmWay
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,7 @@ class GeoJson(StreetMap):
         """An `Extraction`. Raises RL479."""
         from .geojson_ways import ways_of
         from .json_maps import read_json
-        from .map_xml import fault_at
+        from .map_xml import fault_at, left_out_at
         from .osm_map.network import network_of_ways
 
         text, content = read_json(path)
@@ -34,5 +36,8 @@ class GeoJson(StreetMap):
         def fault(reason: str, help: str = "") -> DiagnosticError:
             return fault_at(path, text, 0, reason, help)
 
+        def left_out(way: OsmWay, reason: str) -> Diagnostic:
+            return left_out_at(path, text, way.offset, way.title, reason)
+
         options = self.street_options(service=True)
-        return network_of_ways(ways_of(content, fault), options, fault)
+        return network_of_ways(ways_of(content, fault), options, fault, left_out)

@@ -30,5 +30,5 @@ class Box(Region):
         """The border belongs to it."""
         low = [min(pair) for pair in zip(self.corner, self.opposite, strict=True)]
         high = [max(pair) for pair in zip(self.corner, self.opposite, strict=True)]
-        inside: Booleans = ((points >= low) & (points <= high)).all(axis=1)
-        return inside
+        x, y = points[:, 0], points[:, 1]
+        return (x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1])

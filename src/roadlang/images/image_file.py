@@ -14,26 +14,31 @@ from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file
+from .placed_pixels import Pixels, PlacedPixels, placed
 
 MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
 _SILENT = 0
 
-Pixels = NDArray[np.uint8]
-
 
 @dataclass(frozen=True)
 class OpenedImage:
-    """`pixels` (height, width, 3) BGR, and the scale where the file, or one next to it, has it."""
+    """`shown`: (height, width, 3) BGR, with scale and place where the file, or one next to it, has
+    them; `found_scale`: what these say."""
 
-    pixels: Pixels
+    shown: PlacedPixels
     found_scale: FoundScale | None
     sha256: str
 
     @property
+    def pixels(self) -> Pixels:
+        """North up, where the place is known."""
+        return self.shown.pixels
+
+    @property
     def scale(self) -> float | None:
         """Meters per pixel, where known."""
-        return None if self.found_scale is None else self.found_scale.meters
+        return self.shown.scale
 
 
 def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
@@ -50,8 +55,9 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     pixels = _decoded(content, header)
     if pixels is None or pixels.size == 0:
         raise _refusal(Code.DAMAGED_IMAGE, span, written, format=header.format)
-    scale = scale_in_file(path, content, header.format)
-    return OpenedImage(as_colors(pixels), scale, hashlib.sha256(content).hexdigest())
+    found = scale_in_file(path, content, header.format)
+    shown = placed(as_colors(pixels), found, written, span)
+    return OpenedImage(shown, found, hashlib.sha256(content).hexdigest())
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:

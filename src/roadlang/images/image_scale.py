@@ -1,4 +1,4 @@
-"""Meters per pixel from a GeoTIFF's tags or from a world file next to a picture."""
+"""Meters per pixel and place of a picture, from a GeoTIFF's tags or from a world file beside it."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..files.reading import UnreadableFile, read_start
+from .georeference import Georeference, geo_keys, geotiff_reference, world_file_reference
 from .tiff import TiffError, TiffTags
 
-_PIXEL_SCALE, _GEO_KEYS = 33550, 34735
+_PIXEL_SCALE = 33550
 _MODEL_TYPE, _LINEAR_UNITS = 1024, 3076
 _PROJECTED = 1
 _WORLD_FILE = 1000
 """bytes of a world file that are looked at: six numbers"""
+_PROJECTION_FILE = 20_000
+"""bytes of a `.prj` file"""
 _METERS = {9001: 1.0, 9002: 0.3048, 9003: 1200 / 3937}
 """EPSG codes of units of length"""
 _DEGREES_AT_MOST = 1e-3
@@ -23,33 +26,33 @@ _DEGREES_AT_MOST = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class FoundScale:
-    """`meters` per pixel; of a world file next to the picture also its name and sha256."""
+    """What a file says of the size and place of the pixels of a picture.
 
-    meters: float
-    world_file: str = ""
-    sha256: str = ""
+    `meters` per pixel, None where only the place says that, as in degrees; `reference`: the place,
+    where it is known; `files`: those beside the picture that say so, their names and sha256.
+    """
+
+    meters: float | None
+    reference: Georeference | None = None
+    files: tuple[tuple[str, str], ...] = ()
 
 
 def scale_in_file(path: Path, content: bytes, format: str) -> FoundScale | None:
-    """The scale where the picture says it; None where it does not, or only in degrees."""
+    """The scale and place where the picture says them; None where it says neither."""
     if format == "TIFF":
-        found = _geotiff(content)
-        if found is not None:
-            return FoundScale(found)
+        scale, reference = _geotiff(content), geotiff_reference(content)
+        if scale is not None or reference is not None:
+            return FoundScale(scale, reference)
     return _world_file(path)
 
 
 def _geotiff(content: bytes) -> float | None:
     try:
         tags = TiffTags(content)
-        scale, keys = tags.numbers(_PIXEL_SCALE), tags.numbers(_GEO_KEYS)
+        scale, entries = tags.numbers(_PIXEL_SCALE), geo_keys(tags)
     except TiffError:
         return None
-    if len(scale) < 2:
-        return None
-    # Four numbers a key: its id, where its value is (0: here), how many, the value.
-    entries = {int(keys[i]): int(keys[i + 3]) for i in range(4, len(keys) - 3, 4)}
-    if entries.get(_MODEL_TYPE, _PROJECTED) != _PROJECTED:
+    if len(scale) < 2 or entries.get(_MODEL_TYPE, _PROJECTED) != _PROJECTED:
         return None
     meters = _METERS.get(entries.get(_LINEAR_UNITS, 9001))
     return None if meters is None else _usable(math.sqrt(abs(scale[0] * scale[1])) * meters)
@@ -65,12 +68,22 @@ def _world_file(path: Path) -> FoundScale | None:
             numbers = [float(word) for word in data.decode("ascii").split()[:6]]
         except (UnreadableFile, ValueError):
             continue
-        if len(numbers) == 6:
+        if len(numbers) == 6 and all(map(math.isfinite, numbers)):
             area = abs(numbers[0] * numbers[3] - numbers[1] * numbers[2])
-            scale = _usable(math.sqrt(area))
-            digest = hashlib.sha256(data).hexdigest()
-            return None if scale is None else FoundScale(scale, candidate.name, digest)
+            beside, text = _projection_file(path.with_suffix(".prj"))
+            reference = world_file_reference(numbers, text) if area else None
+            files = ((candidate.name, hashlib.sha256(data).hexdigest()), *beside)
+            return FoundScale(_usable(math.sqrt(area)), reference, files)
     return None
+
+
+def _projection_file(path: Path) -> tuple[tuple[tuple[str, str], ...], str]:
+    """Its name and sha256, and its text; nothing where there is none."""
+    try:
+        data = read_start(path, _PROJECTION_FILE)
+    except UnreadableFile:
+        return (), ""
+    return ((path.name, hashlib.sha256(data).hexdigest()),), data.decode("utf-8", "replace")
 
 
 def _usable(scale: float) -> float | None:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from ..diagnostics import Diagnostic
 from .read_only import Frozen
 
 if TYPE_CHECKING:
@@ -109,6 +110,7 @@ class Extraction(Frozen):
     road's width, in the order of the network's edges, where the extractor knows it. `has_widths`
     is False where the picture says nothing of the widths, as one typed in characters: those of the
     edges are then the most that there is room for, and their lanes say how wide the roads are.
+    `warnings`: of parts of a map that could not be used, with their places.
     """
 
     network: RoadNetwork
@@ -118,3 +120,4 @@ class Extraction(Frozen):
     mask: NDArray[np.bool_] | None = None
     width_errors: tuple[float, ...] = ()
     has_widths: bool = True
+    warnings: tuple[Diagnostic, ...] = ()

@@ -68,7 +68,8 @@ def concrete_scenes(
         singles = (candidates.take(np.array([row])) for row in range(rows.count))
         aliased = [aliasing_remarks(single) for single in singles]
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
-    warnings = rows.same(junction_warnings(source.networks, candidates))
+    of_roots = dict.fromkeys(warning for root in roots for warning in root.warnings)
+    warnings = rows.same((*of_roots, *junction_warnings(source.networks, candidates)))
     scenes = _finished(members, rows)
     return [
         ConcreteScene(scene, tuple(found), warned)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import Code, DiagnosticError, Span, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -41,7 +41,8 @@ from .verified import verified
 @dataclass(frozen=True, eq=False)
 class NetworkRoot:
     """A network before any `perturb`. `mask` are the road pixels, where the extractor has them,
-    `inputs` the files that it was made from."""
+    `inputs` the files that it was made from,
+    `warnings` what is to be said of them."""
 
     name: str
     network: RoadNetwork
@@ -52,6 +53,7 @@ class NetworkRoot:
     mask: NDArray[np.bool_] | None = None
     scale: float | None = None
     inputs: tuple[Input, ...] = ()
+    warnings: tuple[Diagnostic, ...] = ()
     junctions: NetworkPlans = field(default_factory=NetworkPlans)
     _frames: dict[int, CurveFrame] = field(default_factory=dict)
 
@@ -228,6 +230,7 @@ def _root_of(
         found.mask,
         scale,
         inputs,
+        found.warnings,
     )
 
 
@@ -244,5 +247,7 @@ def _extracted(
     found = verified(call, network.name, found, candidates)
     if not found.has_widths:
         found = replace(found, network=as_wide_as_lanes(network, found.network, candidates))
+    placed = replace(found.network, origin=loaded.origin)
+    found = replace(found, network=placed, warnings=(*loaded.warnings, *found.warnings))
     spacing = station_spacing(network, candidates.scenario)
     return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)

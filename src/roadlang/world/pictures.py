@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -29,19 +29,24 @@ LEAST_SCALE, GREATEST_SCALE = 1e-4, 1e4
 
 @dataclass(frozen=True, eq=False)
 class LoadedPicture:
-    """`inputs`: the files that it was read from."""
+    """`inputs`: the files that it was read from; `origin`: latitude and longitude of its lower left
+    corner, degrees, where they are known; `warnings`: of its place."""
 
     picture: Picture
     inputs: tuple[Input, ...]
+    origin: tuple[float, float] | None = None
+    warnings: tuple[Diagnostic, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class _UnscaledPicture:
-    """A picture whose scale may not be known yet."""
+    """A picture whose scale and place may not be known yet."""
 
     picture: Picture
     scale: float | None
     inputs: tuple[Input, ...] = ()
+    origin: tuple[float, float] | None = None
+    warnings: tuple[Diagnostic, ...] = ()
 
 
 def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
@@ -54,7 +59,8 @@ def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
         raise DiagnosticError(
             diagnose(Code.IMPLAUSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")
         )
-    return LoadedPicture(replace(draft.picture, scale=draft.scale), draft.inputs)
+    picture = replace(draft.picture, scale=draft.scale)
+    return LoadedPicture(picture, draft.inputs, draft.origin, draft.warnings)
 
 
 def _draft(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
@@ -68,6 +74,8 @@ def _adjusted(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPict
     options = {key: scalar(evaluate(value, candidates)) for key, value in image.options.items()}
     if options.get("scale") is not None:
         draft = replace(draft, scale=float(options["scale"]))
+    if options.get("origin") is not None:
+        draft = replace(draft, origin=_degrees(options["origin"], image), warnings=())
     if options.get("legend"):
         legend = {key: _kind_name(item) for key, item in options["legend"].items()}
         draft = replace(draft, picture=replace(draft.picture, legend=legend))
@@ -75,6 +83,23 @@ def _adjusted(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPict
         if call.verb == "adjust":
             draft = replace(draft, picture=_after(call, draft.picture, candidates))
     return draft
+
+
+def _degrees(origin: tuple[float, float], image: ScenarioImage) -> tuple[float, float]:
+    """Latitude and longitude. Raises RL480 for what is not on Earth."""
+    latitude, longitude = map(math.degrees, origin)
+    if abs(latitude) >= 90.0 or abs(longitude) > 180.0:
+        raise DiagnosticError(
+            diagnose(
+                Code.INVALID_OPTION,
+                image.span,
+                option="origin",
+                kind="image",
+                reason=f"({latitude:g}deg, {longitude:g}deg) is not on Earth",
+                help="it is written `(latitude, longitude)`",
+            )
+        )
+    return latitude, longitude
 
 
 def _base(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
@@ -106,7 +131,9 @@ def _from_file(
             return _read(source, image, scenario)
         opened = open_image(Path(source.resolved), source.path, image.span)
         inputs = _inputs_of(source, opened)
-        return _UnscaledPicture(Picture(opened.pixels, 1.0, path=source.path), opened.scale, inputs)
+        picture, shown = Picture(opened.pixels, 1.0, path=source.path), opened.shown
+        warnings = (shown.warning,) if shown.warning is not None else ()
+        return _UnscaledPicture(picture, opened.scale, inputs, shown.origin, warnings)
 
     # Pictures that are opened are shared; what a reader makes of one depends on its options.
     key = ("image read", image.name) if has_reader else ("image opened", source.resolved)
@@ -114,12 +141,11 @@ def _from_file(
 
 
 def _inputs_of(source: FileSource, opened: OpenedImage) -> tuple[Input, ...]:
-    """The picture, and the world file next to it that its scale is from."""
-    picture, found = Input(source.path, opened.sha256), opened.found_scale
-    if found is None or not found.world_file:
-        return (picture,)
-    beside = os.path.join(os.path.dirname(source.path), found.world_file)
-    return (picture, Input(beside, found.sha256))
+    """The picture, and the files next to it that its scale and place are from."""
+    beside = () if opened.found_scale is None else opened.found_scale.files
+    folder = os.path.dirname(source.path)
+    others = (Input(os.path.join(folder, name), digest) for name, digest in beside)
+    return (Input(source.path, opened.sha256), *others)
 
 
 def _read(source: FileSource, image: ScenarioImage, scenario: IndexedScenario) -> _UnscaledPicture:

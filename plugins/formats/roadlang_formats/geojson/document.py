@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from roadlang_formats.local_projection import LocalProjection
+from roadlang.geometry.local_projection import LocalProjection
 
 from .features import Feature, junction_features, lane_features, road_features, standing_features
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from xml.etree.ElementTree import Element, SubElement
 
+from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.lanelets.model import LinePoint
-from roadlang_formats.local_projection import LocalProjection
 
 Tags = Mapping[str, str]
 

@@ -60,7 +60,8 @@ def network_of(file: MapFile, *, objects: bool = True) -> Extraction:
     controls = map_controls(record, numbers)
     network = RoadNetwork(nodes, tuple(edges), record.origin, junctions, controls)
     found = objects_of(file, roads) if objects else ()
-    return Extraction(network, found, remarks=(*_remarks(record), *reader.remarks))
+    remarks = (*_remarks(record), *reader.remarks)
+    return Extraction(network, found, remarks=remarks, warnings=tuple(reader.warnings))
 
 
 def numbered(ids: Sequence[str]) -> Mapping[str, int]:

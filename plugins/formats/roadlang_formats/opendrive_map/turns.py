@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from roadlang.api import Diagnostic
 from roadlang.geometry import LaneEnd, MapJunction, MapTurn
 from roadlang_formats.map_xml import MapFile
 
@@ -25,6 +26,8 @@ class TurnReader:
         self._file, self._roads, self._numbers = file, roads, numbers
         self.remarks: dict[str, None] = {}
         """warnings about links, each once"""
+        self.warnings: dict[Diagnostic, None] = {}
+        """of lanes of connecting roads that are left out"""
 
     def junctions(self, records: Mapping[str, JunctionRecord]) -> tuple[MapJunction, ...]:
         """Those of the file, then the joints of roads that follow one another."""
@@ -129,6 +132,11 @@ class TurnReader:
             target = self._lane_end((after.id, after.contact), target_lane)
             if target is not None:
                 line = connecting.middle(track, backward=enters == "end")
+                if line is None:
+                    what = f"the line of lane {lane} of road {item.connecting}"
+                    reason = "it is no curve; the turn is drawn from end to end"
+                    element = connecting.record.element
+                    self.warnings[self._file.left_out(element, what, reason)] = None
                 yield MapTurn(source, target, line)
 
     def _incoming_end(

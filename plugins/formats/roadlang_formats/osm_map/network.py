@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from roadlang.api import DiagnosticError, Extraction
+from roadlang.api import Diagnostic, DiagnosticError, Extraction
 from roadlang.geometry import (
     CrossSection,
     Edge,
@@ -19,12 +19,12 @@ from roadlang.geometry import (
 )
 from roadlang.geometry.filleting import filleted
 from roadlang.geometry.lanes import Marking
-from roadlang_formats.local_projection import LocalProjection
-from roadlang_formats.map_xml import MapFile
+from roadlang.geometry.local_projection import LocalProjection
+from roadlang_formats.map_xml import MapFile, left_out_at
 
 from .buildings import buildings_of
 from .controls import map_controls
-from .records import OsmExtract, osm_extract
+from .records import OsmExtract, OsmWay, osm_extract
 from .restrictions import no_turns
 from .way_lanes import Tags, WayLanes, is_driven, level_of, one_way, way_lanes
 
@@ -81,13 +81,20 @@ def network_of(file: MapFile, options: OsmOptions) -> Extraction:
     def fault(reason: str, help: str = "") -> DiagnosticError:
         return file.fault(file.root, reason, help)
 
-    return network_of_ways(osm_extract(file), options, fault)
+    def left_out(way: OsmWay, reason: str) -> Diagnostic:
+        return left_out_at(file.path, file.text, way.offset, f"a part of {way.title}", reason)
+
+    return network_of_ways(osm_extract(file), options, fault, left_out)
 
 
 def network_of_ways(
-    extract: OsmExtract, options: OsmOptions, fault: Callable[..., DiagnosticError]
+    extract: OsmExtract,
+    options: OsmOptions,
+    fault: Callable[..., DiagnosticError],
+    left_out: Callable[[OsmWay, str], Diagnostic],
 ) -> Extraction:
-    """The same of nodes and ways; `fault` makes what is raised for the whole of them."""
+    """The same of nodes and ways; `fault` makes what is raised for the whole of them, `left_out`
+    what is said of parts of ways."""
     streets = _streets(extract, options)
     if not streets:
         raise fault("it has no way for motor vehicles")
@@ -101,7 +108,9 @@ def network_of_ways(
     if math.hypot(*farthest) > _FARTHEST:
         reason = f"its ways extend up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
         raise fault(reason, "set an `origin` nearby, or use a smaller extract")
-    network, built = _built(streets, points, options)
+    network, built, refused = _built(streets, points, options)
+    ways = {way.id: way for way in extract.ways}
+    warnings = tuple(left_out(ways[street.ways[0]], reason) for street, reason in refused)
     controls = map_controls(
         {id: street.nodes for id, street in built.items()}, extract.nodes, points
     )
@@ -110,7 +119,7 @@ def network_of_ways(
     edges = tuple(replace(edge, no_turns=banned.get(edge.id, ())) for edge in network.edges)
     network = replace(network, edges=edges, origin=origin, controls=controls)
     objects = buildings_of(extract, projection) if options.buildings else ()
-    return Extraction(network, objects)
+    return Extraction(network, objects, warnings=warnings)
 
 
 def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
@@ -196,18 +205,22 @@ def _joined(one: Street, other: Street, node: str) -> Street | None:
 
 def _built(
     streets: Sequence[Street], points: Mapping[str, Place], options: OsmOptions
-) -> tuple[RoadNetwork, dict[int, Street]]:
-    """The edges, numbered from 1 in the order of the file, and by their numbers the streets."""
+) -> tuple[RoadNetwork, dict[int, Street], list[tuple[Street, str]]]:
+    """The edges, numbered from 1 in the order of the file, and by their numbers the streets; also
+    the streets that cannot be built, and why."""
     built: dict[int, Street] = {}
+    refused: list[tuple[Street, str]] = []
     numbers: dict[str, int] = {}
     edges: list[Edge] = []
     for street in _open(streets):
         line = [points[node] for node in street.nodes]
         try:
             curve = filleted(line, _ROUNDING)
-        except GeometryError:  # too short, or a reversal of direction: an error in the map
+        except GeometryError as error:
+            refused.append((street, str(error)))
             continue
         if curve.length < _SHORTEST:
+            refused.append((street, f"it is only {curve.length:.2g} m long"))
             continue
         ends = [
             numbers.setdefault(node, len(numbers) + 1)
@@ -218,7 +231,7 @@ def _built(
         edges.append(replace(edge, name=street.tags.get("name", ""), level=street.level))
         built[edge.id] = street
     nodes = tuple(Node(number, points[node]) for node, number in numbers.items())
-    return RoadNetwork(nodes, tuple(edges)), built
+    return RoadNetwork(nodes, tuple(edges)), built, refused
 
 
 def _open(streets: Sequence[Street]) -> Iterator[Street]:

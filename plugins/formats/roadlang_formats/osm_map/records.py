@@ -20,11 +20,14 @@ class OsmNode:
 
 @dataclass(frozen=True, slots=True)
 class OsmWay:
-    """A line or outline through nodes, by the ids of these."""
+    """A line or outline through nodes, by the ids of these. `title`: what people call it;
+    `offset`: where it begins in the text of its file."""
 
     nodes: tuple[str, ...]
     tags: Mapping[str, str]
-    id: str = ""
+    id: str
+    title: str
+    offset: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +76,8 @@ def osm_extract(file: MapFile) -> OsmExtract:
         seen.add(id)
         listed = [file.attribute(child, "ref") for child in element.all("nd")]
         tags = _tags(element)
-        ways += [OsmWay(run, tags, id) for run in _runs(listed, nodes)]
+        place = f"way {id}", element.offset
+        ways += [OsmWay(run, tags, id, *place) for run in _runs(listed, nodes)]
     return OsmExtract(nodes, tuple(ways), tuple(_restrictions(file)))
 
 

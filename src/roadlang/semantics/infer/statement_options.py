@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from ...ir.dimension import LENGTH, PURE
+from ...ir.dimension import ANGLE, LENGTH, PURE
 from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Word
 from ...plugins.option_types import (
     CallType,
@@ -38,6 +38,9 @@ _STATION_SPACING = (
 )
 
 
+LatitudeLongitude = Annotated[tuple[float, float], PointType(ANGLE, ANGLE)]
+
+
 @dataclass(frozen=True)
 class ImageOptions:
     """Options of `image`."""
@@ -48,6 +51,12 @@ class ImageOptions:
         maximum=1000,
         help="meters per pixel; by default from GeoTIFF tags or a world file",
         example="0.35m/px",
+    )
+    origin: LatitudeLongitude = option(
+        None,
+        help="latitude and longitude of the lower left corner of a picture whose up is north; by "
+        "default from GeoTIFF tags or a world file",
+        example="(48.137deg, 11.575deg)",
     )
     legend: Legend = option(
         None,

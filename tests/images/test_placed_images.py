@@ -1,0 +1,159 @@
+"""Pictures that say where on Earth they are: what is shown in them is found there again."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang.geometry.local_projection import LocalProjection
+from roadlang.images.image_file import OpenedImage, open_image
+from tests.geometry.test_local_projection import kruger
+from tests.images.geotiffs import written_geotiff
+
+HEIGHT, WIDTH = 300, 400
+SPOT = (310, 60)
+"""Column and row of the upper left corner of a black square of 6 x 6 pixels on white."""
+
+
+def shown() -> np.ndarray:
+    pixels = np.full((HEIGHT, WIDTH), 255, np.uint8)
+    pixels[SPOT[1] : SPOT[1] + 6, SPOT[0] : SPOT[0] + 6] = 0
+    return pixels
+
+
+def opened(path: Path) -> OpenedImage:
+    return open_image(path, path.name, None)
+
+
+def place_of_spot(found: OpenedImage) -> tuple[float, float]:
+    """Latitude and longitude of the middle of the square, by origin and scale."""
+    assert found.shown.origin is not None
+    assert found.scale is not None
+    dark = 255.0 - found.pixels[..., 0]
+    rows, columns = np.indices(dark.shape)
+    x = (np.average(columns, weights=dark) + 0.5) * found.scale
+    y = (len(dark) - 0.5 - np.average(rows, weights=dark)) * found.scale
+    return LocalProjection(*found.shown.origin).place(x, y)
+
+
+def away(place: tuple[float, float], expected: tuple[float, float]) -> float:
+    """Meters between two places."""
+    return math.hypot(*LocalProjection(*expected).point(*place))
+
+
+MIDDLE = (SPOT[0] + 3.0, SPOT[1] + 3.0)
+NORTH, EAST = 48.1, 11.61
+
+
+def utm_corner() -> tuple[float, float]:
+    """The upper left corner in UTM zone 32, such that the spot is at NORTH, EAST; pixels of 2 m."""
+    x, y = kruger(NORTH, EAST, 9.0)
+    return 500_000.0 + 0.9996 * x - 2.0 * MIDDLE[0], 0.9996 * y + 2.0 * MIDDLE[1]
+
+
+def test_a_geotiff_in_utm_is_turned_north_up(tmp_path: Path) -> None:
+    """North of the grid is 1.94 degrees off here: 27 m at the other end of the picture."""
+    x, y = utm_corner()
+    numbers = {33550: (2.0, 2.0, 0.0), 33922: (0.0, 0.0, 0.0, x, y, 0.0)}
+    keys = ((1024, 1), (1025, 1), (3072, 32632), (3076, 9001))
+    found = opened(written_geotiff(tmp_path / "a.tif", shown(), keys, numbers))
+    assert away(place_of_spot(found), (NORTH, EAST)) < 0.1
+    assert found.scale == pytest.approx(2.0, rel=2e-4)
+    rows, _ = np.nonzero(found.pixels[..., 0] < 128)
+    assert len(rows) == pytest.approx(36, abs=6)
+    turned = math.radians(EAST - 9.0) * math.sin(math.radians(NORTH))
+    assert found.pixels.shape[0] == pytest.approx(HEIGHT + WIDTH * math.sin(turned), abs=2)
+    assert (found.pixels[0, 0] == 255).all()
+    assert found.shown.warning is None
+
+
+def test_points_of_pixels_and_a_whole_matrix_are_the_same_place(tmp_path: Path) -> None:
+    x, y = utm_corner()
+    matrix = [0.0] * 16
+    matrix[0], matrix[3], matrix[5], matrix[7] = 2.0, x + 1.0, -2.0, y - 1.0
+    keys = ((1024, 1), (1025, 2), (3072, 25832))
+    found = opened(written_geotiff(tmp_path / "a.tif", shown(), keys, {34264: matrix}))
+    assert away(place_of_spot(found), (NORTH, EAST)) < 0.1
+
+
+@pytest.mark.parametrize("form", ["world file", "geotiff"])
+def test_pixels_of_degrees_become_square(tmp_path: Path, form: str) -> None:
+    step = 1e-5
+    west, north = EAST - step * MIDDLE[0], NORTH + step * MIDDLE[1]
+    if form == "geotiff":
+        numbers = {33550: (step, step, 0.0), 33922: (0.0, 0.0, 0.0, west, north, 0.0)}
+        path = written_geotiff(tmp_path / "a.tif", shown(), ((1024, 2), (2048, 4326)), numbers)
+    else:
+        path = tmp_path / "a.png"
+        cv2.imwrite(str(path), shown())
+        lines = (step, 0, 0, -step, west + step / 2, north - step / 2)
+        (tmp_path / "a.pgw").write_text("\n".join(map(repr, lines)))
+    found = opened(path)
+    assert away(place_of_spot(found), (NORTH, EAST)) < 0.1
+    width = WIDTH * step * 111_320.0 * math.cos(math.radians(NORTH))
+    assert found.pixels.shape[1] * (found.scale or 0) == pytest.approx(width, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("projection", "x", "y"),
+    [
+        ('PROJCS["WGS_1984_Web_Mercator_Auxiliary_Sphere",GEOGCS["GCS_WGS_1984"]]', None, None),
+        ('PROJCS["WGS 84 / Pseudo-Mercator",AUTHORITY["EPSG","3857"]]', None, None),
+        ('PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984"]]', 2.0, 2.0),
+    ],
+)
+def test_the_grid_of_a_world_file_is_in_a_prj_file(
+    tmp_path: Path, projection: str, x: float | None, y: float | None
+) -> None:
+    if x is None or y is None:
+        radius = 6_378_137.0
+        west = radius * math.radians(EAST) - 2.0 * MIDDLE[0]
+        tangent = math.tan(math.radians(45.0 + NORTH / 2.0))
+        north = radius * math.log(tangent) + 2.0 * MIDDLE[1]
+    else:
+        west, north = utm_corner()
+    path = tmp_path / "a.png"
+    cv2.imwrite(str(path), shown())
+    (tmp_path / "a.pgw").write_text(f"2\n0\n0\n-2\n{west + 1.0!r}\n{north - 1.0!r}\n")
+    (tmp_path / "a.prj").write_text(projection)
+    found = opened(path)
+    assert away(place_of_spot(found), (NORTH, EAST)) < 0.15
+    shrunk = math.cos(math.radians(NORTH)) if x is None else 1.0
+    assert found.scale == pytest.approx(2.0 * shrunk, rel=5e-3)
+    assert found.found_scale is not None
+    assert [name for name, _ in found.found_scale.files] == ["a.pgw", "a.prj"]
+
+
+def test_other_grids_need_pyproj_and_keep_their_scale(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyproj", None)
+    numbers = {33550: (2.0, 2.0, 0.0), 33922: (0.0, 0.0, 0.0, 2.6e6, 1.2e6, 0.0)}
+    path = written_geotiff(tmp_path / "a.tif", shown(), ((1024, 1), (3072, 2056)), numbers)
+    found = opened(path)
+    assert (found.scale, found.shown.origin) == (2.0, None)
+    assert found.shown.warning is not None
+    assert found.shown.warning.code == "RL439"
+    assert "EPSG:2056 needs the Python package `pyproj`" in found.shown.warning.message
+
+
+def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:
+    """The old observatory of Bern is the origin of the Swiss grid."""
+    pytest.importorskip("pyproj")
+    numbers = {33550: (2.0, 2.0, 0.0),
+        33922: (MIDDLE[0], MIDDLE[1], 0.0, 2_600_000.0, 1_200_000.0, 0.0)}  # fmt: skip
+    path = written_geotiff(tmp_path / "a.tif", shown(), ((1024, 1), (3072, 2056)), numbers)
+    assert away(place_of_spot(opened(path)), (46.951083, 7.438632)) < 1.0
+
+
+def test_coordinates_that_are_not_on_earth_are_no_place(tmp_path: Path) -> None:
+    numbers = {33550: (2.0, 2.0, 0.0), 33922: (0.0, 0.0, 0.0, 5e5, 1e9, 0.0)}
+    path = written_geotiff(tmp_path / "a.tif", shown(), ((1024, 1), (3072, 32632)), numbers)
+    found = opened(path)
+    assert (found.scale, found.shown.origin) == (2.0, None)
+    assert found.shown.warning is not None
