@@ -109,7 +109,7 @@ _KINDS = {
     "lane grass": "lanes:GrassLane",
     "select route": "selectors:Route",
     "select road": "selectors:RoadById",
-    "region box": "region_box:Box",
+    "region box": "region_box:BoxRegion",
     "drive_signal lane": "drive_signals_lane:LaneSignal",
     "drive_signal lane_offset": "drive_signals_lane:LaneOffset",
     "drive_signal route_progress": "drive_signals_lane:RouteProgress",

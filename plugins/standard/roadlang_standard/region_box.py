@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Box(Region):
+class BoxRegion(Region):
     """A rectangle whose sides run east and north, between two opposite corners."""
 
     name: ClassVar[str] = "box"
