@@ -28,7 +28,7 @@ from ..world.copies import is_group
 from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
-from .junction_warnings import junction_warnings
+from .network_warnings import network_warnings
 from .roads import scene_networks, scene_roads
 from .scene_rows import SceneRows
 from .start_gaps import slowed_behind
@@ -68,8 +68,7 @@ def concrete_scenes(
         singles = (candidates.take(np.array([row])) for row in range(rows.count))
         aliased = [aliasing_remarks(single) for single in singles]
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
-    of_roots = dict.fromkeys(warning for root in roots for warning in root.warnings)
-    warnings = rows.same((*of_roots, *junction_warnings(source.networks, candidates)))
+    warnings = rows.same(network_warnings(source.networks, candidates))
     scenes = _finished(members, rows)
     return [
         ConcreteScene(scene, tuple(found), warned)

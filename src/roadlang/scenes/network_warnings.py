@@ -1,4 +1,4 @@
-"""What could not be built at the junctions of a network, as warnings."""
+"""What could not be built of a network as it is drawn or mapped, as warnings."""
 
 from __future__ import annotations
 
@@ -13,14 +13,17 @@ from ..world.networks import network_root
 _MOST = 6
 
 
-def junction_warnings(
+def network_warnings(
     networks: Iterable[ScenarioNetwork], candidates: CandidateBatch
 ) -> tuple[Diagnostic, ...]:
-    """One for each junction or pair of roads; networks with the same junctions are one."""
+    """What was said of their sources, and one for each junction or pair of roads; networks with
+    the same junctions are one."""
     found: list[Diagnostic] = []
     seen: list[JunctionPlan] = []
     for network in networks:
-        plan = network_root(network, candidates).junctions.plans[network.name]
+        root = network_root(network, candidates)
+        found += [warning for warning in root.warnings if warning not in found]
+        plan = root.junctions.plans[network.name]
         if plan not in seen:
             seen.append(plan)
             found += _of_plan(network, plan)
