@@ -8,12 +8,14 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
+from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import CrossSection, Edge, RoadNetwork
 from ..geometry.arrays import Floats
 from ..geometry.junctions.model import JunctionPlan
 from ..geometry.junctions.one_way import one_way
 from ..geometry.junctions.plan import PlanOptions, plan_junctions
 from ..ir.scenario import ScenarioNetwork
+from ..ir.values import Flag
 from .lane_building import built_lanes, left_hand
 from .lane_plan import LanePlan, lane_plan
 
@@ -73,18 +75,27 @@ def network_plans(
     The candidates must have the same lanes. Raises RL473 for a drawn width that is out of bounds.
     """
     scenario = candidates.scenario
-    options = PlanOptions(left_hand(candidates))
-    by_lanes: dict[LanePlan, JunctionPlan] = {}
+    side = left_hand(candidates)
+    by_lanes: dict[tuple[LanePlan, bool], JunctionPlan] = {}
     plans: dict[str, JunctionPlan] = {}
     for network in scenario.networks.values():
         if bottom not in scenario.chain(network):
             continue
         lanes = replace(lane_plan(network, scenario), speed_limit=None)
-        if lanes not in by_lanes:
+        key = lanes, has_u_turns(network, scenario)
+        if key not in by_lanes:
             sections = {edge.id: edge_section(edge, lanes, candidates) for edge in geometry.edges}
-            by_lanes[lanes] = plan_junctions(geometry, sections, options)
-        plans[network.name] = by_lanes[lanes]
+            options = PlanOptions(side, u_turns=key[1])
+            by_lanes[key] = plan_junctions(geometry, sections, options)
+        plans[network.name] = by_lanes[key]
     return NetworkPlans(plans, _greatest(geometry, plans.values()))
+
+
+def has_u_turns(network: ScenarioNetwork, scenario: IndexedScenario) -> bool:
+    """Whether vehicles may turn around at its junctions, as it says or what it is made from."""
+    chain = [link for link in scenario.chain(network) if isinstance(link, ScenarioNetwork)]
+    written = [link.options["u_turns"] for link in chain if "u_turns" in link.options]
+    return bool(written) and scenario.resolved(written[0]) == Flag(True)
 
 
 def edge_section(edge: Edge, lanes: LanePlan, candidates: CandidateBatch) -> CrossSection:

@@ -80,7 +80,8 @@ def _unreachable(
     elif isinstance(shortest_route(lanes, leg[::-1]), PlannedRoute):
         help_ = (
             "there is one only in the other direction, and a route does not turn around on a road: "
-            "add a point through which it can return"
+            "add a point through which it can return, or let vehicles turn around at junctions: "
+            "`u_turns: true` in the network"
         )
     else:
         roads = sorted({lanes.lanes[place.lane].edge for place in leg[0]})

@@ -14,7 +14,7 @@ from ..arrays import Floats
 from .area import ring_with_faces, surface
 from .arms import ArmKey, ArmLane, ArmLine
 from .conflicts import conflicts_of, line_shares
-from .connecting import SHARPEST, Connected
+from .connecting import SHARPEST, Connected, pair_widths
 from .fitting import sampled
 from .lane_pairs import LanePair
 from .model import Connection, Junction, LaneEnd, Point, Problem, Refusal
@@ -41,7 +41,7 @@ def junction_of(
     ring: Mapping[int, bool],
 ) -> Built:
     """`lines` are both ends of every road of the network, `ring` the roads of roundabouts."""
-    widths = [_widths(found, pair) for pair in found.pairs]
+    widths = [pair_widths(found, pair) for pair in found.pairs]
     rows = [int(row) for row in np.flatnonzero(found.usable)]
     connections = tuple(_connection(id, found, row, widths[row]) for id, row in enumerate(rows))
     longest = max((connection.length for connection in connections), default=0.0)
@@ -66,11 +66,6 @@ def junction_of(
         place.inside,
     )
     return Built(junction, _problems(junction, found, area, trims, widths, gaps))
-
-
-def _widths(found: Connected, pair: LanePair) -> tuple[float, float]:
-    source, target = _lanes(found, pair)
-    return source.width, target.width
 
 
 def _lanes(found: Connected, pair: LanePair) -> tuple[ArmLane, ArmLane]:

@@ -61,7 +61,7 @@ def connected(place: JunctionSite, trims: MutableMapping[ArmKey, float]) -> Conn
     least = {arm.key: trims[arm.key] for arm in found.arms}
     for _ in range(ROUNDS):
         pushed = _too_tight(found) or _swept_over(found)
-        moved = [_push(place, key, trims) for key in sorted(pushed)]
+        moved = [push(place, key, trims) for key in sorted(pushed)]
         if not any(moved):
             break
         found = _with_sweeps(_fitted(place, trims), trims)
@@ -91,8 +91,8 @@ def _is_return(found: Connected, pair: LanePair) -> bool:
     return source.edge is target.edge and source.node != target.node
 
 
-def _push(place: JunctionSite, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bool:
-    """Moves a trim outward; False if the road leaves no room."""
+def push(place: JunctionSite, key: ArmKey, trims: MutableMapping[ArmKey, float]) -> bool:
+    """Moves a trim outward by 25 % and half a meter; False if the road leaves no room."""
     arm = next(arm for arm in place.arms.arms if arm.key == key)
     other: ArmKey = (key[0], "end" if key[1] == "start" else "start")
     least = SHORTEST_ROAD if other in trims else SHORTEST_STUB
@@ -130,15 +130,16 @@ def _with_sweeps(found: Connected, trims: Mapping[ArmKey, float]) -> Connected:
         return found
     swept = np.zeros((len(found.pairs), len(found.arms)), dtype=bool)
     if len(found.pairs) and len(found.arms) > 2:
-        widths = np.array([_widths(pair, found.lanes) for pair in found.pairs])
+        widths = np.array([pair_widths(found, pair) for pair in found.pairs])
         swept = swept_arms(found.arms, trims, found.fits, widths)
         swept &= found.fits.drivable[:, None]
     return replace(found, found_sweeps=swept)
 
 
-def _widths(pair: LanePair, lanes: tuple[ArmLanes, ...]) -> tuple[float, float]:
-    source = lanes[pair.source].inbound[pair.source_lane]
-    return source.width, lanes[pair.target].outbound[pair.target_lane].width
+def pair_widths(found: Connected, pair: LanePair) -> tuple[float, float]:
+    """Of the two lanes of a turn, meters."""
+    source = found.lanes[pair.source].inbound[pair.source_lane]
+    return source.width, found.lanes[pair.target].outbound[pair.target_lane].width
 
 
 def _ends(

@@ -28,7 +28,7 @@ def swept_arms(
     points, headings = sampled(fits, _COARSE)
     half = (widths[:, :1] + (widths[:, 1:] - widths[:, :1]) * _COARSE) / 2.0 - TOLERANCE
     # Curves between ends at one point have no place; none of them can be driven.
-    rings = np.nan_to_num(_ring(points, headings, half))
+    rings = np.nan_to_num(ring_round(points, headings, half))
     strips = valid(shapely.polygons(rings))
     found = np.zeros((len(rings), len(arms)), dtype=bool)
     for place, arm in enumerate(arms):
@@ -82,7 +82,7 @@ def strip(fits: Fits, row: int, widths: tuple[float, float]) -> Any:
         fits.start[[row]], fits.heading[[row]], lengths[None], curvatures[None], shares
     )
     half = (widths[0] + (widths[1] - widths[0]) * shares) / 2.0
-    return valid(shapely.polygons(_ring(points, headings, half[None])[0]))
+    return valid(shapely.polygons(ring_round(points, headings, half[None])[0]))
 
 
 def valid(polygons: Any) -> Any:
@@ -95,7 +95,7 @@ def valid(polygons: Any) -> Any:
     return np.where(good, polygons, shapely.make_valid(polygons))[()]
 
 
-def _ring(points: Floats, headings: Floats, half: Floats) -> Floats:
+def ring_round(points: Floats, headings: Floats, half: Floats) -> Floats:
     """(N, 2k, 2) round lines (N, k, 2) that are 2 `half` (N, k) wide."""
     normal = np.stack([-np.sin(headings), np.cos(headings)], axis=-1) * half[..., None]
     return np.concatenate([points + normal, (points - normal)[:, ::-1]], axis=1)

@@ -108,6 +108,12 @@ class NetworkOptions(SurfaceOptions, CrossSectionOptions):
         help="the part of the map or picture that is kept; roads end where they leave it",
         example="box((-100m, -50m), (200m, 150m))",
     )
+    u_turns: Flag = option(
+        None,
+        help="whether vehicles may turn around at junctions, where these have room for it; by "
+        "default only a dead end of a map or a roundabout turns them around",
+        example="true",
+    )
     moved_at: Places = option(
         None,
         help="places of the network, such as junctions, that are moved before anything else "

@@ -76,7 +76,7 @@ def lower_geometry(
     return replace(lowered, option_spans=value_spans(statement.block))
 
 
-_SHARED_BY_ALL = ("station_spacing", "moved_at", "moved_by", "moved_radius")
+_SHARED_BY_ALL = ("station_spacing", "moved_at", "moved_by", "moved_radius", "u_turns")
 
 
 def _spacing_is_fixed(checker: Checker, statement: ast.Geometry, options: Options) -> bool:
