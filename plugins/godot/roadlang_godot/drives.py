@@ -50,7 +50,8 @@ def decided_in_python(scene: Scene, controllers: Mapping[str, T]) -> dict[str, T
 def is_in_engine(call: Call) -> bool:
     """Whether the engine has a copy of a controller, and can evaluate its conditions."""
     conditions = [condition for condition in (call.when, call.during) if condition is not None]
-    return plain_name(call.kind) in IN_ENGINE and all(map(is_known, conditions))
+    waits = dict(call.options).get("wait_for", "nothing") != "nothing"
+    return plain_name(call.kind) in IN_ENGINE and not waits and all(map(is_known, conditions))
 
 
 def undriven_agents(scene: Scene, python_driven: Collection[str]) -> tuple[str, ...]:

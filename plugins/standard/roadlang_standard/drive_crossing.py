@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Controller, InitialSpeed, Length, Speed, option
+from roadlang.api import Controller, InitialSpeed, Length, Speed, Word, option
+
+from .gaps_on_foot import SHORTEST, has_gap
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,21 +20,24 @@ WITHOUT_ROAD = 10.0
 """Meters to walk where there is no road to cross."""
 AHEAD, NEAR = 1.0, 12.0
 """Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
-SHORTEST = 1.5
-"""Meters: anything shorter does not count as a vehicle."""
 
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at a right angle and stop on the other side. It does not yield to anybody, but
-    does not walk into the side of a vehicle."""
+    """Cross the road at a right angle and stop on the other side. Once it walks it does not yield
+    to anybody, but does not walk into the side of a vehicle."""
 
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
     beyond: Length = option(1.0, minimum=0, help="distance to walk past the opposite edge")
+    wait_for: Word = option(
+        "nothing",
+        words=("gap", "nothing"),
+        help="whether it first waits for a gap in traffic",
+    )
 
     def initial_speed(self) -> InitialSpeed:
-        return InitialSpeed(self.speed)
+        return InitialSpeed(0.0 if self.wait_for == "gap" else self.speed)
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: distance walked, distance to walk, heading (NaN before the start)."""
@@ -56,6 +61,10 @@ class Crossing(Controller):
             state[:, 1] = np.where(new, np.where(on_road, across, WITHOUT_ROAD), state[:, 1])
             state[:, 2] = np.where(new, np.where(on_road, toward, seen.heading), state[:, 2])
         walks = (state[:, 0] < state[:, 1]) & ~_is_blocked(seen, state[:, 2])
+        speed = np.broadcast_to(np.asarray(self.speed, dtype=np.float64), walks.shape)
+        begins = walks & (state[:, 0] == 0.0)
+        if self.wait_for == "gap" and begins.any():
+            walks &= ~begins | has_gap(seen, state[:, 2], state[:, 1], speed)
         pace = np.where(walks, self.speed, 0.0)
         state[:, 0] += pace * seen.step
         acceleration = (pace - seen.speed) / seen.step

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from ..geometry.arrays import Floats, Integers
 
 _FREE = (math.inf, math.inf, 0.0)
+_NO_JUNCTION = (math.inf, 0.0, math.inf)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +94,10 @@ class Observation(Frozen):
     right_of_way: Callable[[float, float], tuple[float, float, float]] = lambda polite, bold: _FREE
     """`right_of_way(p, a)`: what `stop_ahead` says, and where lanes merge the gap to who goes first
     there, infinite for nobody, and its speed; politeness and aggression are from 0 to 1"""
+    junction_ahead: Callable[[], tuple[float, float, float]] = lambda: _NO_JUNCTION
+    """`junction_ahead()`: how far ahead of its front the next junction on its way begins, negative
+    inside, infinite for none; the length of its way there; and the seconds until the signal is red,
+    0 at red, infinite for none"""
     nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
     """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
     sensors: Mapping[str, Reading] = field(default_factory=dict)
@@ -149,10 +154,8 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class ObservationBatch:
-    """The states of N agents: columns (N,) of what `Observation` says of one.
-
-    They are of the time at which the controller is called, and are read during that call alone.
-    """
+    """The states of N agents: columns (N,) of what `Observation` says of one. They are of the time
+    of the call, and are read during it alone."""
 
     time: Floats
     step: float
@@ -188,6 +191,7 @@ class ObservationBatch:
     speed_limit_ahead: Callable[[Floats | float, Floats | float], Floats]
     stop_ahead: Callable[[], Floats]
     right_of_way: Callable[[Floats | float, Floats | float], tuple[Floats, Floats, Floats]]
+    junction_ahead: Callable[[], tuple[Floats, Floats, Floats]]
     nearby: Callable[[float], Neighbors]
     path_ahead: Callable[[Floats], tuple[Floats, Floats]]
     """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
@@ -255,6 +259,7 @@ class ObservationBatch:
             speed_limit_ahead=lambda *at: column(seen.speed_limit_ahead(*map(first, at))),
             stop_ahead=lambda: column(seen.stop_ahead()),
             right_of_way=lambda *temper: columns(seen.right_of_way(*map(first, temper))),
+            junction_ahead=lambda: columns(seen.junction_ahead()),
             nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
@@ -264,22 +269,18 @@ class ObservationBatch:
 
 @dataclass(frozen=True, slots=True)
 class ControlBatch:
-    """Columns (N,) of what `Control` says of one agent.
-
-    Where `steering` or `acceleration` is NaN, the last controller before this one that gives a
-    number decides; where there is none, it is 0. `heading` is for what walks: it turns there at
-    once where that is not NaN.
-    """
+    """Columns (N,) of what `Control` says of one agent. Where `steering` or `acceleration` is NaN,
+    the last controller before it that gives a number decides, else it is 0. `heading` is for what
+    walks: it turns there at once, if not NaN."""
 
     steering: Floats
     acceleration: Floats
     heading: Floats | None = None
     line_offset: Floats | None = None
-    """moves the line that the agent follows to this distance left of its tabled line, in meters;
-    NaN: as before. It stays there, for all later controllers."""
+    """moves the line that the agent follows so many meters left of its tabled line, for all later
+    controllers; NaN: as before"""
     line_time: Floats | None = None
-    """seconds in which the line moves there, smoothly; None or 0: at once. Where it is on its way
-    there already, nothing changes."""
+    """seconds in which the line moves there, smoothly; None or 0: at once"""
     pose: Floats | None = None
     """(N, 4) x, y, heading and speed one step later; NaN: left to the equations of motion"""
 

@@ -112,6 +112,7 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     "sensors": lambda seen: seen.view.readings(seen.chosen),
     "stop_ahead": lambda seen: lambda: seen.view.right_of_way(seen.chosen)[0],
     "right_of_way": lambda seen: lambda *temper: seen.view.right_of_way(seen.chosen, temper),
+    "junction_ahead": lambda seen: lambda: seen.view.junction_ahead(seen.chosen),
     "nearby": lambda seen: lambda distance: seen.view.nearby(seen.chosen, distance),
     "nearest": _nearest,
 }

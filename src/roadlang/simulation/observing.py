@@ -216,6 +216,10 @@ class View:
         stop = np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows])
         return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
 
+    def junction_ahead(self, rows: Integers) -> tuple[Floats, Floats, Floats]:
+        """(N,) meters to the next junctions, from there to their ends, and seconds until red."""
+        return self.surroundings.right_of_way(self.world).junctions(self.world, rows)
+
     def _leaders(self) -> Leaders:
         if self._ahead is None:
             self._ahead = leaders(self.world, self.poses)

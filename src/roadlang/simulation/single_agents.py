@@ -95,6 +95,10 @@ class _SingleAgent:
     def stop_ahead(self) -> float:
         return float(self._seen.stop_ahead()[0])
 
+    def junction_ahead(self) -> tuple[float, float, float]:
+        distance, length, green = self._seen.junction_ahead()
+        return float(distance[0]), float(length[0]), float(green[0])
+
     def nearby(self, distance: float) -> tuple[Neighbor, ...]:
         return self._seen.nearby(distance).single(0)
 
@@ -128,6 +132,7 @@ def observations(
                 direction_of_lane=single.direction_of_lane,
                 speed_limit_ahead=single.speed_limit_ahead,
                 stop_ahead=single.stop_ahead,
+                junction_ahead=single.junction_ahead,
                 right_of_way=single.right_of_way,
                 nearby=single.nearby,
                 sensors=single.sensors,

@@ -122,11 +122,20 @@ def _starts(
         name, rows = f"{actor.on}/{edge}", copies.rows[chosen]
         station[chosen] = to_root(name, copies.candidates, rows, start[chosen])
     numbers = {lane: number for number, lane in enumerate(lanes.lanes)}
-    keys = (TravelLane(*parts) for parts in zip(road, lane, backward, strict=True))
+    keys = [TravelLane(*parts) for parts in zip(road, lane, backward, strict=True)]
+    if "route" in actor.options and "lane" in actor.options:
+        keys = [_beside(lanes, key) if key not in numbers else key for key in keys]
     return [
         RoutePlace(numbers[key], float(station[row])) if key in numbers else None
         for row, key in enumerate(keys)
     ]
+
+
+def _beside(lanes: LaneGraph, place: TravelLane) -> TravelLane:
+    """The lane for vehicles that is nearest to another, such as a sidewalk, in its direction."""
+    same = [lanes.lanes[number] for number in lanes.of_edge.get(place.edge, ())]
+    same = [lane for lane in same if lane.backward == place.backward] if place.lane else []
+    return min(same, key=lambda lane: (abs(lane.lane - place.lane), lane.lane), default=place)
 
 
 def _number(actor: ScenarioActor, name: str, copies: CopyBatch, default: float) -> Any:

@@ -51,12 +51,12 @@ class Approaches:
     def of(
         cls, world: World, rows: Integers, parts: tuple[Crossings, JunctionTables, Lights]
     ) -> Approaches:
-        """Of the agents `rows`."""
+        """Of the agents `rows`, whose crossings these are."""
         crossings, tables, lights = parts
         along, half = world.motion.along[rows, None], 0.5 * world.bodies.length[rows, None]
-        to_line = crossings.stop[rows] - along - half
-        to_leave = crossings.exit[rows] - along + half
-        junction = crossings.junction[rows]
+        to_line = crossings.stop - along - half
+        to_leave = crossings.exit - along + half
+        junction = crossings.junction
         none = junction < 0
         is_over = none | (to_leave < 0.0)
         is_behind = is_over
@@ -67,7 +67,7 @@ class Approaches:
             to_line, to_leave = to_line - lap, to_leave - lap
             is_over = none | (is_over & ~closed)
             is_behind = is_over | (closed & (to_line > 0.5 * world.length[rows, None]))
-        number = tables.first[junction] + crossings.connection[rows]
+        number = tables.first[junction] + crossings.connection
         number = np.where(none, 0, number)
         green, to_red = lights.at(number, world.age[rows, None])
         speed = world.motion.speed[rows, None]

@@ -95,6 +95,24 @@ class RightOfWayGrants:
         steps toward their lane or waits at a crossing, infinite for nobody."""
         return self._pedestrians.ahead(world, poses, rows)
 
+    def junctions(self, world: World, rows: Integers) -> tuple[Floats, Floats, Floats]:
+        """(n,) meters from the fronts of agents to the next junction that they cross, negative on
+        it, infinite for none; from there to where its connection ends; and the seconds until their
+        signal is red, infinite where there is none."""
+        crossings, places = self._crossings.take(rows), self._places
+        each = np.arange(len(rows))
+        if not crossings.junctions:
+            never = np.full(len(rows), math.inf)
+            return never, np.zeros(len(rows)), never.copy()
+        near = Approaches.of(world, rows, (crossings, places.tables, places.lights))
+        distance = np.where(near.is_over, math.inf, near.to_line)
+        slot = distance.argmin(axis=1)
+        distance, number = distance[each, slot], near.number[each, slot]
+        there = np.isfinite(distance)
+        length = np.where(there, places.tables.length[number], 0.0)
+        _, left = places.lights.at(number, world.age[rows])
+        return distance, length, np.where(there, left, math.inf)
+
     def ahead(
         self,
         world: World,
