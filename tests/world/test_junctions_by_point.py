@@ -45,3 +45,15 @@ def test_an_agent_is_placed_before_the_junction_near_a_point(point: str, x: floa
     (scene,) = testing.sample(text, 1)
     (ego,) = scene.record.agents
     assert abs(ego.x - x) < 20.0
+
+
+def test_roads_that_meet_name_their_junction() -> None:
+    text = TOWN.replace("POINT", "95m, 35m")
+    (scene,) = testing.sample(text, 1)
+    for junction in scene.record.networks[0].junctions:
+        roads = sorted(int(arm.road.rpartition("/")[2]) for arm in junction.arms)
+        agent = f"agent ego is car on town at junction(roads: {roads[:3]}, road: {roads[0]})"
+        (placed,) = testing.sample(text + agent, 1)
+        assert placed.record.agents[0].road == f"town/{roads[0]}"
+    with pytest.raises(Exception, match="do not meet"):
+        testing.sample(text + "agent ego is car on town at junction(roads: [1, 99])", 1)

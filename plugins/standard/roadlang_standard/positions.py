@@ -92,17 +92,26 @@ class AtJunction(Position):
     )
     road: Integer = option(None, minimum=0, help="id of the road; by default any that leads there")
     before: Length = option(0.0, minimum=0, help="how far before the stop line")
+    roads: tuple[int, ...] | None = option(
+        None, minimum=0, help="or the ids of roads: the junction where they meet", example="[3, 7]"
+    )
 
     def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.RoutePlace]:
         """One in each lane, as far before its end as the lane is long enough."""
         turns = enumerate(lanes.turns)
-        id = self.id if self.near is None else _nearest_junction(lanes, self.near)
+        id = self.id
+        if self.roads is not None:
+            id = _junction_of_roads(lanes, tuple(map(int, self.roads)))
+        elif self.near is not None:
+            id = _nearest_junction(lanes, self.near)
         leading = [lane for lane, out in turns if any(turn.junction == id for turn in out)]
         if not leading:
             known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
             names = ", ".join(map(str, known)) or "none"
             fault = (
-                f"no lane leads to junction {id}" if id is not None else "it needs `id` or `near`"
+                f"no lane leads to junction {id}"
+                if id is not None
+                else "it needs `id`, `near` or `roads`"
             )
             raise geometry.GeometryError(f"{fault}; the ids of the junctions are: {names}")
         chosen = [lane for lane in leading if self.road in (None, lanes.lanes[lane].edge)]
@@ -112,6 +121,30 @@ class AtJunction(Position):
                 f"road {self.road} does not lead into junction {id}; its roads are {roads}"
             )
         return [_before(lanes, lane, self.before) for lane in chosen]
+
+
+def _junction_of_roads(lanes: geometry.LaneGraph, roads: tuple[int, ...]) -> int:
+    """The junction at which roads meet. Raises GeometryError where there is none, or several."""
+    meeting: dict[int, set[int]] = {}
+    for lane, out in enumerate(lanes.turns):
+        for turn in out:
+            ends = lanes.lanes[lane].edge, lanes.lanes[turn.target].edge
+            meeting.setdefault(turn.junction, set()).update(ends)
+    found = sorted(id for id, edges in meeting.items() if id >= 0 and edges.issuperset(roads))
+    names = " and ".join(map(str, roads))
+    if not found:
+        known = "; ".join(
+            f"{id}: {', '.join(map(str, sorted(edges)))}"
+            for id, edges in sorted(meeting.items())
+            if id >= 0
+        )
+        raise geometry.GeometryError(
+            f"the roads {names} do not meet; the junctions and their roads are {known or 'none'}"
+        )
+    if len(found) > 1:
+        ids = ", ".join(map(str, found))
+        raise geometry.GeometryError(f"the roads {names} meet at several junctions: {ids}")
+    return found[0]
 
 
 def _nearest_junction(lanes: geometry.LaneGraph, point: tuple[float, float]) -> int | None:

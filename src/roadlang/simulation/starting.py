@@ -9,6 +9,7 @@ import numpy as np
 
 from ..geometry.arrays import Booleans
 from ..ir.scene import SceneActor, SceneRoad
+from ..ir.scene_route import RouteStep
 from .motion import Motion, Track
 from .poses import foot_points
 
@@ -43,7 +44,8 @@ class LineOffsets:
     """How far left of the center line of its road the line lies that an agent should follow.
 
     The middle of its lane where it starts, if it has one, else where it stands; from beside the
-    road, the middle of the road. Cross-sections that many roads share are built once.
+    road, the middle of the road; with a route, that of its lanes. Cross-sections that many roads
+    share are built once.
     """
 
     def __init__(self) -> None:
@@ -51,14 +53,29 @@ class LineOffsets:
 
     def of(self, actor: SceneActor, road: SceneRoad | None, width: float) -> float:
         """Of one agent; `width`: of the road where it starts."""
-        if road is None or actor.route is not None:
+        if road is None:
             return 0.0
+        if actor.route is not None:
+            return self._beside_route(actor.lane, actor.route.steps[0], road, actor.start or 0.0)
         if actor.lane is not None:
             center = self._lane_center(actor.lane, road, actor.start or 0.0)
             if center is not None:
                 return center
         offset = actor.offset or 0.0
         return offset if abs(offset) < width / 2 else 0.0
+
+    def _beside_route(
+        self, lane: int | None, step: RouteStep, road: SceneRoad, station: float
+    ) -> float:
+        """Of who begins in another lane than its route: on a sidewalk, or in a lane for bicycles.
+        It keeps as far beside the lanes of the route, junctions included."""
+        if lane in (None, 0, step.lane):
+            return 0.0
+        assert lane is not None
+        own, middle = (self._lane_center(id, road, station) for id in (lane, step.lane))
+        if own is None or middle is None:
+            return 0.0
+        return own - middle if step.stop >= step.start else middle - own
 
     def _lane_center(self, lane: int, road: SceneRoad, station: float) -> float | None:
         widths = [len(lane_.width) for lane_ in road.lane_list]

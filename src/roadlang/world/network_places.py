@@ -10,7 +10,7 @@ import numpy as np
 
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
-from ..geometry.arrays import Floats, Integers
+from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
 from ..geometry.routes.shortest import (
@@ -176,7 +176,7 @@ class _Finder:
     ) -> None:
         """On roads rather than in lanes for vehicles: beside, astride, or in a lane of a kind."""
         graph = self.lanes
-        edges = list(graph.of_edge)
+        edges, on_left = list(graph.of_edge), None
         if choice is not None:
             kinds = {edge: [lane.kind for lane in graph.sections[edge].lanes] for edge in edges}
             edges = [edge for edge in edges if choice[0] in kinds[edge]] or edges
@@ -194,18 +194,33 @@ class _Finder:
             station = near.station[rows][numbers, each]
             beyond = near.distance[rows][numbers, each] - FARTHEST
             into.lacking[index] = np.maximum(beyond, 0.0)
+            on_left = self._on_left(np.array(edges)[numbers], index)
         into.road[index] = np.array(edges)[numbers]
         for road in np.unique(into.road[index]).tolist():
             chosen = into.road[index] == road
             into.start[index[chosen]] = self._from_root(road, index[chosen], station[chosen])
             if choice is not None:
-                part, against = self.copies.chosen(index[chosen]), written.facing[index[chosen]]
+                part, facing = self.copies.chosen(index[chosen]), written.facing[index[chosen]]
                 name, kind = f"{self.actor.on}/{road}", str(choice[0])
-                ids = lanes_by_word(name, self.actor, part, kind, against == "back")
+                ids = lanes_by_word(name, self.actor, part, kind, facing == "back")
+                if on_left is not None:  # a point is on one side of the road
+                    other = lanes_by_word(name, self.actor, part, kind, facing != "back")
+                    crosses = ((ids > 0) != on_left[chosen]) & ((other > 0) == on_left[chosen])
+                    ids = np.where(crosses & (facing == ""), other, ids)
                 into.lane[index[chosen]] = ids
         if self.first is not self.copies:
             away = np.array([self._rows[row][-1] for row in index.tolist()])
             into.start[index] += away
+
+    def _on_left(self, edges: Integers, index: Integers) -> Booleans:
+        """(n,) whether the points of copies lie left of the lines of roads."""
+        points, on_left = self._points()[index], np.zeros(len(index), dtype=bool)
+        for edge in np.unique(edges).tolist():
+            chosen, curve = edges == edge, self.lanes.edges[edge].curve
+            station = curve.project(points[chosen])[0]
+            aside = points[chosen] - curve.at(station)
+            on_left[chosen] = (aside * curve.normal(station)).sum(axis=-1) > 0.0
+        return on_left
 
     def _beside_lanes(self, edges: list[int], index: Integers) -> tuple[Integers, Floats]:
         """Which of some roads, and where on them, a position among their lanes (`junction(1)`) is.
