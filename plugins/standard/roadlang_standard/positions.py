@@ -99,7 +99,7 @@ class AtJunction(Position):
     def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.RoutePlace]:
         """One in each lane, as far before its end as the lane is long enough."""
         turns = enumerate(lanes.turns)
-        id = self.id
+        id: int | None = self.id
         if self.roads is not None:
             id = _junction_of_roads(lanes, tuple(map(int, self.roads)))
         elif self.near is not None:
