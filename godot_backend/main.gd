@@ -2,7 +2,8 @@ extends Node3D
 ## The whole program: a stage in a window of its own.
 ##
 ## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still,
-## --quit-idle SECONDS without a client, --quit-with-parent when standard input ends.
+## --quit-idle SECONDS without a client, --quit-with-parent when standard input ends. Then the folder
+## of the file --log, to which the parent has directed the output, is removed in its stead.
 
 const Stage := preload("roadlang_stage.gd")
 
@@ -40,6 +41,10 @@ func _process(_dt: float) -> void:
 func _follow_parent() -> void:
 	while not OS.read_string_from_stdin().is_empty():
 		pass
+	var log_file: String = _settings["log"]
+	if not log_file.is_empty():
+		DirAccess.remove_absolute(log_file)
+		DirAccess.remove_absolute(log_file.get_base_dir())
 	OS.kill(OS.get_process_id())
 
 
@@ -62,6 +67,7 @@ static func read_arguments(given: PackedStringArray) -> Dictionary:
 		"host": "127.0.0.1", "port": "4242", "transport": "udp", "still": false, "quit-idle": "0"
 	}
 	settings["quit-with-parent"] = false
+	settings["log"] = ""
 	var i := 0
 	while i < given.size():
 		var key := given[i].trim_prefix("--")

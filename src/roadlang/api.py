@@ -121,6 +121,7 @@ if TYPE_CHECKING:
         did_you_mean,
     )
     from .images.plugin_input import read_image, read_input
+    from .ir.actuation import ActuationBatch
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.category import ON_FOOT, VEHICLES
     from .ir.control import Control, ControlBatch, Observation, ObservationBatch
@@ -129,7 +130,7 @@ if TYPE_CHECKING:
     from .ir.frame_labels import CameraGeometry, FrameLabels, LabeledThing
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.placed_batch import PlacedBatch
-    from .ir.readings import Reading
+    from .ir.readings import Reading, SensorRecord
     from .ir.road_bounds import RoadBounds
     from .ir.scenario_contents import ScenarioContents
     from .ir.scene import (
@@ -160,7 +161,7 @@ if TYPE_CHECKING:
     from .ir.scene_lane import SceneLane
     from .ir.scene_route import RouteStep, RouteTurn, SceneRoute
     from .ir.scene_surface import SurfaceName, SurfacePatch
-    from .ir.sensed_batch import SensedBatch
+    from .ir.sensed_batch import SensedBatch, SolidThings
     from .ir.surface_stretches import SurfaceStretch, junction_surface, surface_stretches
     from .ir.surroundings import LanePlace, LanePlaces, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
@@ -182,6 +183,7 @@ if TYPE_CHECKING:
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
+    ".ir.actuation": "ActuationBatch",
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.category": "ON_FOOT VEHICLES",
     ".ir.placed_batch": "PlacedBatch",
@@ -190,7 +192,7 @@ _LATER = {
     ".ir.encoding": "scene_from_json to_json",
     ".ir.frame_labels": "CameraGeometry FrameLabels LabeledThing",
     ".ir.picture": "Extraction FoundObject Picture",
-    ".ir.readings": "Reading",
+    ".ir.readings": "Reading SensorRecord",
     ".ir.road_bounds": "RoadBounds",
     ".ir.scenario_contents": "ScenarioContents",
     ".ir.scene": (
@@ -205,7 +207,7 @@ _LATER = {
         " SceneRefusal SignalPhase"
     ),
     ".ir.scene_surface": "SurfaceName SurfacePatch",
-    ".ir.sensed_batch": "SensedBatch",
+    ".ir.sensed_batch": "SensedBatch SolidThings",
     ".ir.surface_stretches": "SurfaceStretch junction_surface surface_stretches",
     ".ir.surroundings": "LanePlace LanePlaces Neighbor Neighbors",
     ".ir.trace": "AgentTrace Trace",
@@ -231,25 +233,25 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURB_HEIGHT", "CURVATURE", "FORCE",
     "FREQUENCY", "JERK", "LENGTH", "MASS", "ON_FOOT", "PAINT_HEIGHT", "PIXELS", "PURE", "SCALE",
-    "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration", "Adjuster", "AgentKind",
-    "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
+    "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration", "ActuationBatch", "Adjuster",
+    "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
     "BatchRandom", "Between", "Body", "Call", "CameraGeometry", "Code", "Condition",
     "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "Curvature", "Dataset",
     "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError", "Dimension", "Distribution",
-    "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration", "EngineSettings",
-    "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject", "FrameLabels", "ImageName",
-    "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind", "Label", "LabeledThing",
-    "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass",
-    "Mirror", "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation",
-    "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape", "Perturber", "Picture",
-    "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace", "Position", "Profile",
+    "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration", "EngineSettings", "Extraction",
+    "Extractor", "File", "Fix", "Flag", "FoundObject", "FrameLabels", "ImageName", "InitialSpeed",
+    "Integer", "Jerk", "JunctionControl", "Kind", "Label", "LabeledThing", "LaneKind", "LanePlace",
+    "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor",
+    "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation", "ObservationBatch",
+    "ObservationVector", "OptionError", "PaintedShape", "Perturber", "Picture", "Piece",
+    "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace", "Position", "Profile",
     "Provenance", "Reader", "Reading", "ReadingArray", "Region", "RightOfWay", "RoadBatch",
     "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn",
     "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict",
-    "SceneConnection", "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd",
-    "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor",
-    "SceneSignal", "Search", "Searcher", "Selector", "SensedBatch", "Sensor", "Signal",
-    "SignalHead", "SignalPhase", "Simulator", "Source", "Span", "Speed", "Standing", "String",
+    "SceneConnection", "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork",
+    "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor", "SceneSignal", "Search",
+    "Searcher", "Selector", "SensedBatch", "Sensor", "SensorRecord", "Signal", "SignalHead",
+    "SignalPhase", "Simulator", "SolidThings", "Source", "Span", "Speed", "Standing", "String",
     "SurfaceName", "SurfacePatch", "SurfaceStretch", "Trace", "Verdict", "ViolatedSegment", "Word",
     "body_of", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_paint",
     "junction_surface", "kind_of", "line_steering", "list_of", "map_of", "one_of", "option",

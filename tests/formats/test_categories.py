@@ -16,7 +16,7 @@ from roadlang_formats.emit_openscenario import OpenScenarioBackend
 from roadlang_formats.emit_scenic import ScenicBackend
 from roadlang_formats.emit_sumo import SumoBackend
 from roadlang_godot.agent_looks import category_of
-from roadlang_godot.semantic_classes import class_of_category
+from roadlang_standard.semantic_classes import class_of_category
 
 TEXT = """
 road main { draw with segments { pieces: [straight(200m)] }, lanes: 2 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 
@@ -26,7 +27,9 @@ agent ego is car on main at 5m {
   sense with camera as front {
     width: 64px, height: 36px, every: 100ms, outputs: [rgb, depth, semantic, instance]
   }
-  sense with camera as rear { width: 32px, height: 16px, yaw: 180deg, every: 500ms }
+  sense with camera as rear {
+    width: 32px, height: 16px, yaw: 180deg, every: 500ms, record: [png, mp4]
+  }
   sense with gps
 }
 agent parked is car on main at 60m
@@ -67,6 +70,10 @@ def test_pictures_are_taken_as_often_as_the_sensor_says(drives: Drives) -> None:
         "instance": (10, 36, 64),
     }
     assert list(records["rear"].arrays) == ["rgb"]
+    assert list(records["rear"].files) == ["000000.rgb.png", "000001.rgb.png", "mp4"]
+    first = np.frombuffer(records["rear"].files["000000.rgb.png"], np.uint8)
+    colors = cv2.imdecode(first, cv2.IMREAD_COLOR)[..., ::-1]
+    np.testing.assert_array_equal(colors, records["rear"].arrays["rgb"][0])
 
 
 @pytest.mark.godot

@@ -20,8 +20,8 @@ from roadlang_godot.eyes import Eyes
 from roadlang_godot.faults import EngineError
 from roadlang_godot.layout import layout_of
 from roadlang_godot.mounted_camera import OUTPUTS, MountedCamera
-from roadlang_godot.semantic_classes import SemanticClass
 from roadlang_godot.session import Session
+from roadlang_standard.semantic_classes import SemanticClass
 from tests.godot.godot_scenes import car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot

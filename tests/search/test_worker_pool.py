@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import subprocess
+import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -89,3 +92,57 @@ def test_one_process_works_here() -> None:
     with WorkerPool(100, Workers(1)) as pool:
         assert list(pool.map(shifted, [1, 2, 3])) == [(100 + n, os.getpid()) for n in (1, 2, 3)]
         assert pool.workers == 1
+
+
+def reported(folder: Path, job: str) -> None:
+    """Leaves the number of its process, and works for long."""
+    (folder / f"{job}.begun").write_text(str(os.getpid()))
+    (folder / f"{job}.begun").rename(folder / f"{job}.pid")
+    time.sleep(600.0)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="processes are looked up in POSIX's way")
+def test_processes_end_with_a_parent_that_is_killed(tmp_path: Path) -> None:
+    program = (
+        "import sys\n"
+        "from pathlib import Path\n"
+        "from roadlang.search.worker_pool import WorkerPool, Workers\n"
+        "from tests.search.test_worker_pool import reported\n"
+        "if __name__ == '__main__':\n"
+        "    with WorkerPool(Path(sys.argv[1]), Workers(2)) as pool:\n"
+        "        list(pool.map(reported, ['first', 'second']))\n"
+    )
+    (tmp_path / "program.py").write_text(program)
+    root = Path(__file__).parents[2]
+    parent = subprocess.Popen(
+        [sys.executable, str(tmp_path / "program.py"), str(tmp_path)],
+        cwd=root,
+        env={**os.environ, "PYTHONPATH": str(root)},
+    )
+    files = [tmp_path / "first.pid", tmp_path / "second.pid"]
+    _wait_until(lambda: all(file.exists() for file in files))
+    parent.kill()
+    parent.wait()
+    workers = [int(file.read_text()) for file in files]
+    _wait_until(lambda: not any(map(_runs, workers)))
+
+
+def _wait_until(holds: Callable[[], bool]) -> None:
+    """Only a hang fails."""
+    for _ in range(6000):
+        if holds():
+            return
+        time.sleep(0.02)
+    pytest.fail("it does not happen")
+
+
+def _runs(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    # Whoever adopts what is left behind may be slow to reap it.
+    state = subprocess.run(
+        ["ps", "-o", "stat=", "-p", str(process)], capture_output=True, text=True, check=False
+    ).stdout
+    return bool(state.strip()) and not state.startswith("Z")

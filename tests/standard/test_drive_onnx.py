@@ -102,6 +102,71 @@ def test_what_is_wrong_with_a_network(tmp_path: Path, made: Any, reason: str) ->
     assert reason in str(found.value)
 
 
+def seeing(path: Path, reading: str, shape: list[int]) -> None:
+    """A network that brakes by 0.05 for each meter that a ray reads less than 40 m."""
+    values = [
+        numpy_helper.from_array(np.array([[-1]], np.int64).ravel(), "flat"),
+        numpy_helper.from_array(np.array([[0.0, 0.05]], np.float32), "gain"),
+        numpy_helper.from_array(np.array([[0.0, -2.0]], np.float32), "offset"),
+        numpy_helper.from_array(np.zeros((FEATURES, 2), np.float32), "none"),
+    ]
+    nodes = [
+        helper.make_node("ReduceMin", ["rays"], ["least"], keepdims=1, axes=[1]),
+        helper.make_node("MatMul", ["least", "gain"], ["scaled"]),
+        helper.make_node("Add", ["scaled", "offset"], ["pedals"]),
+        helper.make_node("MatMul", ["state", "none"], ["steering"]),
+        helper.make_node("Add", ["pedals", "steering"], ["action"]),
+    ]
+    inputs = [
+        helper.make_tensor_value_info("state", TensorProto.FLOAT, ["batch", FEATURES]),
+        helper.make_tensor_value_info(reading, TensorProto.FLOAT, ["batch", *shape]),
+    ]
+    nodes[0].input[0] = reading
+    output = helper.make_tensor_value_info("action", TensorProto.FLOAT, ["batch", 2])
+    graph = helper.make_graph(nodes, "policy", inputs, [output], values)
+    opset = [helper.make_opsetid("", 17)]
+    onnx.save(helper.make_model(graph, opset_imports=opset, ir_version=8), path)
+
+
+LIDAR = """
+road main { draw with waypoints { points: [(0m, 0m), (200m, 0m)] }, width: 8m }
+agent ego is car on main at 5m {
+  start_speed: 10m/s
+  drive with onnx { model: "policy.onnx", agents: 0, acceleration: 1m/s^2 }
+  sense with ranges as front { rays: 3, angle: 2deg, range: 60m, at: (2.2m, 0m, 0.5m) }
+}
+agent van is van on main at 90m
+"""
+
+
+def test_inputs_called_after_readings_get_them(tmp_path: Path) -> None:
+    seeing(tmp_path / "policy.onnx", "front.distances", [3])
+    (drive,) = testing.sample(LIDAR, 1, folder=tmp_path).run("builtin", duration=20.0)
+    ego = drive.trace.agents["ego"]
+    assert ego.speed.max() > 11.0
+    assert ego.contacts[-1] == 0.0
+    assert ego.speed[-1] == pytest.approx(0.0, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("reading", "shape", "reason"),
+    [
+        ("rear.distances", [3], "no reading of the agent, which has front.distances, front.angles"),
+        ("front.distances", [4], "not float32 (1, 3)"),
+        ("rays", [3], "are not called after a reading"),
+    ],
+)
+def test_what_is_wrong_with_inputs_for_readings(
+    tmp_path: Path, reading: str, shape: list[int], reason: str
+) -> None:
+    seeing(tmp_path / "policy.onnx", reading, shape)
+    scenes = testing.sample(LIDAR, 1, folder=tmp_path)
+    with pytest.raises(roadlang.DiagnosticError) as found:
+        scenes.run("builtin", duration=1.0)
+    assert "error[RL741]" in str(found.value)
+    assert reason in str(found.value)
+
+
 def test_without_onnxruntime_the_error_names_the_extra(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang_standard.semantic_classes import SemanticClass
+
 from .camera_frames import CameraFrame, Pose
 from .label_parts import Instance
 from .mounted_camera import MountedCamera
-from .semantic_classes import SemanticClass
 
 Floats = NDArray[np.float64]
 Rectangle = tuple[float, float, float, float]

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from roadlang.api import Dataset, DatasetFrame, to_json
 from roadlang.commands import staged_set
+from roadlang_standard.semantic_classes import class_table
 
 from .clips import clips_of
 from .labeled_frames import LabeledFrame, Moment
-from .semantic_classes import class_table
 
 INDEX = "dataset.json"
 

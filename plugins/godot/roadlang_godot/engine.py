@@ -217,12 +217,12 @@ def start(
     if fixed_fps is not None:
         command += ["--fixed-fps", str(fixed_fps)]
     command += [*extra, "--", "--host", host, "--port", str(port), "--transport", transport]
-    command.append("--quit-with-parent")
+    log = new_log()
+    command += ["--quit-with-parent", "--log", str(log)]
     if draw and not window:
         command.append("--still")
     if quit_idle is not None:
         command += ["--quit-idle", str(quit_idle)]
-    log = new_log()
     engine = Engine(_spawn(command, log), host, port, transport, log, draws)
     engine.port = _await_port(engine, command[0])
     return engine

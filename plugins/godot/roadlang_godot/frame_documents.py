@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roadlang.api import CameraGeometry, FrameLabels, LabeledThing
+from roadlang_standard.camera_pictures import png_of
 
 from .boxes import Floats, SeenThing
 from .camera_frames import CameraFrame
@@ -17,9 +17,6 @@ from .camera_frames import CameraFrame
 if TYPE_CHECKING:
     from roadlang.api import Scene
 
-DEPTH_UNIT = 0.01
-"""Meters for 1 in pictures of depth."""
-_FARTHEST = 65535
 _DIGITS = 6
 _PIXEL_DIGITS = 3
 
@@ -36,32 +33,10 @@ def labels_of(scene: Scene, frame: CameraFrame, things: Iterable[SeenThing]) -> 
 
 
 def picture_files(frame: CameraFrame) -> dict[str, bytes]:
-    """PNG files of the outputs that a frame has, by the names of the outputs.
-
-    Depth has 16 bits in units of `DEPTH_UNIT`, 0 for what is not within reach of them.
-    """
-    pictures: dict[str, NDArray[np.generic]] = {}
-    if frame.rgb is not None:
-        pictures["rgb"] = frame.rgb[..., ::-1]
-    if frame.depth is not None:
-        pictures["depth"] = depth_numbers(frame.depth)
-    if frame.semantic is not None:
-        pictures["semantic"] = frame.semantic
-    if frame.instance is not None:
-        pictures["instance"] = frame.instance
-    return {name: _png(picture) for name, picture in pictures.items()}
-
-
-def depth_numbers(depth: NDArray[np.float32]) -> NDArray[np.uint16]:
-    """Depth in meters as 16 bit numbers."""
-    numbers = np.rint(depth / np.float32(DEPTH_UNIT))
-    return np.where(numbers <= _FARTHEST, numbers, 0).astype(np.uint16)
-
-
-def _png(picture: NDArray[np.generic]) -> bytes:
-    import cv2
-
-    return bytes(cv2.imencode(".png", np.ascontiguousarray(picture))[1])
+    """PNG files of the outputs that a frame has, by the names of the outputs."""
+    outputs = {"rgb": frame.rgb, "depth": frame.depth, "semantic": frame.semantic,
+               "instance": frame.instance}  # fmt: skip
+    return {name: png_of(name, array) for name, array in outputs.items() if array is not None}
 
 
 def _camera(frame: CameraFrame) -> CameraGeometry:

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from roadlang_standard.semantic_classes import SemanticClass, class_of_category
+
 from .lane_strips import Surface
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import Key, ScenePart
-from .semantic_classes import SemanticClass, class_of_category
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor

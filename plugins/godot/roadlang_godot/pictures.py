@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 from roadlang.api import Code
 from roadlang.commands import write_file
+from roadlang_standard.camera_pictures import clip_of
 
 from . import engine
-from .clips import clip_of
+from .clips import decoded
 from .drives import decided_in_python
 from .driving import LockStep
 from .eyes import Eyes
@@ -72,14 +73,14 @@ def render_clip(
     start: float = 0.0,
     controllers: Controllers | None = None,
 ) -> int:
-    """Write a clip (motion JPEG in AVI) of a drive, or nothing where that fails; returns the number
+    """Write a clip (`.avi`, `.mp4`) of a drive, or nothing where that fails; returns the number
     of frames. Raises `EngineError`."""
     if not os.access(path.parent, os.W_OK):
         raise fault(Code.CLIP_NOT_WRITTEN, path=path)
     every = max(1, round(RATE / fps))
     count = max(1, round(duration * RATE / every))
     pictures = _pictures(scene, shot, start, every, count, controllers or {})
-    write_file(path, clip_of(pictures, RATE / every, str(path)))
+    write_file(path, clip_of(map(decoded, pictures), RATE / every, str(path)))
     return count
 
 

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class OnnxController(Controller):
     """A policy network in an ONNX file, float32 (1, F) to (1, 2): it gets the vector of numbers
-    that environments observe, and gives steering and acceleration as the actions there.
+    that environments observe, and gives steering and acceleration as the actions there. Inputs
+    that are called SENSOR.ARRAY, such as `front.distances`, get readings of the agent's sensors.
     """
 
     name: ClassVar[str] = "onnx"
@@ -48,6 +49,6 @@ class OnnxController(Controller):
         distances = tuple(rows[0].tolist())
         agents = int(np.ravel(self.agents)[0])
         vectors = ObservationVector(distances, agents).of(observations)
-        wanted = policy(self.model, vectors.shape[1])(vectors)
+        wanted = policy(self.model).wanted(vectors, observations.sensors)
         scale = np.where(wanted[:, 1] < 0.0, self.deceleration, self.acceleration)
         return ControlBatch(wanted[:, 0] * self.steering, wanted[:, 1] * scale)

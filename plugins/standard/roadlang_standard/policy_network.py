@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,40 +12,100 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.api import Code, DiagnosticError, diagnose, read_input
+from roadlang.api import Code, DiagnosticError, Reading, diagnose, read_input
 
 LARGEST = 256 * 2**20
 """bytes of a file"""
 OUTPUTS = 2
+_TYPES = {
+    "tensor(float)": np.float32, "tensor(double)": np.float64, "tensor(uint8)": np.uint8,
+    "tensor(uint16)": np.uint16, "tensor(int64)": np.int64,
+}  # fmt: skip
+"""of inputs"""
+
+
+@dataclass(frozen=True, slots=True)
+class Policy:
+    """A network with one output (1, 2) for steering and acceleration, and what its inputs are.
+
+    `vector`: the name of the input that gets the vector of numbers, None for none. `readings`: the
+    inputs that are called after arrays of sensors, `front.distances`, with sensor and array.
+    """
+
+    name: str
+    session: Any
+    output: str
+    vector: Any
+    readings: tuple[tuple[Any, str, str], ...]
+
+    def wanted(
+        self, vectors: NDArray[np.float32], sensors: Mapping[str, Reading]
+    ) -> NDArray[np.float64]:
+        """What (N, 2) it gives for vectors (N, F) and readings of N agents, within -1 and 1.
+
+        Each agent is asked for alone: the same bytes, whoever else is asked for. Raises RL741.
+        """
+        columns: dict[str, NDArray[Any]] = {}
+        if self.vector is not None:
+            columns[self.vector.name] = self._fitting(self.vector, vectors)
+        for input_, sensor, array in self.readings:
+            if sensor not in sensors or array not in sensors[sensor]:
+                known = [f"{name}.{of}" for name, found in sensors.items() for of in found]
+                raise _unusable(
+                    self.name,
+                    f"its input `{input_.name}` is no reading of the agent, which has "
+                    f"{', '.join(known) or 'no sensors'}",
+                )
+            columns[input_.name] = self._fitting(input_, np.asarray(sensors[sensor][array]))
+        out = np.empty((len(vectors), OUTPUTS))
+        for row in range(len(vectors)):
+            with _faults_of(self.name, "it fails"):
+                given = {name: column[row : row + 1] for name, column in columns.items()}
+                (answer,) = self.session.run([self.output], given)
+                out[row] = np.asarray(answer, dtype=np.float64).reshape(OUTPUTS)
+        if not np.isfinite(out).all():
+            raise _unusable(self.name, "it gave a number that is not finite")
+        return np.minimum(np.maximum(out, -1.0), 1.0)
+
+    def _fitting(self, input_: Any, column: NDArray[Any]) -> NDArray[Any]:
+        """A column (N, ...) as an input takes it. Raises RL741 where the shape is another."""
+        shape = column.shape[1:] or (1,)
+        if input_.type not in _TYPES or not _fits(input_.shape, shape):
+            listed = ", ".join(map(str, shape))
+            raise _unusable(
+                self.name,
+                f"its input `{input_.name}` is {input_.type} {input_.shape}, not float32 "
+                f"(1, {listed})",
+            )
+        column = column.reshape(len(column), *shape)
+        return np.ascontiguousarray(column, dtype=_TYPES[input_.type])
 
 
 @cache
-def policy(path: str, inputs: int) -> Callable[[NDArray[np.float32]], NDArray[np.float64]]:
-    """What (N, 2) a network gives for vectors (N, `inputs`), within -1 and 1.
-
-    Each row is computed alone: the same bytes, whoever else is asked for. Raises RL741.
-    """
+def policy(path: str) -> Policy:
+    """The network in a file. Raises RL741."""
     name = Path(path).name
     session = _session(path, name)
-    (input_,), (found,) = _only(session.get_inputs(), name), _only(session.get_outputs(), name)
-    if input_.type != "tensor(float)" or not _fits(input_.shape, inputs):
+    outputs = session.get_outputs()
+    if len(outputs) != 1 or not _fits(outputs[0].shape, (OUTPUTS,)):
+        found = ", ".join(f"{each.name} {each.shape}" for each in outputs) or "none"
+        raise _unusable(name, f"its outputs are {found}, not (1, {OUTPUTS})")
+    vectors, readings = [], []
+    for input_ in session.get_inputs():
+        sensor, dot, array = input_.name.partition(".")
+        if dot and sensor.isidentifier() and array.isidentifier():
+            readings.append((input_, sensor, array))
+        else:
+            vectors.append(input_)
+    if len(vectors) > 1:
+        listed = ", ".join(input_.name for input_ in vectors)
         raise _unusable(
-            name, f"its input is {input_.type} {input_.shape}, not float32 (1, {inputs})"
+            name,
+            f"of its inputs, {listed} are not called after a reading (`front.distances`); one at "
+            "most can get the vector of numbers",
         )
-    if not _fits(found.shape, OUTPUTS):
-        raise _unusable(name, f"its output has the shape {found.shape}, not (1, {OUTPUTS})")
-
-    def wanted(vectors: NDArray[np.float32]) -> NDArray[np.float64]:
-        out = np.empty((len(vectors), OUTPUTS))
-        for row in range(len(vectors)):
-            with _faults_of(name, "it fails"):
-                (answer,) = session.run([found.name], {input_.name: vectors[row : row + 1]})
-                out[row] = np.asarray(answer, dtype=np.float64).reshape(OUTPUTS)
-        if not np.isfinite(out).all():
-            raise _unusable(name, "it gave a number that is not finite")
-        return np.minimum(np.maximum(out, -1.0), 1.0)
-
-    return wanted
+    vector = vectors[0] if vectors else None
+    return Policy(name, session, outputs[0].name, vector, tuple(readings))
 
 
 def _session(path: str, name: str) -> Any:
@@ -77,20 +138,15 @@ def _faults_of(name: str, what: str) -> Iterator[None]:
         raise _unusable(name, f"{what}: {_first_line(error)}") from error
 
 
-def _only(ends: Any, name: str) -> list[Any]:
-    if len(ends) != 1:
-        names = ", ".join(end.name for end in ends) or "none"
-        raise _unusable(name, f"it has to have one input and one output, not {names}")
-    return list(ends)
-
-
-def _fits(shape: Any, size: int) -> bool:
-    """Whether a shape is (1, size), or (any number, size)."""
+def _fits(shape: Any, wanted: tuple[int, ...]) -> bool:
+    """Whether a shape is (1, *wanted); sizes that are not numbers can be any."""
     return (
         isinstance(shape, list)
-        and len(shape) == 2
-        and (shape[0] == 1 or not isinstance(shape[0], int))
-        and (shape[1] == size or not isinstance(shape[1], int))
+        and len(shape) == 1 + len(wanted)
+        and all(
+            found == size or not isinstance(found, int)
+            for found, size in zip(shape, (1, *wanted), strict=True)
+        )
     )
 
 

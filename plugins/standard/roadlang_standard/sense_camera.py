@@ -2,43 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
-from roadlang.api import (
-    Angle,
-    ListOf,
-    OptionError,
-    Pixels,
-    PointInSpace,
-    ReadingArray,
-    option,
-)
+from roadlang.api import ListOf, OptionError, ReadingArray, option
 
-from .mounted_sensor import MountedSensor
+from .camera_view import CameraView
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from roadlang.api import SensorRecord
+
+    Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Camera(MountedSensor):
+class Camera(CameraView):
     """A camera: color, depth and what each pixel shows. For engines that draw, such as Godot."""
 
     name: ClassVar[str] = "camera"
 
-    at: PointInSpace = option(
-        (1.5, 0.0, 1.2),
-        help="where it is: ahead of the center of the vehicle, left of it, above the ground",
-        example="(1.5m, 0m, 1.2m)",
-    )
-    width: Pixels = option(320.0, minimum=16, maximum=4096, help="width of the picture")
-    height: Pixels = option(180.0, minimum=16, maximum=4096, help="height of the picture")
-    fov: Angle = option(
-        math.pi / 2,
-        minimum=math.radians(1),
-        maximum=math.radians(170),
-        help="horizontal field of view",
-        example="60deg",
-    )
     outputs: ListOf[Literal["rgb", "depth", "semantic", "instance"]] = option(
         ("rgb",),
         at_least=1,
@@ -47,12 +32,19 @@ class Camera(MountedSensor):
         example="[rgb, depth, semantic]",
     )
 
+    record: ListOf[Literal["png", "mp4"]] = option(
+        (),
+        help="what `run` writes of the readings beside their arrays: `png`, a picture of each "
+        "output of each reading; `mp4`, a clip of `rgb`",
+        example="[png, mp4]",
+    )
+
     def __post_init__(self) -> None:
-        for name in ("width", "height"):
-            if getattr(self, name) != round(getattr(self, name)):
-                raise OptionError(name, "is not a whole number of pixels")
+        super().__post_init__()
         if len(set(self.outputs)) != len(self.outputs):
             raise OptionError("outputs", "names an output twice")
+        if "mp4" in self.record and "rgb" not in self.outputs:
+            raise OptionError("record", "wants a clip of `rgb`, which is none of the outputs")
 
     def arrays(self) -> dict[str, ReadingArray]:
         """Arrays of (height, width), from the top left."""
@@ -64,3 +56,26 @@ class Camera(MountedSensor):
             "instance": ReadingArray(shape, "uint16", 0, 65535),
         }
         return {name: known[name] for name in self.outputs}
+
+    def files(self, record: SensorRecord) -> dict[str, bytes]:
+        """Pictures of all readings, numbered, and a clip, as far as they are wanted."""
+        from .camera_pictures import clip_of, png_of
+
+        files = {}
+        if "png" in self.record:
+            files = {
+                f"{number:06d}.{output}.png": png_of(output, picture)
+                for output, pictures in record.arrays.items()
+                for number, picture in enumerate(pictures)
+            }
+        if "mp4" in self.record and len(record.time):
+            files["mp4"] = clip_of(record.arrays["rgb"], _rate(record.time), "clip.mp4")
+        return files
+
+
+def _rate(time: Floats) -> float:
+    """Pictures a second, by the most common time between two."""
+    import numpy as np
+
+    intervals = np.diff(time)
+    return 1.0 / float(np.median(intervals)) if len(intervals) else 1.0

@@ -31,12 +31,19 @@ def _driver(
     sensors = [_sensor(sensor, registry) for sensor in actor.sensors]
     each = {place: _controller(call, registry) for place, call in enumerate(actor.drive)}
     steady = [
-        place for place, call in enumerate(actor.drive) if call.when is None and call.during is None
+        place
+        for place, call in enumerate(actor.drive)
+        if call.when is None and call.during is None and not _alters(each[place])
     ]
     undriven = all(controller is None for controller in each.values())
     if (undriven and not sensors) or (steady and each[steady[-1]] is None):
         return None
     return Driver(each, steady, {**expected, **_signals(actor, registry)}, sensors)
+
+
+def _alters(controller: GuardedController | None) -> bool:
+    """Whether it is no controller but a fault of actuators."""
+    return controller is not None and controller.alters
 
 
 def sensor_arrays(actor: SceneActor, registry: Registry) -> dict[str, Mapping[str, ReadingArray]]:
@@ -87,7 +94,7 @@ def _controller(call: Call, registry: Registry) -> GuardedController | None:
         kind = entry.load()
         if not issubclass(kind, Controller):
             return None
-        if not (implements(kind, "control") or implements(kind, "controls")):
+        if not any(implements(kind, way) for way in ("control", "controls", "altered")):
             return None
         names = {option.name for option in schema_of(kind)}
     options = {key: value for key, value in call.options.items() if key in names}

@@ -14,6 +14,8 @@ def sensor_recorders(controllers: Mapping[str, Controller]) -> list[SensorRecord
     found = []
     for agent, driver in controllers.items():
         for guarded in driver.sensors if isinstance(driver, Driver) else ():
-            guarded.recorder = SensorRecorder(agent, guarded.sensor.name, guarded.arrays)
+            guarded.recorder = SensorRecorder(
+                agent, guarded.sensor.name, guarded.arrays, guarded.files
+            )
             found.append(guarded.recorder)
     return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from .read_only import ReadOnlyMapping
@@ -86,6 +86,10 @@ def batch_of_one(reading: Reading) -> Reading:
     return Reading(np.array([reading.time]), arrays)
 
 
+ARRAYS_ENDING = "npz"
+"""of the files that hold the arrays of records"""
+
+
 @dataclass(frozen=True, slots=True)
 class SensorRecord:
     """The readings of one sensor in a drive, in the order of their measurement."""
@@ -98,3 +102,5 @@ class SensorRecord:
     """(K,) seconds, when controllers got them"""
     arrays: Mapping[str, NDArray[Any]]
     """each (K, ...)"""
+    files: Mapping[str, bytes] = field(default_factory=dict)
+    """what the kind writes of them, by the ends of the names"""

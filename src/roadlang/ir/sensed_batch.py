@@ -7,13 +7,32 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
-    from ..geometry.arrays import Floats
+    from ..geometry.arrays import Booleans, Floats
     from .batch import BatchRandom
     from .control import ObservationBatch
 
 CastRays = Callable[["ArrayLike", "ArrayLike", "ArrayLike", "ArrayLike"], "Floats"]
+
+
+@dataclass(frozen=True, slots=True)
+class SolidThings:
+    """The other agents and the objects of N scenes, as upright boxes on the ground: columns
+    (N, K), meters and radians in the world. Agents come before objects."""
+
+    there: Booleans
+    """False where there is none"""
+    category: NDArray[np.object_]
+    """`car`, `tree`, ...; `""` where there is none"""
+    x: Floats
+    """of the center"""
+    y: Floats
+    heading: Floats
+    length: Floats
+    width: Floats
+    height: Floats
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,3 +51,5 @@ class SensedBatch:
     object, or the ground; infinite beyond `range`, (N,) or a number. `at`: (3,) or (N, 3) meters
     ahead of the center, to the left of it, and above the ground. `angles`: (R,) or (N, R) to the
     left of the heading; `elevations` likewise, upward"""
+    things: Callable[[], SolidThings]
+    """`things()`: what else is in the scenes of the agents"""

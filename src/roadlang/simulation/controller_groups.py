@@ -116,7 +116,7 @@ def grouped(
 def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
     rows = np.array([row for row, _ in members], dtype=np.int64)
     first = members[0][1]
-    if not first.in_batches:
+    if not first.in_batches and not first.alters:
         singles = [controller for _, controller in members]
         return Group(place, first, rows, {}, None, singles, *_never_decided(len(rows)))
     columns = columns_of([controller.options for _, controller in members])

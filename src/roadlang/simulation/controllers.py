@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..ir.actuation import ActuationBatch
 from ..ir.control import Control, ControlBatch, Observation, ObservationBatch
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import Controller, implements
@@ -54,6 +55,26 @@ class GuardedController(Controller):
     def in_batches(self) -> bool:
         """Whether it decides for many agents at once."""
         return implements(self.kind, "controls")
+
+    @property
+    def alters(self) -> bool:
+        """Whether it changes what others decide."""
+        return implements(self.kind, "altered")
+
+    def alter(
+        self, controller: Controller, wanted: ActuationBatch, state: Any
+    ) -> tuple[Floats, Floats]:
+        """Steering and acceleration in place of those that are wanted. Raises RL470, RL474."""
+        with plugin_guard(self.entry, None):
+            steering, acceleration = controller.altered(wanted, state)
+        count = len(wanted.steering)
+        found = (
+            self._column(steering, "steering", count),
+            self._column(acceleration, "acceleration", count),
+        )
+        if not all(np.isfinite(column).all() for column in found):
+            raise wrong_result(self.entry, None, "gave controls that are not finite")
+        return found
 
     def built(self, options: Mapping[str, Any]) -> Controller:
         """The controller with other options, which may be columns. Raises RL470."""

@@ -12,6 +12,7 @@ from ..geometry.arrays import Booleans, Integers, inverse_index
 from ..ir.control import ControlBatch
 from ..plugins.kinds import Controller
 from ..plugins.registry import KindEntry
+from .actuators import Actuators
 from .carried_state import Continued
 from .controller_groups import Group, grouped
 from .controllers import Driver
@@ -41,7 +42,10 @@ class DriverGroup:
         self.sensing = Sensing.of(world, controllers, step)
         layouts = {} if self.sensing is None else self.sensing.layouts
         self._groups, calls = grouped(world, controllers, layouts)
-        self._triggers = Triggers(world, calls, signals_of(controllers))
+        faults = [group for group in self._groups if group.controller.alters]
+        self._actuators = Actuators(faults, step)
+        placed = [(group.place, group.rows) for group in faults]
+        self._triggers = Triggers(world, calls, signals_of(controllers), placed)
         self._in_charge = np.zeros(0, dtype=np.int64)
         self._chosen: list[Integers] = []
         """of each group who is in charge, by the last `in_charge`"""
@@ -78,6 +82,7 @@ class DriverGroup:
             self._ask_earlier(in_charge, view, out)
             _keep_to_lines(world, view, out)
             out.close()
+        self._actuators.alter(world, self._triggers.active, out)
         return out
 
     def restart(self, agents: Integers) -> None:
@@ -133,7 +138,7 @@ class DriverGroup:
         active = self._triggers.active
         for group in reversed(self._groups):
             open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
-            open_ &= active[group.place, group.rows]
+            open_ &= active[group.place, group.rows] & (not group.controller.alters)
             chosen = np.flatnonzero(open_)
             if len(chosen):
                 rows = group.rows[chosen]

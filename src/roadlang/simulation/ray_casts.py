@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..geometry.arrays import Floats, Integers
-from ..ir.sensed_batch import CastRays
+from ..ir.sensed_batch import CastRays, SolidThings
 from .outlines import Outlines
 from .poses import Poses
 from .world import World
@@ -38,6 +38,9 @@ class RayCaster:
         objects = [object_ for scene in world.scenes for object_ in scene.objects]
         counts = np.array([len(scene.objects) for scene in world.scenes], dtype=np.int64)
         self._standing = Outlines.of(objects)
+        self._headings = np.array([o.heading for o in objects], dtype=np.float64)
+        moving = ["" if actor is None else actor.category for actor in world.actors]
+        self._categories = np.array([*moving, *(o.category for o in objects)], dtype=object)
         self._object_heights = np.array([o.height for o in objects], dtype=np.float64)
         self._first = np.cumsum(counts) - counts
         self._counts = counts
@@ -47,6 +50,8 @@ class RayCaster:
         scenes = agents[::slots] // slots
         self._heights = self._heights[agents]
         self._first, self._counts = self._first[scenes], self._counts[scenes]
+        objects = self._categories[len(self._categories) - len(self._headings) :]
+        self._categories = np.concatenate([self._categories[agents], objects])
 
     def of(self, world: World, poses: Poses, rows: Integers) -> CastRays:
         """Rays from some agents."""
@@ -58,6 +63,25 @@ class RayCaster:
         names = [field.name for field in fields(Outlines)]
         both = (np.concatenate([getattr(moving, n), getattr(standing, n)]) for n in names)
         return Outlines(*both), np.concatenate([self._heights, self._object_heights])
+
+    def things(self, world: World, poses: Poses, rows: Integers) -> SolidThings:
+        """What some agents have around them."""
+        boxes, heights = self.boxes(world, poses)
+        headings = np.concatenate([poses.heading, self._headings])
+        place, box = self.candidates(world, rows)
+        counts = np.bincount(place, minlength=len(rows))
+        there = np.arange(int(counts.max(initial=0))) < counts[:, None]
+
+        def table(column: Any, nothing: Any) -> Any:
+            out = np.full(there.shape, nothing, dtype=column.dtype)
+            out[there] = column[box]
+            return out
+
+        numbers = (
+            boxes.x, boxes.y, headings, 2.0 * boxes.half_length, 2.0 * boxes.half_width, heights
+        )  # fmt: skip
+        categories = table(self._categories, "")
+        return SolidThings(there, categories, *(table(column, 0.0) for column in numbers))
 
     def candidates(self, world: World, rows: Integers) -> tuple[Integers, Integers]:
         """Pairs (P,): a place in `rows`, ascending, and a box of the same scene that is there."""

@@ -139,8 +139,10 @@ class Sensing:
         world, poses = view.world, view.poses
         steps = (world.tick - world.began) // self._ticks
         return MeasuringMoment(
-            world.age, steps, self._step, view.of, lambda rows: self._rays.of(world, poses, rows)
-        )
+            world.age, steps, self._step, view.of,
+            lambda rows: self._rays.of(world, poses, rows),
+            lambda rows: self._rays.things(world, poses, rows),
+        )  # fmt: skip
 
     def _replace(self, group: SensorGroup) -> None:
         _, arrays = group.current(slice(None))

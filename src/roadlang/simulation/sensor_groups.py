@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.batch import BatchRandom, mix
 from ..ir.scene import Scene
-from ..ir.sensed_batch import CastRays, SensedBatch
+from ..ir.sensed_batch import CastRays, SensedBatch, SolidThings
 from ..plugins.kinds import Sensor
 from .option_columns import columns_of, options_of
 from .reading_arrays import Arrays
@@ -56,6 +57,8 @@ class MeasuringMoment:
     """what some agents see, exactly"""
     rays: Callable[[Integers], CastRays]
     """of some agents"""
+    things: Callable[[Integers], SolidThings]
+    """around some agents"""
 
 
 class SensorGroup:
@@ -203,9 +206,10 @@ class SensorGroup:
         sensor = self._of_all if everyone else self.guarded.built(options_of(self._columns, due))
         last = self._steps[self._slot(self._taken[due] - 1), due]
         passed = np.where(self._taken[due] > 0, moment.steps[rows] - last, 0)
+        around = partial(moment.things, rows)
         sensed = SensedBatch(
-            moment.seen(rows), passed * moment.step, random, moment.rays(rows)
-        )  # fmt: skip
+            moment.seen(rows), passed * moment.step, random, moment.rays(rows), around
+        )
         state = None if self._state is None else self._state[due]
         found = self.guarded.measure(sensor, sensed, state)
         if state is not None:

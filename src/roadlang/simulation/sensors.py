@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
-from ..ir.readings import SensorRecord
+from ..ir.readings import ARRAYS_ENDING, SensorRecord
 from ..ir.scene import SceneSensor
 from ..ir.sensed_batch import SensedBatch
-from ..plugins.guard import plugin_guard
+from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import ReadingArray, Sensor
 from ..plugins.option_types import QuantityType
 from ..plugins.options import schema_of
@@ -19,6 +20,8 @@ from ..plugins.registry import KindEntry
 from .option_columns import words_of
 from .plugin_states import first_state
 from .reading_arrays import Arrays, checked_arrays, stated_arrays
+
+_ENDING = re.compile(r"[\w-]+(\.[\w-]+)*")
 
 
 @dataclass
@@ -28,6 +31,8 @@ class SensorRecorder:
     agent: str
     sensor: str
     stated: Mapping[str, ReadingArray]
+    files_of: Callable[[SensorRecord], Mapping[str, bytes]]
+    """what the kind writes of a record"""
     times: list[float] = field(default_factory=list)
     arrivals: list[float] = field(default_factory=list)
     readings: list[Arrays] = field(default_factory=list)
@@ -44,7 +49,7 @@ class SensorRecorder:
 
     @property
     def record(self) -> SensorRecord:
-        """All of them."""
+        """All of them. Raises RL470, RL474 of the kind."""
         arrays = {
             name: np.array([reading[name] for reading in self.readings], dtype=array.dtype).reshape(
                 -1, *array.shape
@@ -52,7 +57,8 @@ class SensorRecorder:
             for name, array in self.stated.items()
         }
         times, arrivals = np.array(self.times), np.array(self.arrivals)
-        return SensorRecord(self.agent, self.sensor, times, arrivals, arrays)
+        record = SensorRecord(self.agent, self.sensor, times, arrivals, arrays)
+        return replace(record, files=self.files_of(record))
 
 
 class GuardedSensor:
@@ -103,6 +109,23 @@ class GuardedSensor:
         with plugin_guard(self.entry, None):
             found: object = sensor.readings(sensed, state)
         return self.checked(found, (len(sensed.interval),))
+
+    def files(self, record: SensorRecord) -> Mapping[str, bytes]:
+        """What the kind writes of the readings of a drive. Raises RL470, RL474."""
+        single = self.built(self.options | self.integers)
+        with plugin_guard(self.entry, None):
+            files = dict(single.files(record))
+        for ending, content in files.items():
+            if (
+                not isinstance(ending, str)
+                or not _ENDING.fullmatch(ending)
+                or ending == ARRAYS_ENDING
+            ):
+                raise wrong_result(self.entry, None, f"gave a file with the ending {ending!r}")
+            if not isinstance(content, bytes):
+                fault = f"gave {type(content).__name__} as the file `{ending}`, not bytes"
+                raise wrong_result(self.entry, None, fault)
+        return files
 
     def checked(self, found: object, leading: tuple[int, ...]) -> Arrays:
         """Arrays with these leading axes, as the sensor describes them. Raises RL474."""

@@ -117,15 +117,23 @@ class Trigger:
 
 
 class Triggers:
-    """Which controller of each agent is in charge: the last whose conditions all hold."""
+    """Which controller of each agent is in charge: the last whose conditions all hold. `faults`:
+    places and agents of what decides nothing, but has conditions too."""
 
     def __init__(
-        self, world: World, calls: Sequence[PlacedCall], signals: Mapping[str, KindEntry]
+        self,
+        world: World,
+        calls: Sequence[PlacedCall],
+        signals: Mapping[str, KindEntry],
+        faults: Sequence[tuple[int, Integers]] = (),
     ) -> None:
         places = 1 + max((place for place, _, _ in calls), default=0)
         self._exists = np.zeros((places, len(world.present)), dtype=bool)
         for place, row, _ in calls:
             self._exists[place, row] = True
+        self._decides = np.ones_like(self._exists)
+        for place, rows in faults:
+            self._decides[place, rows] = False
         starts = ((place, row, call.when) for place, row, call in calls)
         limits = ((place, row, call.during) for place, row, call in calls)
         self._triggers = [
@@ -156,7 +164,8 @@ class Triggers:
 
     def _last(self, active: Booleans) -> Integers:
         """(N,) the last place that is active, -1 for none."""
-        return np.asarray(np.where(active, self._number, -1).max(axis=0))
+        deciding = active & self._decides
+        return np.asarray(np.where(deciding, self._number, -1).max(axis=0))
 
     def carry_on(
         self,
@@ -187,6 +196,7 @@ class Triggers:
             trigger.take(place, agents)
         self._samples.take(agents)
         self._exists, self._always = self._exists[:, agents], None
+        self._decides = self._decides[:, agents]
         self.active = self.active[:, agents]
 
 

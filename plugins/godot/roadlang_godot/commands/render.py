@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roadlang import LoadedScenario
 
 PICTURES = {".png": "png", ".jpg": "jpg", ".jpeg": "jpg"}
-CLIPS = (".avi",)
+CLIPS = (".avi", ".mp4")
 EXPORTS = {".tscn": "tscn", ".glb": "glb"}
 MOST_SECONDS = 3600.0
 """The longest drive."""
@@ -27,7 +27,7 @@ MOST_SECONDS = 3600.0
     "-o",
     "--output",
     metavar="FILE",
-    help="Output file: `.png`, `.jpg`, `.avi`, `.glb` (glTF) or `.tscn` (Godot).",
+    help="Output file: `.png`, `.jpg`, `.avi`, `.mp4`, `.glb` (glTF) or `.tscn` (Godot).",
 )
 @click.option(
     "--dataset",
@@ -176,7 +176,7 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
 def _suffix(output: str) -> str:
     suffix = Path(output).suffix.lower()
     if suffix not in PICTURES and suffix not in CLIPS and suffix not in EXPORTS:
-        help = "end its name in .png, .jpg, .avi, .glb or .tscn"
+        help = "end its name in .png, .jpg, .avi, .mp4, .glb or .tscn"
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
         )

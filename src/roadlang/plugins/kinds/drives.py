@@ -11,6 +11,8 @@ from .base import Kind
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from ...geometry.arrays import Floats
+    from ...ir.actuation import ActuationBatch
     from ...ir.control import Control, ControlBatch, Observation, ObservationBatch
     from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
@@ -41,7 +43,8 @@ class InitialSpeed:
 
 class Controller(Kind):
     """`drive with`: drives an agent. Every engine can drive one that implements `controls` or
-    `control`; one that does not is driven by engines that know it by its name."""
+    `control`; one that does not is driven by engines that know it by its name. One that implements
+    `altered` changes what the others decide."""
 
     verb: ClassVar[str] = "drive"
     interval: ClassVar[float] = 0.0
@@ -69,6 +72,13 @@ class Controller(Kind):
         What is decided for an agent depends on its row alone. `state` has a row for each agent, as
         `start` made it; the method changes it in place. Returns a `ControlBatch` of numbers, NaN
         where something is left open. Anything else is RL474.
+        """
+        raise NotImplementedError
+
+    def altered(self, wanted: ActuationBatch, state: Any) -> tuple[Floats, Floats]:
+        """Steering and acceleration (N,) of N agents in place of what their controllers want: a
+        fault of actuators. A kind that implements this decides nothing else, and is called at
+        every step, also where it is not `active`. Options and `state` are as in `controls`.
         """
         raise NotImplementedError
 

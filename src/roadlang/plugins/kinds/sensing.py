@@ -11,6 +11,7 @@ from .base import Kind
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from ...ir.readings import SensorRecord
     from ...ir.sensed_batch import SensedBatch
 
 
@@ -63,6 +64,13 @@ class Sensor(Kind):
         Anything else than these arrays, of real numbers that are not NaN, is RL474.
         """
         raise NotImplementedError
+
+    def files(self, record: SensorRecord) -> Mapping[str, bytes]:
+        """Files of the readings of a drive, which `roadlang run` writes beside the trace and the
+        arrays (`npz`), by the ends of their names: `{"mp4": ...}` for `scene-0000.ego.front.mp4`.
+        By default none. Here the options are those of one agent.
+        """
+        return {}
 
     def start(self, count: int) -> NDArray[Any] | None:
         """What `readings` remembers of `count` agents from one measurement to the next: an array
