@@ -29,8 +29,14 @@ def run(source: str, names: dict[str, Any]) -> Any:
     return eval(compile(ast.Expression(last.value), "cell", "eval"), names)  # noqa: S307
 
 
-def test_there_are_notebooks() -> None:
+def test_there_are_notebooks_whose_cells_have_names() -> None:
+    """Of version 4.5, which wants an `id` of each cell."""
     assert NOTEBOOKS
+    for notebook in NOTEBOOKS:
+        record = json.loads(notebook.read_text(encoding="utf-8"))
+        ids = [cell["id"] for cell in record["cells"]]
+        assert (record["nbformat"], record["nbformat_minor"]) == (4, 5)
+        assert len(ids) == len(set(ids))
 
 
 @pytest.mark.slow

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import Floats
+from roadlang_standard.extraction.graph import Graph
 from roadlang_standard.extraction.masks import roads_of_surface
+from roadlang_standard.extraction.square_stubs import add_square_stubs, square_ends
 
 FRACTION = 4
 """Bits of a pixel in which OpenCV draws."""
@@ -70,3 +72,12 @@ def test_a_stub_without_a_line_in_the_skeleton_is_a_road(below: int, roads: int)
     assert len(found.roads) == roads
     lowest = max(float(point[1]) for road in found.roads for point in road.points)
     assert lowest == pytest.approx(90.0 if below > 7 else 68.0, abs=2.5)
+
+
+def test_ends_that_no_line_is_ahead_of_begin_no_road() -> None:
+    mask = np.zeros((80, 160), bool)
+    mask[32:48, 40:120] = True
+    assert len(list(square_ends(mask, 16.0))) == 2
+    graph = Graph()
+    assert add_square_stubs(graph, mask, 16.0) == []
+    assert not graph.lines

@@ -82,3 +82,17 @@ def test_a_world_file_gives_the_scale_unless_another_is_said(
     result = run(folder / "circuit.png", "-o", folder / "roads.json", *words)
     assert result.exit_code == 0, result.output
     assert json.loads((folder / "roads.json").read_text())["meters_per_pixel"] == scale
+
+
+def test_each_file_is_written_only_where_it_is_asked_for(circuit: Any) -> None:
+    _, folder = circuit
+    before = set(folder.iterdir())
+    document = json.loads(run(folder / "circuit.png", "--mask", folder / "mask.png").stdout)
+    assert set(folder.iterdir()) - before == {folder / "mask.png"}
+    assert document["mask"].endswith("mask.png")
+    done = run(folder / "circuit.png", "--overlay", folder / "seen.svg", "-o", folder / "it.json")
+    assert set(folder.iterdir()) - before == {
+        folder / name for name in ("mask.png", "seen.svg", "it.json")
+    }
+    assert "1 road (" in done.output
+    assert "schema" not in done.output

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from xml.etree.ElementTree import Element, fromstring
 
+import numpy as np
 import pytest
 
 from roadlang import testing
@@ -187,3 +189,18 @@ def test_lanelets_end_where_the_speed_limit_changes() -> None:
     }
     slow, fast = [8.0], [14.0]
     assert spans == {(0, 151): fast, (151, 254): slow, (254, 151): slow, (151, 0): fast}
+
+
+def test_the_goal_of_an_ego_that_is_gone_is_where_it_was_last() -> None:
+    (sample,) = testing.sample(STREET + "simulate with builtin { duration: 3s }")
+    trace = sample.run().trace
+    ego = trace.agents["ego"]
+    present = (np.arange(len(ego.time)) < 12).astype(float)
+    gone = replace(ego, present=present)
+    assert gone.samples_there == 12
+    left = replace(trace, agents={**trace.agents, "ego": gone})
+    after = fromstring(CommonRoadBackend().drive_files(sample.record, left)["drive.cr.xml"])
+    center = after.find("planningProblem/goalState/position/rectangle/center")
+    assert center is not None
+    assert float(center.findtext("x", "")) == pytest.approx(ego.x[11], abs=1e-5)
+    assert float(center.findtext("y", "")) == pytest.approx(ego.y[11], abs=1e-5)

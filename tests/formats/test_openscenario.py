@@ -266,3 +266,24 @@ def test_only_a_route_in_a_circle_is_closed(closed: bool) -> None:
     assign_route("tour", [], closed)(action)
     (route,) = action.iter("Route")
     assert route.get("closed") == ("true" if closed else "false")
+
+
+@pytest.mark.parametrize(
+    ("header", "said"),
+    [
+        ('scenario bend "Two cars in a bend"\n', "Two cars in a bend"),
+        ("scenario bend\n", "bend"),
+        ("", "scene"),
+    ],
+)
+def test_the_header_describes_the_scene_as_far_as_it_is_named(header: str, said: str) -> None:
+    _, root, _ = written(header + ROAD)
+    (found,) = root.iter("FileHeader")
+    assert found.attrib["description"] == said
+
+
+def test_what_was_driven_needs_no_routes() -> None:
+    (sample,) = testing.sample(TOWN + "simulate with builtin { duration: 0.5s }")
+    text = OpenScenarioBackend().drive_files(sample.record, sample.run().trace)["drive.xosc"]
+    assert "Trajectory" in str(text)
+    assert not list(fromstring(text).iter("Route"))

@@ -343,3 +343,14 @@ def test_a_folder_of_an_earlier_version_is_written_over(file: Path, tmp_path: Pa
     manifest.write_text('{"schema": "npm/1", "files": []}')
     with pytest.raises(roadlang.DiagnosticError, match="RL460"):
         roadlang.load(file).sample(1).emit(folder, ["json"])
+
+
+def test_the_seed_is_0_where_none_is_given_and_one_value_can_be_chosen_from(file: Path) -> None:
+    scenario = roadlang.load(file)
+    default, zero, one = (
+        scenario.sample(1, **seed)[0].draws for seed in ({}, {"seed": 0}, {"seed": 1})
+    )
+    assert default == zero != one
+    road = "road main { draw with segments { pieces: [straight(99m)] }, width: a }"
+    text = f"param a = choice(5m)\n{road}"
+    assert roadlang.loads(text).sample()[0].values["a"] == 5.0

@@ -128,6 +128,17 @@ def test_help_lists_it_with_the_first_line_of_its_docstring(
     assert run(["secret"]) == 0
 
 
+def test_help_says_what_is_wrong_with_a_command_once_and_nothing_of_names_that_are_ours(
+    site: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("acme", "other"):
+        lines = f"hello = roadlang_{name}:hello\ncheck = roadlang_{name}:hello"
+        install(site, name, PLUGIN, commands=lines)
+    words = " ".join(help_text(capsys).split())
+    assert words.count("hello cannot be used") == 1
+    assert "check cannot be used" not in words
+
+
 def test_it_is_completed_and_meant(acme: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert completions("hel") == ["hello"]
     assert completions("--l", "hello") == ["--loudly"]

@@ -9,7 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from roadlang import testing
 from roadlang.report.decimation import deltas, samples_of, simplified
+from roadlang.report.outlines import outline
 
 NUMBERS = st.floats(-1e4, 1e4)
 LINES = arrays(np.float64, st.tuples(st.integers(2, 40), st.just(2)), elements=NUMBERS)
@@ -75,3 +77,16 @@ def test_samples_keep_the_ends_the_extremes_and_the_moment(
     assert series[kept].max() == series.max()
     assert len(kept) <= most + 5
     assert (np.diff(kept) > 0).all()
+
+
+def test_outlines_of_roads_stay_within_a_decimeter_with_few_points() -> None:
+    bend = "road main { draw with segments { pieces: [arc(50m, 180deg)] }, width: 10m, lanes: 2 }"
+    (scene,) = testing.sample(bend)
+    ring = outline(scene.record.roads[0]).surface
+    radii = np.hypot(ring[:, 0], ring[:, 1] - 50.0)
+    np.testing.assert_allclose(np.minimum(abs(radii - 45.0), abs(radii - 55.0)), 0.0, atol=0.01)
+    middles = (ring[1:] + ring[:-1]) / 2
+    depth = np.hypot(middles[:, 0], middles[:, 1] - 50.0)
+    chords = [min(abs(d - 45.0), abs(d - 55.0)) for d in depth if not 45.5 < d < 54.5]
+    assert 0.05 < max(chords) <= 0.1 + 1e-3
+    assert len(ring) < 70

@@ -13,6 +13,7 @@ from roadlang import testing
 from roadlang.api import AgentName, DriveSignal, Trace, option
 from roadlang.geometry.arrays import Floats
 from roadlang.plugins.discovery import load_registry
+from roadlang.simulation.conditions import ControllerCondition
 
 from .driven_roads import drive
 
@@ -138,3 +139,18 @@ def test_what_has_happened_is_still_known_when_other_scenes_are_over() -> None:
     }"""
     for trace in drive(text, 12, duration=30):
         assert trace.agents["ego"].time[-1] < 30 or trace.agents["ego"].station[-1] > 150
+
+
+@pytest.mark.parametrize(
+    ("formula", "pointwise"),
+    [
+        ({">": ["x", 3.0]}, True),
+        ({"and": [{">": ["x", 3.0]}, {"not": {"<": ["y", 1.0]}}]}, True),
+        ({"once": {">": ["x", 3.0]}}, False),
+        ({"not": {"and": [{">": ["x", 3.0]}, {"historically": {"<": ["y", 1.0]}}]}}, False),
+    ],
+)
+def test_a_condition_needs_its_past_where_an_operator_looks_back(
+    formula: dict[str, Any], pointwise: bool
+) -> None:
+    assert ControllerCondition(formula, {}, 1).is_pointwise is pointwise
