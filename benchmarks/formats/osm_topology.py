@@ -89,7 +89,7 @@ def _sumo_arms(program: str, file: Path, network: RoadNetwork) -> dict[Place, li
         shape = [tuple(map(float, p.split(",")[:2])) for p in str(edge.get("shape", "")).split()]
         line = [(p[0], p[1]) for p in shape] or ends
         for place, points, enters in ((ends[0], line, False), (ends[1], line[::-1], True)):
-            bearing = _bearing(place, points)
+            bearing = _bearing(points)
             arms = found[place]
             same = [key for key, arm in arms.items() if _near(arm[0], bearing, math.radians(2.0))]
             before = arms[same[0]] if same and not arms[same[0]][1 if enters else 2] else None
@@ -99,8 +99,10 @@ def _sumo_arms(program: str, file: Path, network: RoadNetwork) -> dict[Place, li
     return {place: list(arms.values()) for place, arms in found.items()}
 
 
-def _bearing(place: Place, points: list[Place]) -> float:
-    """Towards the point a step along a line."""
+def _bearing(points: list[Place]) -> float:
+    """Of a line, from its first point toward the point a step along it. It need not begin at its
+    node: netconvert puts lanes beside it where `placement` says so."""
+    place = points[0]
     left, before = _STEP, place
     for point in points:
         length = math.dist(before, point)

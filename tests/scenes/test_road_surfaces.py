@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from roadlang import testing
 from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.ir.surface_stretches import surface_stretches
+from tests.formats.small_maps import lane, section, straight, xodr
 
 STRAIGHT = "draw with segments { pieces: [straight(200m)] }, lanes: 2"
 TOWN = '''image plan from """
@@ -84,6 +87,25 @@ def test_a_patch_of_a_network_lies_on_the_road_that_it_names() -> None:
     assert {edge for edge, one in by_edge.items() if one.surface_patches} == {1}
     (patch,) = by_edge[1].surface_patches
     assert (patch.start, patch.end) == pytest.approx((5.0, 20.0))
+
+
+def test_a_patch_of_a_network_lies_on_the_roads_that_have_its_lane(tmp_path: Path) -> None:
+    """Road 1 has four lanes, road 2 has two."""
+    (tmp_path / "town.xodr").write_text(
+        xodr(
+            straight(1, 0.0, 50.0, lanes=section(0, [lane(2), lane(1)], [lane(-1), lane(-2)])),
+            straight(2, 0.0, 90.0),
+        )
+    )
+    town = f'network town from "{tmp_path / "town.xodr"}" '
+    town += "{ surface_patches: [{ surface: ice, %s }] }"
+    (scene,) = scenes(town % "lane: -2")
+    patches = {one.edge: [patch.lanes for patch in one.surface_patches] for one in scene.roads}
+    assert patches == {1: [(-2,)], 2: []}
+    for fault in ("lane: -3", "lane: -2, road: 2"):
+        with pytest.raises(DiagnosticError) as caught:
+            scenes(town % fault)
+        assert caught.value.diagnostics[0].code == "RL613"
 
 
 @pytest.mark.parametrize("where", ["lane: 1, side: right", "lane: -1, side: left"])

@@ -103,7 +103,15 @@ def _edge(id: int, part: EdgePart, nodes: dict[int, Node], kept: Kept) -> Edge:
         for end, other, other_end in part.edge.no_turns
         if end in part.ends and (other, other_end) in kept
     )
-    return replace(made, id=id, start=ends["start"], end=ends["end"], no_turns=no_turns)
+    lanes = part.edge.lane_arrows
+    return replace(
+        made,
+        id=id,
+        start=ends["start"],
+        end=ends["end"],
+        no_turns=no_turns,
+        lane_arrows=tuple(arrow for arrow in lanes if arrow[0] in part.ends),
+    )
 
 
 def _junctions(junctions: Sequence[MapJunction], kept: Kept) -> Iterator[MapJunction]:

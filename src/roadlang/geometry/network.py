@@ -50,8 +50,9 @@ class Edge(SharedArrays):
     other way, None where the lanes say themselves how they run.
     What maps say besides: the `name` of the street, `elevations` (n,), meters above the origin at
     even arc lengths, the `level` of bridges (1 and more) and tunnels (-1 and less), which roads of
-    other levels cross without touching, and `no_turns`: from an end of this road into which ends
-    of other roads nobody may turn.
+    other levels cross without touching, `no_turns`: from an end of this road into which ends of
+    other roads nobody may turn, and `lane_arrows`: the lanes that lead to an end, by their ids, and
+    where their markings point, as changes of heading in radians, left positive.
     """
 
     id: int
@@ -66,6 +67,7 @@ class Edge(SharedArrays):
     forward: bool | None = None
     level: int = 0
     no_turns: tuple[tuple[End, int, End], ...] = ()
+    lane_arrows: tuple[tuple[End, int, tuple[float, ...]], ...] = ()
 
     @classmethod
     def of(cls, id: int, start: int, end: int, curve: Curve, section: CrossSection) -> Edge:
@@ -102,7 +104,10 @@ class Edge(SharedArrays):
             section = section.scaled(curve.length / self.curve.length, width_factor)
             section = section.mirrored() if mirrors else section
         widths = np.asarray(self.widths) * width_factor
-        return replace(self, curve=curve, widths=widths, cross_section=section)
+        arrows = self.lane_arrows
+        if mirrors:
+            arrows = tuple((end, -lane, tuple(-aim for aim in aims)) for end, lane, aims in arrows)
+        return replace(self, curve=curve, widths=widths, cross_section=section, lane_arrows=arrows)
 
     def road(self, lanes: int = 2) -> Road:
         """The edge as a separate road: with its cross-section, or with this many equal lanes."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -47,23 +47,43 @@ class _Cover:
     patches: tuple[_Patch, ...]
 
 
+def covered_edges(
+    edges: Sequence[Sequence[SceneRoad]],
+    ids: Sequence[int],
+    network: ScenarioNetwork,
+    rows: SceneRows,
+) -> list[list[SceneRoad]]:
+    """The roads of a network, each of every scene; `ids` are their numbers.
+
+    A patch that names a lane, but no road, is on the roads that have this lane. Raises RL411, RL414
+    and RL613, also for a lane that no road has.
+    """
+    lanes = frozenset(lane.id for roads in edges for road in roads for lane in road.lane_list)
+    return [covered(roads, network, rows, ids, lanes) for roads in edges]
+
+
 def covered(
-    roads: Sequence[SceneRoad], source: Statement, rows: SceneRows, ids: Sequence[int] = ()
+    roads: Sequence[SceneRoad],
+    source: Statement,
+    rows: SceneRows,
+    ids: Sequence[int] = (),
+    elsewhere: Set[int] = frozenset(),
 ) -> list[SceneRoad]:
     """A road of each scene with what its statement, or what it is made from, says of its surface.
 
-    `ids`: of the roads of a network. Raises RL411 for a patch on another one, RL414 for one that is
-    not on its road, RL613 for one on a lane that this does not have.
+    `ids`: of the roads of a network, `elsewhere`: of the lanes of all of them. Raises RL411 for a
+    patch on another road, RL414 for one that is not on its road, RL613 for one on a lane that this
+    does not have.
     """
     said = list(_said(source, rows.scenario))
     if not said:
         return list(roads)
     if not rows.differ(*said):
         cover = _checked(_cover(source, rows.alone(0)), ids)
-        made = {id(road): _with(road, cover) for road in roads}
+        made = {id(road): _with(road, cover, elsewhere) for road in roads}
         return [made[id(road)] for road in roads]
     covers = rows.each(lambda candidate: _checked(_cover(source, candidate), ids))
-    return [_with(road, cover) for road, cover in zip(roads, covers, strict=True)]
+    return [_with(road, cover, elsewhere) for road, cover in zip(roads, covers, strict=True)]
 
 
 def _checked(cover: _Cover, ids: Sequence[int]) -> _Cover:
@@ -134,8 +154,14 @@ def _of_parts(road: ScenarioRoad, candidates: CandidateBatch) -> tuple[_Patch, .
     return tuple(found)
 
 
-def _with(road: SceneRoad, cover: _Cover) -> SceneRoad:
-    patches = [_placed(patch, road) for patch in cover.patches if patch.road in (None, road.edge)]
+def _with(road: SceneRoad, cover: _Cover, elsewhere: Set[int]) -> SceneRoad:
+    ids = {lane.id for lane in road.lane_list}
+    patches = [
+        _placed(patch, road)
+        for patch in cover.patches
+        if patch.road in (None, road.edge)
+        and not (patch.road is None and patch.lane in elsewhere - ids)
+    ]
     found = tuple(patch for patch in patches if patch is not None)
     return replace(road, surface=cover.surface, surface_patches=found)
 

@@ -26,7 +26,7 @@ from ..world.roads import road_batch, road_root
 from ..world.selected_roads import parts_of_network, steps_in_network
 from .junctions import scene_junctions
 from .road_rows import road_rows
-from .road_surfaces import covered
+from .road_surfaces import covered, covered_edges
 from .scene_rows import SceneRows
 
 
@@ -37,7 +37,7 @@ def scene_roads(rows: SceneRows) -> list[tuple[SceneRoad, ...]]:
     for network in scenario.networks.values():
         edges = network_root(network, rows.candidates).edges
         ids = [edge.id for edge in edges]
-        columns += [covered(_edge(network, edge, rows), network, rows, ids) for edge in edges]
+        columns += covered_edges([_edge(network, e, rows) for e in edges], ids, network, rows)
     return list(zip(*columns, strict=True)) if columns else rows.same(())
 
 

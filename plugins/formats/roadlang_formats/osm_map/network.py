@@ -24,9 +24,11 @@ from roadlang_formats.map_xml import MapFile, left_out_at
 
 from .buildings import buildings_of
 from .controls import map_controls
+from .lane_arrows import lane_arrows, written_arrows
 from .records import OsmExtract, OsmWay, osm_extract
 from .restrictions import no_turns
-from .way_lanes import Tags, WayLanes, is_driven, level_of, one_way, way_lanes
+from .streets import Street, contracted
+from .way_lanes import WayLanes, is_driven, level_of, one_way, way_lanes
 
 Place = tuple[float, float]
 
@@ -49,30 +51,6 @@ class OsmOptions:
     left_hand: bool
     service: bool
     buildings: bool
-
-
-@dataclass(frozen=True)
-class Street:
-    """A part of a way, or of several that go on as one, between junctions or changes of lanes.
-
-    `ways`: the ids of the ways at its start and at its end. `level`: 0 on the ground.
-    """
-
-    nodes: tuple[str, ...]
-    tags: Tags
-    ways: tuple[str, str] = ("", "")
-    level: int = 0
-
-    @property
-    def reversed(self) -> Street:
-        """The same street against its direction."""
-        return replace(self, nodes=self.nodes[::-1], ways=self.ways[::-1])
-
-    def and_then(self, other: Street) -> Street:
-        """This street and one that begins where it ends, with the tags of this one."""
-        level = max(self.level, other.level, key=abs)
-        ways = self.ways[0], other.ways[1]
-        return Street(self.nodes + other.nodes[1:], self.tags, ways, level)
 
 
 def network_of(file: MapFile, options: OsmOptions) -> Extraction:
@@ -108,6 +86,7 @@ def network_of_ways(
     if math.hypot(*farthest) > _FARTHEST:
         reason = f"its ways extend up to {math.hypot(*farthest) / 1000:.0f} km from the origin"
         raise fault(reason, "set an `origin` nearby, or use a smaller extract")
+    streets = contracted(streets, points, extract.nodes, _SHORTEST)
     network, built, refused = _built(streets, points, options)
     ways = {way.id: way for way in extract.ways}
     warnings = tuple(left_out(ways[street.ways[0]], reason) for street, reason in refused)
@@ -134,7 +113,7 @@ def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
 def _streets(extract: OsmExtract, options: OsmOptions) -> list[Street]:
     """The ways for vehicles, split where others meet them, joined where one continues another."""
     ways = [
-        Street(way.nodes, way.tags, (way.id, way.id), level_of(way.tags))
+        Street(way.nodes, way.tags, (way.id, way.id), level_of(way.tags), written_arrows(way.tags))
         for way in extract.ways
         if is_driven(way.tags) and (options.service or way.tags["highway"] != "service")
     ]
@@ -147,13 +126,18 @@ def _streets(extract: OsmExtract, options: OsmOptions) -> list[Street]:
 def _cut(way: Street, visits: Mapping[str, int], ends: Mapping[str, int]) -> Iterator[Street]:
     """The parts of a way between nodes that it shares with others, or passes twice."""
     nodes = [way.nodes[0]] if way.nodes else []
-    for node in way.nodes[1:]:
+    first = True
+    for place, node in enumerate(way.nodes[1:], 2):
         if node == nodes[-1]:
             continue
         nodes.append(node)
         if visits[node] > 1 or ends[node] > 0:
-            yield replace(way, nodes=tuple(nodes))
-            nodes = [node]
+            # Markings are for the junctions at the ends of the whole way.
+            at_start, at_end = way.arrows
+            last = place == len(way.nodes)
+            arrows = at_start if first else "", at_end if last else ""
+            yield replace(way, nodes=tuple(nodes), arrows=arrows)
+            nodes, first = [node], False
 
 
 def _put_together(parts: Sequence[Street]) -> list[Street]:
@@ -228,7 +212,9 @@ def _built(
         ]
         lanes = cross_section(way_lanes(street.tags), options)
         edge = Edge.of(len(edges) + 1, ends[0], ends[1], curve, lanes)
-        edges.append(replace(edge, name=street.tags.get("name", ""), level=street.level))
+        arrows = lane_arrows(street.arrows, lanes)
+        name = street.tags.get("name", "")
+        edges.append(replace(edge, name=name, level=street.level, lane_arrows=arrows))
         built[edge.id] = street
     nodes = tuple(Node(number, points[node]) for node, number in numbers.items())
     return RoadNetwork(nodes, tuple(edges)), built, refused

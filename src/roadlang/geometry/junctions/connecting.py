@@ -109,7 +109,12 @@ def _fitted(place: JunctionSite, trims: Mapping[ArmKey, float]) -> Connected:
     arms = place.arms.arms
     faces = tuple(arm.face(trims[arm.key]) for arm in arms)
     lanes = tuple(
-        ArmLanes.of(arm.lanes(trims[arm.key]), face.heading, arm.edge.id in place.ring)
+        ArmLanes.of(
+            arm.lanes(trims[arm.key]),
+            face.heading,
+            arm.edge.id in place.ring,
+            {lane: aims for end, lane, aims in arm.edge.lane_arrows if end == arm.key[1]},
+        )
         for arm, face in zip(arms, faces, strict=True)
     )
     places = {arm.key: number for number, arm in enumerate(arms)}

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from .arms import ArmLane
 from .model import Turn
 
 STRAIGHT, U_TURN = math.radians(35.0), math.radians(165.0)
+_OFF = math.radians(75.0)
+"""How far a turn may be from where a marking points that means it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,13 +24,23 @@ class ArmLanes:
     heading: float
     circles: bool = False
     """whether it is a road of a roundabout, all lanes of which lead on round it"""
+    marked: Mapping[int, tuple[float, ...]] = field(default_factory=dict)
+    """where the markings of inbound lanes point, by their indices: changes of heading, radians"""
 
     @classmethod
-    def of(cls, lanes: Sequence[ArmLane], heading: float, circles: bool = False) -> ArmLanes:
-        """`lanes` from left to right, seen from the place."""
+    def of(
+        cls,
+        lanes: Sequence[ArmLane],
+        heading: float,
+        circles: bool = False,
+        markings: Mapping[int, tuple[float, ...]] | None = None,
+    ) -> ArmLanes:
+        """`lanes` from left to right, seen from the place; `markings` by their ids."""
         inbound = tuple(lane for lane in lanes if lane.inbound)
         outbound = tuple(lane for lane in reversed(lanes) if lane.outbound)
-        return cls(inbound, outbound, heading, circles)
+        ids = {lane.id: place for place, lane in enumerate(inbound)}
+        marked = {ids[id]: found for id, found in (markings or {}).items() if id in ids}
+        return cls(inbound, outbound, heading, circles, marked)
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +73,8 @@ def lane_pairs(
 
     From right to left each turn gets lanes that cross none of the others: right turns those at the
     curb, left turns those in the middle, the straightest all that are left, or all where there are
-    more turns than lanes, and on a roundabout.
+    more turns than lanes, and on a roundabout. Lanes with markings lead where these point; to arms
+    that no marking points to, turns have the same lanes as without.
     """
     found: list[LanePair] = []
     for source, arm in enumerate(arms):
@@ -74,6 +87,8 @@ def lane_pairs(
         )
         angles = [angle for angle, _ in targets]
         shares = _shared(angles, len(arm.inbound), exclusive=not arm.circles)
+        if arm.marked:
+            shares = _as_marked(angles, shares, arm.marked)
         for (angle, target), lanes in zip(targets, shares, strict=True):
             for lane, into in _into(angle, lanes, len(arms[target].outbound)):
                 found.append(LanePair(source, lane, target, into, angle, turn_of(angle)))
@@ -85,7 +100,7 @@ def _turned(arm: ArmLanes, other: ArmLanes) -> float:
     return round((other.heading - arm.heading) % (2.0 * math.pi) - math.pi, 12)
 
 
-def _shared(angles: Sequence[float], lanes: int, *, exclusive: bool) -> list[range]:
+def _shared(angles: Sequence[float], lanes: int, *, exclusive: bool) -> Sequence[Sequence[int]]:
     """The lanes, counted from the curb, of each turn from right to left. `exclusive`: where there
     are lanes enough, turns have lanes of their own."""
     if lanes == 1 or len(angles) < 2:
@@ -106,7 +121,32 @@ def _shared(angles: Sequence[float], lanes: int, *, exclusive: bool) -> list[ran
     return shares
 
 
-def _into(angle: float, lanes: range, targets: int) -> list[tuple[int, int]]:
+def _as_marked(
+    angles: Sequence[float],
+    shares: Sequence[Sequence[int]],
+    marked: Mapping[int, tuple[float, ...]],
+) -> list[list[int]]:
+    """The lanes of each turn where markings point to it, and those without any of its share.
+
+    A marking points to the turn that is closest to it; to the side, to all turns to that side.
+    """
+    pointed: list[set[int]] = [set() for _ in angles]
+    for lane, wanted in marked.items():
+        for aim in wanted:
+            nearest = min(range(len(angles)), key=lambda place: abs(angles[place] - aim))
+            if abs(angles[nearest] - aim) < _OFF:
+                pointed[nearest].add(lane)
+            for place, angle in enumerate(angles):
+                if turn_of(aim) in ("left", "right") and turn_of(angle) == turn_of(aim):
+                    pointed[place].add(lane)
+    found = []
+    for share, lanes in zip(shares, pointed, strict=True):
+        free = {lane for lane in share if lane not in marked}
+        found.append(sorted(lanes | free) if lanes else list(share))
+    return found
+
+
+def _into(angle: float, lanes: Sequence[int], targets: int) -> list[tuple[int, int]]:
     """(source lane, target lane): right and straight from the curb on, left from the middle on.
 
     Surplus lanes merge into the last; surplus target lanes of a straight turn are fed by the last.
