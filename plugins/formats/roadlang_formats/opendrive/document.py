@@ -11,6 +11,7 @@ from roadlang_formats.opendrive_map.both_ways import REVERSE_OF
 from roadlang_formats.place_on_earth import map_origin
 
 from .connecting_roads import ConnectingRoad, put_connecting_road
+from .direct_links import End
 from .elements import linear_pieces, put
 from .junctions import end_roads, numbered_junctions, put_junction
 from .lanes import put_lanes
@@ -101,14 +102,13 @@ def _name(part: OpenDriveRoad) -> str:
 
 def _put_links(road: Element, part: OpenDriveRoad, ends: dict[tuple[str, str], int]) -> None:
     link = put(road, "link")
-    for tag, end, other in (
-        ("predecessor", "start", part.previous),
-        ("successor", "end", part.next),
-    ):
-        contact = "end" if end == "start" else "start"
-        junction = ends.get((part.road.name, end if part.reverse_of is None else contact))
+    names: tuple[tuple[End, End, str], ...]
+    names = ("start", "end", "predecessor"), ("end", "start", "successor")
+    for end, opposite, tag in names:
+        junction = ends.get((part.road.name, end if part.reverse_of is None else opposite))
+        other = part.links.get(end)
         if other is not None:
-            put(link, tag, elementType="road", elementId=other, contactPoint=contact)
+            put(link, tag, elementType="road", elementId=other.id, contactPoint=other.end)
         elif junction is not None:
             put(link, tag, elementType="junction", elementId=junction)
 

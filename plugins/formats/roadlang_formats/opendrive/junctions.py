@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 from .connecting_roads import ConnectingRoad, RoadEnd
+from .direct_links import direct_links
 from .elements import put
 from .road_parts import PartEnds
 
@@ -36,6 +37,7 @@ def numbered_junctions(
 ) -> tuple[NumberedJunction, ...]:
     """Junctions have numbers after those of all roads, so that none is the number of both."""
     ends = PartEnds.of(parts)
+    linked = direct_links(scene)
     lane = 1 if scene.world.get("traffic") == "left" else -1
     found: list[NumberedJunction] = []
     built = [
@@ -44,6 +46,10 @@ def numbered_junctions(
         for junction in network.junctions
         # Of a network that was perturbed on, only the last is built.
         if junction.connections and all(ends.has(arm.road) for arm in junction.arms)
+        # A joint of roads that are linked to one another is no junction.
+        if not (
+            junction.kind == "joint" and (junction.arms[0].road, junction.arms[0].end) in linked
+        )
     ]
     number = len(parts)
     first = number + sum(len(junction.connections) for _, junction in built) + 1

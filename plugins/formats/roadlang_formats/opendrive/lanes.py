@@ -9,6 +9,7 @@ import numpy as np
 
 from roadlang.api import road_surface, surface_stretches
 
+from .direct_links import End
 from .elements import linear_pieces, put
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ _MARKS = {
     "curb": "curb",
 }
 _MARK_WIDTH = 0.12
+_ENDS: tuple[End, ...] = ("start", "end")
 
 
 def lane_type(lane: Lane) -> str:
@@ -89,12 +91,13 @@ def _put_lane(group: Element, part: OpenDriveRoad, lane: Lane, version: str) -> 
     found = put(group, "lane", id=id, type=lane_type(lane), level="false")
     if version == "1.8" and lane.id in part.numbers.contrary:
         found.set("direction", "reversed")
-    if part.previous is not None or part.next is not None:
+    before, after = (part.links[end].lanes.get(id) if end in part.links else None for end in _ENDS)
+    if before is not None or after is not None:
         link = put(found, "link")
-        if part.previous is not None:
-            put(link, "predecessor", id=id)
-        if part.next is not None:
-            put(link, "successor", id=id)
+        if before is not None:
+            put(link, "predecessor", id=before)
+        if after is not None:
+            put(link, "successor", id=after)
     return found
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from roadlang.geometry import CrossSection, Curve, Floats
 
 from ..surfaces.built import built_roads, is_loop
 from .both_ways import one_way, reversed_road, shared_lane
+from .direct_links import End, Links, direct_links
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import (
     ReferenceLine,
@@ -35,8 +36,19 @@ _SAME = 1e-6
 
 
 @dataclass(frozen=True)
+class RoadLink:
+    """The end of the road before or after a part, and its lanes by those of the part: ids of
+    OpenDRIVE."""
+
+    id: int
+    end: End
+    lanes: Mapping[int, int]
+
+
+@dataclass(frozen=True)
 class OpenDriveRoad:
-    """A road of OpenDRIVE: a part of a road of the scene, at these of its stations (n,)."""
+    """A road of OpenDRIVE: a part of a road of the scene, at these of its stations (n,). `links`:
+    what follows at its ends without a junction."""
 
     id: int
     road: SceneRoad
@@ -45,9 +57,7 @@ class OpenDriveRoad:
     line: ReferenceLine
     section: CrossSection
     numbers: LaneNumbers
-    previous: int | None = None
-    next: int | None = None
-    """ids of the parts of the same road before and after it"""
+    links: Mapping[End, RoadLink] = field(default_factory=dict)
     reverse_of: int | None = None
     """the part on the same ground whose lane this one has for the other direction; its `road` runs
     that direction"""
@@ -78,24 +88,50 @@ def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
         if ends > 1
     }
     parts: list[OpenDriveRoad] = []
+    links = direct_links(scene)
     for road in built_roads(scene):
         count = _RETURNING_PARTS if road.name in returning else 1
         if is_loop(road):
             count = _LOOP_PARTS
         first = len(parts) + 1
-        found = _parts(road, count, first, left_hand, tolerance)
+        start, end = road.trim
+        trims = (
+            0.0 if (road.name, "start") in links else start,
+            0.0 if (road.name, "end") in links else end,
+        )
+        found = _parts(road, trims, count, first, left_hand, tolerance)
         lane = shared_lane(road.cross_section())
         if lane is not None:
             back = reversed_road(road, lane)
-            turned = _parts(back, count, first + len(found), left_hand, tolerance)
+            turned = _parts(back, back.trim, count, first + len(found), left_hand, tolerance)
             ids = [part.id for part in reversed(found)]
             found += [replace(part, reverse_of=id) for part, id in zip(turned, ids, strict=True)]
         parts += found
-    return tuple(parts)
+    return tuple(_linked(part, links, PartEnds.of(parts)) for part in parts)
+
+
+def _linked(part: OpenDriveRoad, links: Links, ends: PartEnds) -> OpenDriveRoad:
+    """A part with the roads that follow the road of the scene at its ends."""
+    found = dict(part.links)
+    both: tuple[End, ...] = ("start", "end")
+    for end in both:
+        link = links.get((part.road.name, end))
+        if end in found or link is None:
+            continue
+        other, _ = ends.entering(link.road, link.end)
+        ids, others = part.numbers.ids, other.numbers.ids
+        lanes = {ids[lane]: others[after] for lane, after in link.lanes.items()}
+        found[end] = RoadLink(other.id, link.end, lanes)
+    return replace(part, links=found) if found != part.links else part
 
 
 def _parts(
-    road: SceneRoad, count: int, first: int, left_hand: bool, tolerance: float
+    road: SceneRoad,
+    trims: tuple[float, float],
+    count: int,
+    first: int,
+    left_hand: bool,
+    tolerance: float,
 ) -> list[OpenDriveRoad]:
     """Of one direction where the road has a single lane for both."""
     points = np.column_stack((road.x, road.y))
@@ -106,19 +142,21 @@ def _parts(
     if shared is not None:
         section = one_way(section, shared)
     numbers = lane_numbers(section, left_hand)
-    cuts = np.linspace(road.trim[0], road.length - road.trim[1], count + 1)
+    cuts = np.linspace(trims[0], road.length - trims[1], count + 1)
+    same = {id: id for id in numbers.ids.values()}
     spans = [_between(stations, start, stop) for start, stop in pairwise(cuts)]
     found: list[OpenDriveRoad] = []
     for place, at in enumerate(spans):
         if at is None:
             continue
         id = first + place
-        before, after = id - 1 if place else None, id + 1 if place < count - 1 else None
-        if count == _LOOP_PARTS:
-            before, after = (first + (place + step) % count for step in (-1, 1))
+        links: dict[End, RoadLink] = {}
+        if place or count == _LOOP_PARTS:
+            links["start"] = RoadLink(first + (place - 1) % count, "end", same)
+        if place < count - 1 or count == _LOOP_PARTS:
+            links["end"] = RoadLink(first + (place + 1) % count, "start", same)
         fitted = reference_line(SampledLine.of(road, at), tolerance)
-        part = OpenDriveRoad(id, road, at, curve, fitted, section, numbers, before, after)
-        found.append(part)
+        found.append(OpenDriveRoad(id, road, at, curve, fitted, section, numbers, links))
     return found
 
 
