@@ -91,6 +91,8 @@ def _lengths(file: ElementTree.Element, edges: dict[str | None, ElementTree.Elem
     for road in file.iterfind("road"):
         if road.get("junction") != "-1":
             continue
+        if road.find(".//lane[@type='driving']") is None:
+            continue  # netconvert has no edges for these
         ways = [_edges(name, edges) for name in (f"-{road.get('id')}", str(road.get("id")))]
         if not any(ways):
             faults.append(f"road {road.get('id')} is missing")

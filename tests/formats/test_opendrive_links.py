@@ -1,0 +1,80 @@
+"""Roads that go on in one another: linked directly in OpenDRIVE, if their lanes meet."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from roadlang_formats.emit_opendrive import OpenDriveBackend
+from tests.formats.opendrive_reader import ReadFile
+from tests.formats.read_maps import sampled, turns_of
+from tests.formats.small_maps import (
+    TWO_WAY,
+    lane,
+    link,
+    linked,
+    piece,
+    road,
+    section,
+    straight,
+    xodr,
+)
+
+FIRST = straight(1, 0, 0, inside=link(successor="road 2 start"))
+SECOND = straight(2, 60, 0, inside=link(predecessor="road 1 end"))
+AGAINST = road(2, 60.0, piece(0, 120, 0, math.pi, 60.0), TWO_WAY,
+    inside=link(successor="road 1 end"))  # fmt: skip
+
+
+def emitted(folder: Path, *roads: str, scenario: str = "") -> tuple[ReadFile, str]:
+    """What is written of a map, read by an independent reader, and its text."""
+    text = OpenDriveBackend().files(sampled(folder, xodr(*roads), scenario))["xodr"]
+    return ReadFile.of(text), text
+
+
+@pytest.mark.parametrize("bent", ["", "{ perturb with sine { amplitude: 3m, wavelength: 80m } }"])
+@pytest.mark.parametrize(("second", "end"), [(SECOND, "start"), (AGAINST, "end")])
+def test_roads_whose_lanes_meet_have_no_junction_between_them(
+    tmp_path: Path, second: str, end: str, bent: str
+) -> None:
+    first = straight(1, 0, 0, inside=link(successor=f"road 2 {end}"))
+    found, text = emitted(tmp_path, first, second, scenario=bent)
+    assert found.root.find("junction") is None
+    one, other = found.roads.values()
+    (after,) = one.element.iterfind("link/successor")
+    assert after.attrib == {"elementType": "road", "elementId": "2", "contactPoint": end}
+    (before,) = other.element.iterfind("link/*")
+    assert before.tag == ("predecessor" if end == "start" else "successor")
+    assert before.attrib == {"elementType": "road", "elementId": "1", "contactPoint": "end"}
+    sign = 1 if end == "start" else -1
+    at = 0.0 if end == "start" else other.length
+    for id in (1, -1):
+        (next_lane,) = one.lane(id).iterfind("link/successor")
+        assert int(next_lane.attrib["id"]) == sign * id
+        points = one.middle(id, one.length), other.middle(sign * id, at)
+        assert points[0] == pytest.approx(points[1], abs=1e-3)
+    again = sampled(tmp_path, text)
+    assert len(turns_of(again)) == 2
+
+
+def test_roads_whose_lanes_do_not_meet_keep_their_joint(tmp_path: Path) -> None:
+    """The second road begins half a meter to the left; or has a lane into which two lead."""
+    aside = straight(2, 60, 0.5, inside=link(predecessor="road 1 end"))
+    assert emitted(tmp_path, FIRST, aside)[0].root.find("junction") is not None
+    wide = section(
+        0, [lane(1)], [lane(-1, inside=linked(None, -1)), lane(-2, inside=linked(None, -1))]
+    )
+    two = straight(1, 0, 0, lanes=wide, inside=link(successor="road 2 start"))
+    assert emitted(tmp_path, two, SECOND)[0].root.find("junction") is not None
+
+
+def test_lanes_that_begin_at_a_link_have_no_lane_before_them(tmp_path: Path) -> None:
+    """As where a road becomes wider: the new lane is reached by changing to it."""
+    lanes = section(0, [lane(1, inside=linked(1))], [lane(-1, inside=linked(-1)), lane(-2)])
+    wider = straight(2, 60, 0, lanes=lanes, inside=link(predecessor="road 1 end"))
+    found, _ = emitted(tmp_path, FIRST, wider)
+    assert found.root.find("junction") is None
+    links = {id: found.roads[2].lane(id).find("link/predecessor") for id in (1, -1, -2)}
+    assert {id: one is not None for id, one in links.items()} == {1: True, -1: True, -2: False}
