@@ -36,7 +36,7 @@ _SAME = 1e-6
 
 
 @dataclass(frozen=True)
-class RoadLink:
+class PartLink:
     """The end of the road before or after a part, and its lanes by those of the part: ids of
     OpenDRIVE."""
 
@@ -57,7 +57,7 @@ class OpenDriveRoad:
     line: ReferenceLine
     section: CrossSection
     numbers: LaneNumbers
-    links: Mapping[End, RoadLink] = field(default_factory=dict)
+    links: Mapping[End, PartLink] = field(default_factory=dict)
     reverse_of: int | None = None
     """the part on the same ground whose lane this one has for the other direction; its `road` runs
     that direction"""
@@ -121,7 +121,7 @@ def _linked(part: OpenDriveRoad, links: Links, ends: PartEnds) -> OpenDriveRoad:
         other, _ = ends.entering(link.road, link.end)
         ids, others = part.numbers.ids, other.numbers.ids
         lanes = {ids[lane]: others[after] for lane, after in link.lanes.items()}
-        found[end] = RoadLink(other.id, link.end, lanes)
+        found[end] = PartLink(other.id, link.end, lanes)
     return replace(part, links=found) if found != part.links else part
 
 
@@ -150,11 +150,11 @@ def _parts(
         if at is None:
             continue
         id = first + place
-        links: dict[End, RoadLink] = {}
+        links: dict[End, PartLink] = {}
         if place or count == _LOOP_PARTS:
-            links["start"] = RoadLink(first + (place - 1) % count, "end", same)
+            links["start"] = PartLink(first + (place - 1) % count, "end", same)
         if place < count - 1 or count == _LOOP_PARTS:
-            links["end"] = RoadLink(first + (place + 1) % count, "start", same)
+            links["end"] = PartLink(first + (place + 1) % count, "start", same)
         fitted = reference_line(SampledLine.of(road, at), tolerance)
         found.append(OpenDriveRoad(id, road, at, curve, fitted, section, numbers, links))
     return found
