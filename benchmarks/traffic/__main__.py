@@ -2,7 +2,8 @@
 
     python -m benchmarks.traffic [--scenes 200] [--first 0] [--duration 60]
 
-Ends with 1 if anybody touched anything or crossed a stop line at red.
+Ends with 1 if anybody touched anything or crossed a stop line at red. Scenes that have no room
+for so many agents are named and counted apart.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from pathlib import Path
 from roadlang import testing
 from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.trace import AgentTrace, Trace
+from roadlang.session.scene_set import NoSceneError
 
 from .random_traffic import random_scene
 
@@ -62,11 +64,16 @@ def main() -> int:
     parser.add_argument("--duration", type=float, default=60.0)
     options = parser.parse_args()
     outcomes = []
-    spent = 0.0
+    spent, refused = 0.0, 0
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(options.first, options.first + options.scenes):
             scene = random_scene(seed, Path(folder))
-            scenes = testing.sample(scene.text, 1, seed=seed, folder=folder)
+            try:
+                scenes = testing.sample(scene.text, 1, seed=seed, folder=folder)
+            except NoSceneError as error:
+                refused += 1
+                print(f"{seed}: {scene.roads}: {str(error).splitlines()[0]}", flush=True)
+                continue
             begin = time.process_time()
             (driven,) = scenes.run("builtin", duration=options.duration)
             spent += time.process_time() - begin
@@ -77,6 +84,8 @@ def main() -> int:
     meters = sum(one.meters for one in outcomes)
     touched = sum(bool(one.contacts) for one in outcomes)
     ran = sum(len(one.red) for one in outcomes)
+    if refused:
+        print(f"{refused} scenes without room for all their agents")
     print(f"{len(outcomes)} scenes, {agents} agents, {meters / agents:.0f} m for each")
     print(f"scenes with contacts: {touched}; red lights run: {ran}; ", end="")
     print(f"scenes with somebody stuck: {sum(bool(one.stuck) for one in outcomes)}")

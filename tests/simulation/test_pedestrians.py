@@ -114,3 +114,17 @@ def test_at_signals_those_on_foot_wait() -> None:
     scenes = [at_the_zebra(green, turned) for turned in (np.pi / 2, 0.0)]
     wants, passes = drive_scenes(scenes, duration=10.0)
     assert (wants.agents["ego"].speed == passes.agents["ego"].speed).all()
+
+
+def test_who_crosses_goes_round_a_parked_car() -> None:
+    parked = "object parked is parked_car on street at 108m { lane: 1, offset: 1m }"
+    text = STREET.format(
+        side="right", offset="1m", facing="", drives="drive with crossing { speed: 1.4m/s }"
+    )
+    ((one,)) = testing.sample(text.replace("at 20m", "at 2m") + parked, 1).run(
+        "builtin", duration=25.0
+    )
+    child = one.trace.agents["child"]
+    assert child.y[-1] > 4.0
+    assert one.trace.agents["ego"].progress[-1] > 0.9
+    assert contacts(one.trace) == []

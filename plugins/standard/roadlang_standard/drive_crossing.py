@@ -21,11 +21,14 @@ WITHOUT_ROAD = 10.0
 AHEAD, NEAR = 1.0, 12.0
 """Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
 
+STANDS = 0.1
+"""m/s: who walks goes round what is slower."""
+
 
 @dataclass(frozen=True)
 class Crossing(Controller):
     """Cross the road at a right angle and stop on the other side. Once it walks it does not yield
-    to anybody, but does not walk into the side of a vehicle."""
+    to anybody, but does not walk into the side of a vehicle, and goes round one that stands."""
 
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
@@ -60,19 +63,24 @@ class Crossing(Controller):
             toward = along + np.where(left < 0.0, 0.5 * np.pi, -0.5 * np.pi)
             state[:, 1] = np.where(new, np.where(on_road, across, WITHOUT_ROAD), state[:, 1])
             state[:, 2] = np.where(new, np.where(on_road, toward, seen.heading), state[:, 2])
-        walks = (state[:, 0] < state[:, 1]) & ~_is_blocked(seen, state[:, 2])
+        blocked, aside = _blocked(seen, state[:, 2])
+        walks = (state[:, 0] < state[:, 1]) & ~blocked
         speed = np.broadcast_to(np.asarray(self.speed, dtype=np.float64), walks.shape)
         begins = walks & (state[:, 0] == 0.0)
         if self.wait_for == "gap" and begins.any():
             walks &= ~begins | has_gap(seen, state[:, 2], state[:, 1], speed)
         pace = np.where(walks, self.speed, 0.0)
         state[:, 0] += pace * seen.step
+        around = blocked & np.isfinite(aside) & (state[:, 0] > 0.0) & (state[:, 0] < state[:, 1])
+        pace = np.where(around, self.speed, pace)
+        heading = np.where(around, aside, state[:, 2])
         acceleration = (pace - seen.speed) / seen.step
-        return ControlBatch(np.zeros(len(pace)), acceleration, state[:, 2].copy())
+        return ControlBatch(np.zeros(len(pace)), acceleration, heading)
 
 
-def _is_blocked(seen: ObservationBatch, heading: Floats) -> Booleans:
-    """(N,) whether the next step would lead into a vehicle that is there already."""
+def _blocked(seen: ObservationBatch, heading: Floats) -> tuple[Booleans, Floats]:
+    """(N,) whether the next step would lead into a vehicle that is there already, and if that
+    stands, the direction along it to its nearer end, else NaN."""
     import numpy as np
 
     near = seen.nearby(NEAR)
@@ -84,4 +92,11 @@ def _is_blocked(seen: ObservationBatch, heading: Floats) -> Booleans:
     beside = 0.5 * seen.width[:, None]
     inside = np.abs(along) < 0.5 * near.length + beside
     inside &= np.abs(across) < 0.5 * near.width + beside
-    return np.asarray((inside & near.there & (near.length > SHORTEST)).any(axis=1))
+    inside &= near.there & (near.length > SHORTEST)
+    blocked = np.asarray(inside.any(axis=1))
+    if not blocked.any():
+        return blocked, np.full(len(heading), np.nan)
+    first, each = inside.argmax(axis=1), np.arange(len(heading))
+    onward = near.heading[each, first] + np.where(along[each, first] < 0.0, np.pi, 0.0)
+    stands = (inside & (near.speed < STANDS)).sum(axis=1) == inside.sum(axis=1)
+    return blocked, np.where(blocked & stands, onward, np.nan)

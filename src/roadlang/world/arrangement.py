@@ -27,6 +27,7 @@ from .poses import poses_of
 from .positions import Others
 from .road_poses import RoadPoses
 from .road_strips import depth_in_lanes
+from .tight_bends import lacking_in_bends
 
 TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)
 """How often a copy is tried in each round before it is given up. Within a round it keeps clear of
@@ -163,6 +164,9 @@ class _Turn:
         else:
             poses = RoadPoses(*(getattr(self.poses, name)[several] for name in POSE))
         missing, blocker = self._missing(several, poses, placed, again)
+        if again and number < TRIES[-1] and self._drives_in_network:
+            bends = lacking_in_bends(self.actor, self.candidates, self.kinds, several, poses)
+            missing = np.maximum(missing, bends)
         fits = self._of_rows(index, (missing <= 0.0).reshape(-1, number))
         chosen = np.where(fits.any(axis=1), fits.argmax(axis=1), number - 1)
         chosen += np.arange(len(index)) * number
@@ -193,6 +197,14 @@ class _Turn:
         """Whether its road differs in its stations, so that there is one candidate."""
         on = self.actor.on
         return on is not None and self.candidates.scenario.is_varying(on)
+
+    @property
+    def _drives_in_network(self) -> bool:
+        """Whether it begins in a lane of a network, where it has a route. The last tries are made
+        in tight bends too, as there may be no other places."""
+        scenario = self.candidates.scenario
+        on_network = self.actor.name in scenario.agents and self.actor.on in scenario.networks
+        return on_network and bool(self.actor.drive)
 
     def _missing(
         self, index: Integers, poses: RoadPoses, placed: PlacedRectangles, again: bool

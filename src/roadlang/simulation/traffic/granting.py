@@ -72,7 +72,9 @@ def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
     able = could & _is_free(crowd, asking, meetings, wants)
     count = len(crowd.places.by_right)
     scene, junction = meetings.key // count, meetings.key % count
+    # Who waits for somebody that comes toward it cannot be helped by others that wait too.
     in_line = could & crowd.places.by_patience[junction][:, None]
+    in_line &= _meets_nobody(crowd, asking, meetings)
     able &= ~rules.is_reserved(meetings, crowd.grants, in_line, able)
     by_right = crowd.places.by_right[junction]
     arriving = wants & meetings.of_agents(is_first)
@@ -125,12 +127,17 @@ def _could(
 def _is_free(crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans) -> Booleans:
     """(G, P) whose way is free of others, but for who comes from the right."""
     near, grants = crowd.near, crowd.grants
-    free = meetings.of_agents(crowd.oncoming > asking.of_crossings(near.to_leave))
+    free = _meets_nobody(crowd, asking, meetings)
     free &= ~rules.is_occupied(meetings, near, grants, wants)
     motion = crowd.speed, crowd.length, crowd.aggression
     free &= ~rules.is_blocked(meetings, near, grants, *motion)
     polite = rules.lets_in(meetings, near, grants, wants, crowd.speed, crowd.politeness)
     return np.asarray(free & ~polite)
+
+
+def _meets_nobody(crowd: Crowd, asking: Asking, meetings: Meetings) -> Booleans:
+    """(G, P) who waits for nobody in a narrow place before it has left the junction."""
+    return meetings.of_agents(crowd.oncoming > asking.of_crossings(crowd.near.to_leave))
 
 
 def _is_first(crowd: Crowd, asking: Asking) -> Booleans:
