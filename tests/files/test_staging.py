@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import errno
 import os
 import stat
@@ -13,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
+from roadlang.files import transaction
 from roadlang.files.staging import staged_set
 from roadlang.files.transaction import STAGED
 
@@ -119,9 +121,9 @@ def test_without_locks_two_at_a_time_do_not_disturb_each_other(
     assert existing or names_in(other) == {"b", MARKER}
 
 
-@pytest.mark.parametrize("count", [2, 100])
+@pytest.mark.parametrize(("count", "together"), [(2, True), (100, True), (100, False)])
 def test_contents_that_the_disk_did_not_take_are_reported(
-    tmp_path: Path, count: int, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, count: int, together: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The system tells so when a file is synchronized, long after it was written."""
     original = os.fsync
@@ -131,7 +133,12 @@ def test_contents_that_the_disk_did_not_take_are_reported(
             raise OSError(errno.EIO, os.strerror(errno.EIO))
         original(handle)
 
+    def fail(handle: int) -> int:
+        ctypes.set_errno(errno.EIO)
+        return -1
+
     monkeypatch.setattr(os, "fsync", fail_on_files)
+    monkeypatch.setattr(transaction, "_syncfs", lambda: fail if together else None)
     with pytest.raises(DiagnosticError) as refused:
         fill(tmp_path / "out", *map(str, range(count)))
     assert refused.value.diagnostics[0].code == "RL460"
@@ -149,6 +156,7 @@ def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
 KILLED = """
 import os, signal, sys
 from pathlib import Path
+from roadlang.files import transaction
 from roadlang.files.staging import staged_set
 with staged_set(Path(sys.argv[1]), "manifest.json", lambda marker: ()) as files:
     files.add("a", b"half")

@@ -9,14 +9,17 @@ Either is carried out from the beginning as often as it takes.
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import errno
 import json
 import os
+import re
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cache
 from pathlib import Path
 
 from .locking import may_be_held
@@ -27,6 +30,8 @@ STAGED = f"{PREFIX}new-"
 transactions have no second hyphen."""
 _JOURNAL, _UNDO = "journal.json", "undo.json"
 _MANY = 32
+_TELLS_OF_ERRORS = (5, 12)
+"""The version of Linux from which on `syncfs` does, through layered file systems too."""
 
 
 @dataclass(frozen=True)
@@ -201,12 +206,38 @@ def sync_of_many(paths: Sequence[Path]) -> None:
     """Make contents outlast a loss of power. Raises `OSError` for what could not be written.
 
     Of many files each alone takes a commit of the file system, milliseconds. Linux writes
-    everything at once and waits for it, but only for a file does it tell of errors.
+    everything at once and waits for it, but before 5.12 only for a file does it tell of errors.
     """
     if sys.platform == "linux" and len(paths) > _MANY:
+        if _is_synced(paths[0].parent):
+            return
         os.sync()
     for path in paths:
         _sync(path)
+
+
+def _is_synced(folder: Path) -> bool:
+    """Whether all that was written to the file system of a folder is safe now, and the system
+    would have told otherwise. Raises `OSError` for what could not be written."""
+    call = _syncfs()
+    if call is None:
+        return False
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        if call(handle) != 0:
+            number = ctypes.get_errno()
+            raise OSError(number, os.strerror(number), str(folder))
+    finally:
+        os.close(handle)
+    return True
+
+
+@cache
+def _syncfs() -> Callable[[int], int] | None:
+    """The call of Linux for a whole file system, where it tells of errors."""
+    version = tuple(map(int, re.findall(r"\d+", os.uname().release)[:2]))
+    library = ctypes.CDLL(None, use_errno=True)
+    return getattr(library, "syncfs", None) if version >= _TELLS_OF_ERRORS else None
 
 
 def _sync(path: Path) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable, Mapping
-from functools import lru_cache
+from functools import cache, lru_cache
 from operator import attrgetter
 from typing import Any
 
@@ -78,12 +78,15 @@ class _Writer:
         converted = plain(value)
         return _other(converted) if type(converted) is kind else self.written(converted, depth)
 
-    def _known(self, value: Any, depth: int, write: Callable[[Any, int], str]) -> str:
+    def _known(
+        self, value: Any, depth: int, write: Callable[[Any, int], str], *, certain: bool = False
+    ) -> str:
+        """`certain`: it is known that the value is unchangeable."""
         key = id(value), depth
         found = self.known.get(key) or self.texts.get(key)
         if found is None:
             found = value, write(value, depth)
-            if not is_unchangeable(value, self.unchangeable):
+            if not certain and not is_unchangeable(value, self.unchangeable):
                 return found[1]
         self.texts[key] = found
         self.unchangeable.add(key[0])
@@ -111,16 +114,22 @@ class _Writer:
         return "{\n" + ",\n".join(lines) + "\n" + "  " * depth + "}"
 
     def _sequence(self, value: Any, depth: int) -> str:
+        if not value:
+            return "[]"
+        kind = type(value)
+        if _FLOATS.issuperset(map(type, value)):
+            if len(value) <= _FEW or kind is list:
+                return _floats(value, 0)
+            return self._known(value, 0, _floats, certain=True)
         kinds = set(map(type, value))
-        if kinds == _FLOATS:
-            shared = len(value) > _FEW and type(value) is not list
-            return self._known(value, 0, _floats) if shared else _floats(value, 0)
         if kinds <= _PLAIN:
             return _other(value)
         if any(map(_is_spread, kinds)):
-            inner = "  " * (depth + 1)
-            lines = [inner + self.written(item, depth + 1) for item in value]
-            return "[\n" + ",\n".join(lines) + "\n" + "  " * depth + "]"
+            return (
+                self._lines(value, depth)
+                if kind is list
+                else self._known(value, depth, self._lines)
+            )
         converted = plain(value)
         spread = any(isinstance(item, dict | list) for item in converted)
         return (
@@ -128,6 +137,11 @@ class _Writer:
             if spread or is_floats(converted)
             else _other(converted)
         )
+
+    def _lines(self, values: Any, depth: int) -> str:
+        inner = "  " * (depth + 1)
+        lines = [inner + self.written(item, depth + 1) for item in values]
+        return "[\n" + ",\n".join(lines) + "\n" + "  " * depth + "]"
 
 
 def plain(value: Any) -> Any:
@@ -164,6 +178,7 @@ def _prefix(name: Any, depth: int) -> str:
     return "  " * (depth + 1) + _other(name) + ": "
 
 
+@cache
 def _is_spread(kind: Any) -> bool:
     """Whether what holds a value of this type has a line for each of its items."""
     return issubclass(kind, dict | list) or dataclasses.is_dataclass(kind)
@@ -185,7 +200,7 @@ def _number(value: float) -> str:
 
 _other = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 _SEQUENCES = frozenset((tuple, list, FrozenList))
-_FLOATS = {float}
+_FLOATS = frozenset((float,))
 _PLAIN = frozenset((str, float, int, bool, type(None)))
 _LEAVES: Mapping[type, Callable[[Any], str]] = {
     str: json.encoder.encode_basestring,

@@ -95,7 +95,7 @@ def frozen(value: Any) -> Any:
 def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
     """Whether nothing in a value can be changed, however deep. False also of types that nothing is
     known of. `known`: the identities of objects of which it is known already."""
-    kind = type(value)
+    kind: Any = type(value)
     if kind in _LEAVES or id(value) in known:
         return True
     if kind is tuple or kind is FrozenList:
@@ -109,7 +109,7 @@ def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
     parameters = getattr(kind, "__dataclass_params__", None)
     if parameters is None or not parameters.frozen:
         return False
-    return _are_unchangeable([getattr(value, name) for name in kind.__dataclass_fields__], known)
+    return _are_unchangeable([getattr(value, name) for name in _changeable(kind)], known)
 
 
 def _are_unchangeable(values: Iterable[Any], known: Container[int]) -> bool:
