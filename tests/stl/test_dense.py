@@ -241,6 +241,19 @@ def test_what_has_no_value_between_samples_is_refused(text: str, semantics: Any)
         stl.parse(text).rho([0, 1], {"x": [1, 2]}, semantics=semantics)
 
 
+def test_words_that_name_no_way_of_evaluation_are_refused() -> None:
+    formula, trace = stl.parse("always (x < 1)"), ([0, 1], {"x": [1, 2]})
+    wrong: Any = "dense"
+    for call in (formula.rho, formula.robustness, formula.verdict, formula.range, formula.explain):
+        with pytest.raises(DiagnosticError, match=r"RL342.*`sampled`, `held`, `linear`"):
+            call(*trace, semantics=wrong)
+    with pytest.raises(DiagnosticError, match=r"RL342.*`right`, `left`"):
+        stl.time_robustness(formula, *trace, direction=wrong)
+    for sharpness in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(DiagnosticError, match=r"RL342.*positive"):
+            stl.smooth_rho(formula, *trace, sharpness=sharpness)
+
+
 def test_a_closed_road_is_evaluated_at_its_samples_alone() -> None:
     with pytest.raises(DiagnosticError, match=r"RL312.*`semantics: held`"):
         stl.parse("always (x > 0)").rho([0, 1], {"x": [1, 2]}, wrap=3, semantics="held")

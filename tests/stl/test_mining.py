@@ -94,8 +94,12 @@ def test_windows_cut_off_by_the_end_can_count_as_holding() -> None:
     recordings = [(np.arange(100.0), {"x": x, "y": y})]
     text = "always (x > 0.5 implies eventually[0, tau] (y > 0.5))"
 
-    with pytest.raises(DiagnosticError, match="RL341"):
+    with pytest.raises(DiagnosticError, match="RL341") as cut_off:
         mine(text, [Parameter("tau", 0, 20)], recordings)
+    assert "`--unknown-holds`" in cut_off.value.diagnostics[0].help[0]
+    with pytest.raises(DiagnosticError, match="RL341") as violated:
+        mine(text, [Parameter("tau", 0, 2)], recordings)
+    assert violated.value.diagnostics[0].help == ()
     mined = mine(text, [Parameter("tau", 0, 20)], recordings, unknown_holds=True)
     margin = mine(text, [Parameter("tau", 0, 20)], recordings, unknown_holds=True, margin=0.4)
 

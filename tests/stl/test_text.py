@@ -152,6 +152,14 @@ def test_formulas_of_breach_are_recognized(text: str) -> None:
         ("always[0, 5) (x < 1)", "RL026", "intervals include both ends: close it with `]`"),
         ("F[0, 5s) (x < 1)", "RL026", "intervals include both ends: close it with `]`"),
         ("(x < 1) until[0, 5) (x > 1)", "RL026", "intervals include both ends"),
+        ("always(0, 5] (x < 1)", "RL026", "intervals include both ends: write `[0, 5]`"),
+        ("always]0s, 5s[ (x < 1)", "RL026", "intervals include both ends: write `[0s, 5s]`"),
+        ("(x < 1) since[1, 5[ (x > 1)", "RL026", "intervals include both ends: write `[1, 5]`"),
+        ("(x < 1) until(0, 5) (x > 1)", "RL026", "write `[0, 5]`"),
+        ("next[0, 1] (x > 1)", "RL001", "`next` counts samples, not time: leave the interval out"),
+        ("always (lateral error < 1)", "RL001", "in back quotes: `` `lateral error` ``"),
+        ("always (l\u00fccke < 1)", "RL007", "in back quotes: `` `l\u00fccke` ``"),
+        ("x > 3 /\\ y < 2", "RL006", "write `and`"),
     ],
 )
 def test_numbers_and_intervals_that_make_no_sense_are_explained(
@@ -160,6 +168,6 @@ def test_numbers_and_intervals_that_make_no_sense_are_explained(
     with pytest.raises(DiagnosticError) as raised:
         stl.parse(text)
 
-    diagnostic = raised.value.diagnostics[0]
+    (diagnostic,) = raised.value.diagnostics
     assert diagnostic.code == code
     assert any(line in said for said in (diagnostic.message, *diagnostic.help))

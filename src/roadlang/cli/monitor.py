@@ -107,6 +107,8 @@ def _refuse_combinations(
 ) -> None:
     """UsageError for options that do not go together."""
     dense, measure = how["semantics"], how["measure"]
+    if "-" in traces and not following:
+        raise click.UsageError("`-`, the standard input, goes with --follow")
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
     if dense != "sampled" and (plot or following or how["wrap"]):

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
-from ..diagnostics import DiagnosticError, Span, diagnose
+from ..diagnostics import Code, DiagnosticError, Span, diagnose
 
 
 def stl_error(
@@ -12,3 +13,11 @@ def stl_error(
 ) -> DiagnosticError:
     """An exception to raise, with one diagnostic of the catalog page `code`."""
     return DiagnosticError(diagnose(code, span, help=help, **values))
+
+
+def check_word(name: str, value: str, words: Sequence[str]) -> None:
+    """Raises DiagnosticError RL342 for an argument that is none of these words."""
+    if value not in words:
+        known = ", ".join(f"`{word}`" for word in words)
+        problem = f"it is {value!r}, which is none of {known}"
+        raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import reduce
+from typing import get_args
 
 import numpy as np
 
 from ...diagnostics import Code
-from ..errors import stl_error
+from ..errors import check_word, stl_error
 from ..evaluate.kernels import GREATEST, LEAST
 from ..evaluate.operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
 from ..evaluate.trace import FloatArray, Positions
@@ -93,6 +94,7 @@ class DenseEvaluation:
     def __init__(
         self, grids: GridSignals, semantics: Semantics, variant: int, *, boolean: bool = False
     ) -> None:
+        check_word("semantics", semantics, get_args(Semantics))
         self.grids, self.semantics, self.variant = grids, semantics, variant
         self.boolean = boolean
         self._known: dict[f.Formula | t.Term, PiecewiseLinear] = {}

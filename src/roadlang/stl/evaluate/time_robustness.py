@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, get_args
 
 import numpy as np
 
+from ..errors import check_word
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
@@ -57,6 +58,7 @@ def _timed(
     formula: f.Formula, trace: SampledSignals, direction: Direction
 ) -> tuple[f.Formula, SampledSignals]:
     """The formula over signals that are the time robustness of its comparisons."""
+    check_word("direction", direction, get_args(Direction))
     margins: dict[str, FloatArray] = {}
 
     def timed(part: f.Formula) -> f.Formula:

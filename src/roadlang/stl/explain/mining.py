@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -20,6 +20,10 @@ from ..formula.terms import number_text
 Recording = tuple[Positions, Signals]
 
 _STEPS, _PROBES = 60, 15
+_CUT_OFF = (
+    "only the end of a trace is in the way: `--unknown-holds` (`unknown_holds=True`) counts as "
+    "holding what a longer trace could still make hold"
+)
 
 
 @dataclass(frozen=True)
@@ -182,16 +186,19 @@ class _ParameterSearch:
 
     def loosest(self) -> Mapping[str, float]:
         """A corner of the box at which the formula holds; the greatest robustness decides."""
+        holding = self._holding_corners()
+        if not holding:
+            forgiving = replace(self, unknown_holds=True)
+            is_cut_off = not self.unknown_holds and bool(forgiving._holding_corners())
+            help = _CUT_OFF if is_cut_off else ()
+            raise stl_error(Code.UNSATISFIABLE_TEMPLATE, formula=self.text, help=help)
+        return max(holding, key=self.rho)
+
+    def _holding_corners(self) -> list[Mapping[str, float]]:
         names = [parameter.name for parameter in self.parameters]
         corners = product(*((parameter.low, parameter.high) for parameter in self.parameters))
-        holding = [
-            values
-            for corner in corners
-            if self.holds(values := dict(zip(names, corner, strict=True)))
-        ]
-        if not holding:
-            raise stl_error(Code.UNSATISFIABLE_TEMPLATE, formula=self.text)
-        return max(holding, key=self.rho)
+        boxes = [dict(zip(names, corner, strict=True)) for corner in corners]
+        return [values for values in boxes if self.holds(values)]
 
     def is_monotone(
         self, values: Mapping[str, float], name: str, loose: float, failing: float, tight: float

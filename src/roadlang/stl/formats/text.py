@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...diagnostics import Diagnostic, DiagnosticError, Source
+from ...diagnostics import Code, Diagnostic, DiagnosticError, Source
+from ...syntax.operators import BY_WORD
 from ...syntax.parsing.parser import parse_formula
 from ..formula import formulas as f
 from .from_syntax_tree import FormulaReader
@@ -43,8 +44,25 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
 
 
 def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
-    """For formulas of other tools, says how they can be read."""
-    reader = next((hint for pattern, hint in _ORIGINS if pattern.search(text)), None)
-    if not errors or reader is None:
+    """Says how formulas of other tools can be read, and how names of columns are written."""
+    hints = [hint for pattern, hint in _ORIGINS if pattern.search(text)][:1]
+    name = _column(text, errors[0]) if errors else None
+    if name is not None:
+        hints.append(f"the name of a column stands in back quotes: `` `{name}` ``")
+    if not errors or not hints:
         return errors
-    return [replace(errors[0], help=(*errors[0].help, reader)), *errors[1:]]
+    return [replace(errors[0], help=(*errors[0].help, *hints)), *errors[1:]]
+
+
+def _column(text: str, error: Diagnostic) -> str | None:
+    """What may be the name of a column: a word in another alphabet, or two words."""
+    if error.span is None:
+        return None
+    start, end = error.span.start, error.span.end
+    if error.code == Code.NON_ASCII_NAME:
+        return text[start:end]
+    before = re.search(r"([A-Za-z_]\w*) +$", text[:start])
+    words = before is not None and re.fullmatch(r"[A-Za-z_]\w*", text[start:end])
+    if error.code != Code.UNEXPECTED_TOKEN or before is None or not words or before[1] in BY_WORD:
+        return None
+    return f"{before[1]} {text[start:end]}"

@@ -11,10 +11,14 @@ from ..words import CLOSERS, DEEPEST, OPENERS, SIGNS
 from .block_items import UNREADABLE, spoil
 from .error_position import looks_like_item
 
+_OPEN_INTERVALS = {("LPAR", "RSQB"), ("LPAR", "LSQB"), ("LSQB", "LSQB"),
+                   ("RSQB", "RPAR"), ("RSQB", "LSQB"), ("RSQB", "RSQB")}  # fmt: skip
+
 
 def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:
     """The tokens with every bracket closed, and what was not. A closer too many is left alone."""
     found: list[Diagnostic] = []
+    tokens = _closed_intervals(source, tokens, found)
     for _ in range(20):
         fault = _first_fault(source, tokens)
         if fault is None:
@@ -25,6 +29,32 @@ def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], li
         else:
             tokens = _close(source, tokens, opener, place, found)
     return tokens, found
+
+
+def _closed_intervals(source: Source, tokens: list[Token], found: list[Diagnostic]) -> list[Token]:
+    """`(a, b]`, `]a, b[` and `[a, b[` after a temporal operator, as `[a, b]`.
+
+    `[a, b)` is like any bracket that is closed by another; `(a, b)` may be an operand.
+    """
+    result = list(tokens)
+    for index in range(1, len(tokens) - 4):
+        first, *bounds, last = tokens[index : index + 5]
+        forms = first[0], last[0]
+        if (
+            tokens[index - 1][0] not in token_kinds("temporal", "binding")
+            or forms not in _OPEN_INTERVALS
+            or [kind for kind, *_ in bounds[::2]] != ["NUMBER"] * 2
+            or bounds[1][0] != "COMMA"
+        ):
+            continue
+        span = source.span(first[2], last[3])
+        fixed = f"[{span.text[1:-1]}]"
+        help = f"intervals include both ends: write `{fixed}`"
+        fixes = [Fix(span, fixed)]
+        found.append(diagnose(Code.MALFORMED_INTERVAL, span, help=help, fixes=fixes))
+        result[index] = ("LSQB", "[", *first[2:])
+        result[index + 4] = ("RSQB", "]", *last[2:])
+    return result
 
 
 def _exchange(

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
+from ..operators import OPERATORS
 from ..parsing.grammar import END
 from ..words import BINDING_KINDS, PASS_VERBS, TEMPORAL_KINDS
 from .error_position import Edit, ErrorPosition, Mistake
+
+STEPS = frozenset(operator.word for operator in OPERATORS if operator.form == "step")
+"""Operators without an interval"""
 
 
 def interval_form(place: ErrorPosition) -> Mistake | None:
     """`always[0s..5s]`, `always[5s]`, `always(0s, 5s) (p)`."""
     if place.kind() == "LPAR" and place.kind(-1) == "RPAR":
         return _round_interval(place)
+    if place.kind() == "COMMA" and place.expects("RSQB") and place.word(-3) in STEPS:
+        return _interval_of_step(place)
     if place.kind() != "RSQB" or not place.expects("COMMA") or place.expects("RSQB"):
         return None
     opener = _opener(place, place.index, "LSQB", "RSQB")
@@ -63,7 +69,7 @@ def option_without_value(place: ErrorPosition) -> Mistake | None:
 
 def _round_interval(place: ErrorPosition) -> Mistake | None:
     opener = _opener(place, place.index - 1, "LPAR", "RPAR")
-    if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS:
+    if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS | BINDING_KINDS:
         return None
     span = place.source.span(place.tokens[opener][2], place.token(-1)[3])
     fixed = f"[{span.text[1:-1]}]"
@@ -74,6 +80,18 @@ def _round_interval(place: ErrorPosition) -> Mistake | None:
     first, last = place.tokens[opener], place.token(-1)
     tokens = (("LSQB", "[", first[2], first[3]), *inside, ("RSQB", "]", last[2], last[3]))
     return Mistake(found, Edit(opener, place.index, tokens))
+
+
+def _interval_of_step(place: ErrorPosition) -> Mistake:
+    """`next[0, 1] (p)`."""
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.source.span(place.token(-2)[2], place.token()[3]),
+        expected=f"an operand of `{place.word(-3)}`",
+        found="an interval",
+        help=f"`{place.word(-3)}` counts samples, not time: leave the interval out",
+    )
+    return Mistake(found, hopeless=True)
 
 
 def _opener(place: ErrorPosition, closer: int, opens: str, closes: str) -> int | None:

@@ -136,6 +136,12 @@ def _latex(place: UnlexableText) -> Answer | None:
     if match is None:
         return None
     end = place.line_end()
+    for sign, word in (("/\\", "and"), ("\\/", "or")):
+        start = place.start - sign.index("\\")
+        if place.text.startswith(sign, start):
+            sign_span = place.source.span(start, start + 2)
+            help = f"write `{word}`"
+            return diagnose(Code.UNEXPECTED_CHARACTER, sign_span, what=sign, help=help), end
     line = place.text[place.text.rfind("\n", 0, place.start) + 1 : end]
     formula = line.partition(":")[2] if ":" in line.partition("\\")[0] else line
     span = place.source.span(*match.span())
