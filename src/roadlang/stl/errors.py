@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -21,3 +22,11 @@ def check_word(name: str, value: str, words: Sequence[str]) -> None:
         known = ", ".join(f"`{word}`" for word in words)
         problem = f"it is {value!r}, which is none of {known}"
         raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
+
+
+def check_positive(**numbers: float) -> None:
+    """Raises DiagnosticError RL342 for an argument that is not a finite number above 0."""
+    for name, number in numbers.items():
+        if not 0.0 < number < math.inf:
+            problem = f"it is {number}, not a positive number"
+            raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)

@@ -7,7 +7,6 @@ k grows, the value goes to `rho`; a soft extreme of n numbers is off by log(n) /
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...diagnostics import Code
-from ..errors import stl_error
+from ..errors import check_positive, stl_error
 from ..formula import formulas as f
 from . import operations as o
 from .axis import SamplePositions
@@ -55,9 +54,7 @@ def smooth_rho(
     (V, 1), also for a signal that all variants share. Raises DiagnosticError as `rho` does, and
     RL343 for terms without a derivative rule (`^`).
     """
-    if not 0.0 < sharpness < math.inf:
-        problem = f"it is {sharpness}, not a positive number"
-        raise stl_error(Code.INVALID_PARAMETER, name="sharpness", problem=problem)
+    check_positive(sharpness=sharpness)
     trace = SampledSignals.of(positions, signals, formula.variables, wrap)
     axis = SamplePositions.of(trace.positions, wrap)
 
