@@ -45,7 +45,8 @@ class Auto(Extractor):
         from .extract_contour import Contour, in_pixels
         from .extract_pixels import Pixel
         from .extraction.drawing import roads_of_drawing
-        from .extraction.picture_kind import MAP, picture_kind
+        from .extraction.map_tiles import roads_of_map
+        from .extraction.picture_kind import MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
 
         if picture.characters is not None or picture.legend:
@@ -55,9 +56,13 @@ class Auto(Extractor):
             assert picture.pixels is not None
             seen = picture_kind(picture.pixels)
             kind = seen.name
-            if seen.name == MAP and self.threshold == "auto":
-                drawn = roads_of_drawing(picture.pixels, width=in_pixels(self.width, picture))
-                found = extraction(picture, drawn)
+            width = in_pixels(self.width, picture)
+            plain = seen.drawn and seen.name != MASK and self.threshold == "auto"
+            rendered = roads_of_map(picture.pixels, width) if plain and not self.through else None
+            if rendered is not None:
+                kind, found = "rendered map", extraction(picture, rendered)
+            elif seen.name == MAP and self.threshold == "auto":
+                found = extraction(picture, roads_of_drawing(picture.pixels, width=width))
             elif seen.drawn and not self.through:
                 found = Contour(threshold=self.threshold, width=self.width).extract(picture)
             else:

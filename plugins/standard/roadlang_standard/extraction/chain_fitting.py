@@ -26,13 +26,16 @@ _UNSEEN, _HARDLY = 1.0, 1e-3
 """Weights of the traced line where the road's edges do not say where its middle is; and where it
 says little itself, near junctions."""
 _FADE = 12.0
+_COVERED, _MOSTLY = 0.02, 0.7
+"""Weight of the traced line where something covers the picture, unless it covers most of it."""
 
 
 @dataclass(frozen=True)
 class Fit:
     """How a curve is fitted, in pixels: to the middle of a road of `width` on a surface whose edge
     is at `level`, within `tolerance`, radii not below `tightest`, from a line rid of waves below
-    `waves`. Without `fair` the line alone counts."""
+    `waves`. Without `fair` the line alone counts. What is seen says little where the picture is
+    `covered` (h, w)."""
 
     width: float
     level: float
@@ -40,6 +43,17 @@ class Fit:
     tightest: float
     waves: float
     fair: bool = True
+    covered: Booleans | None = None
+
+    def is_covered(self, points: Floats) -> Booleans:
+        """Which points (n, 2) lie where something covers the picture."""
+        if self.covered is None:
+            return np.zeros(len(points), bool)
+        x, y = np.round(points).astype(int).T
+        inside = (x >= 0) & (y >= 0) & (x < self.covered.shape[1]) & (y < self.covered.shape[0])
+        result = np.zeros(len(points), bool)
+        result[inside] = self.covered[y[inside], x[inside]]
+        return result if result.mean() < _MOSTLY else np.zeros(len(points), bool)
 
 
 @dataclass(frozen=True)
@@ -109,7 +123,7 @@ def _without_waves(
     if closed:
         ring = smooth(traced[:-1], fit.waves, tolerance, fit.tightest, closed=True)
         return np.vstack([ring, ring[:1]])
-    weights = np.ones(len(traced))
+    weights = np.where(fit.is_covered(traced), _COVERED, 1.0)
     for place in [traced[0], traced[-1], *inner]:
         near = np.hypot(*(traced - place).T) < 0.6 * fit.width
         if near.sum() < 0.5 * len(traced):
@@ -133,9 +147,12 @@ def _fitted_again(
     _, nearest = cKDTree(traced.line).query(curve)
     aside = ((traced.line[nearest] - curve) * normals(curve, closed)).sum(axis=1)
     offset = np.where(even, offset, aside)
+    covered = fit.is_covered(curve)
+    even = even & ~covered
     vague = _near(curve, traced.junctions, 2.0 * fit.width + 3) & ~even
-    weight = np.where(vague, _HARDLY, np.where(even, 1.0, _UNSEEN))
+    weight = np.where(vague, _HARDLY, np.where(even, 1.0, np.where(covered, _COVERED, _UNSEEN)))
     loose = np.where(vague, max(1.0, 0.25 * fit.width), max(0.6, fit.tolerance))
+    loose = np.where(covered, np.maximum(loose, fit.width), loose)
     tolerance = np.where(even, fit.tolerance, loose)
     for _ in range(_EASINGS):
         found = faired(curve, SeenOffsets(offset, weight, tolerance, pins), closed)

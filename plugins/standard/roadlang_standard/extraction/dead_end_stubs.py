@@ -15,7 +15,7 @@ from roadlang.geometry import Booleans, Floats
 
 from .chains import direction
 from .graph import Graph, Line
-from .graph_cleanup import join
+from .graph_cleanup import at_border, join
 
 _WIDE = 0.8
 """Of the usual width: so wide is a road."""
@@ -42,6 +42,27 @@ def drop_corners(graph: Graph, inner: NDArray[np.float32], width: float) -> None
             return
         graph.lines = [line for line in graph.lines if id(line) not in corners]
         join(graph)
+
+
+def drop_border_forks(graph: Graph, inner: NDArray[np.float32]) -> None:
+    """Cut what forks where wide roads leave the picture, in place.
+
+    Both branches run into corners of the surface, and neither is longer than the road is wide
+    there. `inner` as for `drop_corners`.
+    """
+    degree = graph.degree()
+    forks: dict[int, list[Line]] = {}
+    for line in graph.lines:
+        for node, other in ((line.start, line.end), (line.end, line.start)):
+            if degree[node] != 3 or degree[other] != 1:
+                continue
+            x, y = np.round(graph.nodes[node]).astype(int)
+            reach = 2 * float(inner[y, x])
+            if line.length < reach and at_border(graph.nodes[other], inner.shape, 0.5 * reach):
+                forks.setdefault(node, []).append(line)
+    doomed = {id(line) for lines in forks.values() if len(lines) == 2 for line in lines}
+    graph.lines = [line for line in graph.lines if id(line) not in doomed]
+    graph.drop_lonely()
 
 
 def stubs(graph: Graph, inner: NDArray[np.float32], width: float) -> list[Line]:

@@ -43,6 +43,8 @@ class Draft:
     """surface on the center line from which on a width counts, where a tenth of the line has it"""
     blur: float = 0.0
     """pixels by which the surface is blurred: widths are taken to add to it in squares"""
+    covered: NDArray[np.bool_] | None = None
+    """where something covers the picture (h, w)"""
 
     @property
     def waves(self) -> float:
@@ -59,6 +61,7 @@ class Draft:
             0.5 * max(self.width, self.fixed_width or 0.0, 2.0),
             self.waves,
             self.fair,
+            self.covered,
         )
 
 

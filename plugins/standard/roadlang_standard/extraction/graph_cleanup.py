@@ -108,7 +108,7 @@ def drop_loops(graph: Graph, least: float) -> None:
     join(graph)
 
 
-def at_border(point: Floats, shape: tuple[int, int] | None, margin: float) -> bool:
+def at_border(point: Floats, shape: tuple[int, ...] | None, margin: float) -> bool:
     """Whether a point lies within `margin` pixels of the picture's edge."""
     if shape is None:
         return False

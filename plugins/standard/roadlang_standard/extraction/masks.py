@@ -2,22 +2,40 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .dead_end_stubs import drop_corners, lengthen_square_ends, stubs
+from .dead_end_stubs import drop_border_forks, drop_corners, lengthen_square_ends, stubs
 from .drafting import Draft, draft, typical_width_of
 from .found_network import FoundNetwork
-from .graph import trace
-from .graph_cleanup import contract, drop_crumbs, extend_to_border, join, prune
+from .graph import Graph, trace
+from .graph_cleanup import contract, drop_crumbs, drop_loops, extend_to_border, join, prune
+from .linking import link
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 from .square_stubs import add_square_stubs
 
 Layer = NDArray[np.float32]
+_WAVES, _ALL_WAVES = 2.0, 0.5
+"""Shortest wavelengths of center lines, in widths: of smooth curves, and of lines as traced."""
+_BRIDGED, _DEAREST = 16.0, 0.9
+"""Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
+
+
+@dataclass(frozen=True)
+class Cover:
+    """What hides roads, such as the names on a map: where it is (h, w), and how likely it is that a
+    road goes on unseen at each pixel (h, w), 0..1."""
+
+    mask: Booleans
+    hidden: Layer
+    widest: float
+    """width of the widest roads, pixels"""
 
 
 def roads_of_surface(
@@ -27,13 +45,13 @@ def roads_of_surface(
     width: float | None = None,
     least: float | None = None,
     specks: float = 12.0,
-    waves: float = 2.0,
-    tolerance: float = 0.0,
+    cover: Cover | None = None,
 ) -> FoundNetwork:
     """The road network of a clean surface (h, w), 0..1, whose half level is the road edge.
 
     Dead ends shorter than `least` pixels (by default the usual width) go; so do parts and holes
-    of fewer than `specks` square pixels.
+    of fewer than `specks` square pixels. Under a `cover` dead ends are joined, and curves are
+    smooth.
     """
     mask = without_specks(surface >= 0.5, specks)
     thin = skeleton(mask)
@@ -43,9 +61,29 @@ def roads_of_surface(
         mask = without_specks(surface >= 0.5, specks)
         thin = skeleton(mask)
     graph = trace(thin)
+    typical = _tidy(graph, mask, least, cover)
+    leaving = typical if cover is None else max(typical, cover.widest)
+    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * leaving + 2)
+    settings = Draft(
+        typical,
+        _WAVES if spline else _ALL_WAVES,
+        0.0,
+        _accuracy(surface),
+        width,
+        fair=spline,
+        covered=None if cover is None else cover.mask,
+    )
+    score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
+    return draft(graph, surface, score, settings, method)
+
+
+def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None) -> float:
+    """Clean the graph of a mask's skeleton, in place; the usual width of its roads, pixels."""
     typical = typical_width_of(graph, mask)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     drop_corners(graph, inner, typical)
+    if cover is not None:
+        drop_border_forks(graph, inner)
     short = []
     if least is None:
         short = [*add_square_stubs(graph, mask, typical), *stubs(graph, inner, typical)]
@@ -53,16 +91,22 @@ def roads_of_surface(
     shortest = 1.1 * typical if least is None else least
     prune(graph, shortest, mask.shape, margin=0.6 * typical + 2, sure=short)
     join(graph)
+    if cover is not None:
+        _bridge(graph, cover, typical, shortest)
     join_oblique_crossings(graph, typical)
     drop_crumbs(graph, min(2 * typical, 0.5 * max(mask.shape)))
     typical = typical_width_of(graph, mask)
     lengthen_square_ends(graph, mask, typical)
-    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * typical + 2)
-    settings = Draft(
-        typical, waves if spline else 0.5, tolerance, _accuracy(surface), width, fair=spline
-    )
-    score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
-    return draft(graph, surface, score, settings, method)
+    return typical
+
+
+def _bridge(graph: Graph, cover: Cover, width: float, shortest: float) -> None:
+    """Join dead ends under a cover, in place; stubs shorter than `shortest` pixels go."""
+    link(graph, cover.hidden, _BRIDGED * width, _DEAREST)
+    drop_loops(graph, 4 * width)
+    contract(graph, 1.2 * width)
+    prune(graph, shortest, cover.mask.shape, margin=0.6 * width + 2)
+    join(graph)
 
 
 def _is_noise(thin: Booleans) -> bool:

@@ -121,6 +121,8 @@ def _branching(graph: Graph, end: SquareEnd, width: float) -> int | None:
     distances = [float(np.hypot(*(graph.nodes[n] - line.points[at]))) for n in nodes]
     if distances and min(distances) < _SAME_NODE * width:
         return nodes[int(np.argmin(distances))]
+    if at in (0, len(line.points) - 1):
+        return line.start if at == 0 else line.end
     return _split(graph, line, at)
 
 

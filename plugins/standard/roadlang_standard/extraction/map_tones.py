@@ -1,0 +1,139 @@
+"""The flat colors of a rendered map, and the shapes that each of them has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+from .masks import without_specks
+from .skeleton import skeleton
+from .tones import Image, Layer, away_from
+
+_FLAT = 6
+"""Gray levels within which a neighborhood of 3 x 3 pixels is of one tone."""
+_NEAR = 8
+"""Gray levels by which a pixel of a tone may be off it."""
+_LEAST, _MOST = 0.001, 32
+"""Least share of the picture that a tone covers, and how many tones are looked at."""
+_BITS = 2
+_LEVELS = 256 >> _BITS
+
+_THINNEST = 2.0
+"""Ribbons are wider than this, in pixels: casings and footpaths are not."""
+_LONG = 5.0
+"""A ribbon is longer than so many widths."""
+_SPECK = 8
+"""Parts and holes of fewer pixels are not looked at."""
+
+
+@dataclass(frozen=True)
+class MapTone:
+    """One flat color of a map: where it is, and how much it looks like roads."""
+
+    color: NDArray[np.float64]
+    """(3,) BGR"""
+    mask: Booleans
+    length: float
+    """of its center lines, pixels"""
+    ribbons: float
+    """share of the surface that lies in parts much longer than wide"""
+    width: float
+    """usual width, pixels"""
+    spread: float
+    """the width of its wide parts over the usual one"""
+    even: float
+    """share of the length whose width is near that of its part"""
+    widest: float
+    """width of its widest place, pixels"""
+
+
+def flat_colors(image: Image) -> list[NDArray[np.float64]]:
+    """The colors (3,) BGR of the even parts of a picture (h, w, 3), most frequent first."""
+    kernel = np.ones((3, 3), np.uint8)
+    blue, green, red = cv2.split(cv2.subtract(cv2.dilate(image, kernel), cv2.erode(image, kernel)))
+    flat = image[cv2.max(cv2.max(blue, green), red) <= _FLAT]
+    cell = (flat >> _BITS).astype(np.int64)
+    code = (cell[:, 0] * _LEVELS + cell[:, 1]) * _LEVELS + cell[:, 2]
+    counts = np.bincount(code, minlength=_LEVELS**3)
+    least = 0.5 * _LEAST * image.shape[0] * image.shape[1]
+    left = np.ones(len(flat), bool)
+    colors: list[NDArray[np.float64]] = []
+    for peak in np.argsort(counts, kind="stable")[::-1][: 8 * _MOST]:
+        if counts[peak] < least or len(colors) == _MOST:
+            break
+        members = left & (code == peak)
+        if members.sum() < least:
+            continue
+        color = np.median(flat[members], axis=0).astype(float)
+        left &= np.abs(flat - color).max(axis=1) > _FLAT
+        colors.append(color)
+    return colors
+
+
+def map_tones(image: Image, colors: list[NDArray[np.float64]]) -> list[MapTone]:
+    """Where the `colors` of a rendered map (h, w, 3) are, and what shapes they have."""
+    label = np.full(image.shape[:2], -1, np.int16)
+    best = np.full(image.shape[:2], _NEAR + 1, np.int16)
+    for index, color in enumerate(colors):
+        away = away_from(image, color).astype(np.int16)
+        closer = away < best
+        best[closer], label[closer] = away[closer], index
+    return [_tone(color, label == index) for index, color in enumerate(colors)]
+
+
+def _tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
+    clean = without_specks(mask, _SPECK)
+    inner = cv2.distanceTransform(clean.astype(np.uint8), cv2.DIST_L2, 5)
+    parts = _parts(clean, inner)
+    if not len(parts.lengths):
+        return MapTone(color, mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+    ribbon = (parts.lengths > _LONG * np.maximum(parts.usual, 1)) & (parts.usual > _THINNEST)
+    weights = np.where(ribbon, parts.lengths, 0) if ribbon.any() else parts.lengths
+    weights = weights / max(float(weights.sum()), 1.0)
+    usual = float(weights @ parts.usual)
+    return MapTone(
+        color,
+        mask,
+        float(parts.lengths.sum()),
+        float((parts.lengths * parts.usual)[ribbon].sum() / (parts.lengths @ parts.usual)),
+        usual,
+        float(weights @ parts.wide) / max(usual, 1.0),
+        float(weights @ parts.even),
+        2 * float(inner.max()) - 1,
+    )
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The connected parts (n,) of a mask: length of the center lines, usual width, that of the wide
+    tenth, and the share of the length that is about as wide as usual."""
+
+    lengths: NDArray[np.float64]
+    usual: NDArray[np.float64]
+    wide: NDArray[np.float64]
+    even: NDArray[np.float64]
+
+
+def _parts(mask: Booleans, inner: Layer) -> _Parts:
+    thin = skeleton(mask)
+    _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+    order = np.argsort(labels[thin], kind="stable")
+    part, width = labels[thin][order], (2 * inner[thin] - 1)[order]
+    starts = np.flatnonzero(np.diff(part)) + 1
+    pieces = np.split(width, starts) if len(width) else []
+    usual = np.array([np.median(piece) for piece in pieces])
+    near = [
+        np.mean((piece > 0.6 * middle) & (piece < 1.6 * middle))
+        for piece, middle in zip(pieces, usual, strict=True)
+    ]
+    return _Parts(
+        np.array([float(len(piece)) for piece in pieces]),
+        usual,
+        np.array([np.quantile(piece, 0.9) for piece in pieces]),
+        np.array(near),
+    )

@@ -1,0 +1,97 @@
+"""Which colors of a rendered map are roads: even ribbons that join one another, and no water."""
+
+from __future__ import annotations
+
+import colorsys
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+from .map_tones import MapTone
+
+_RIBBONS, _EVEN, _SPREAD, _WIDEST = 0.7, 0.5, 1.95, 0.12
+"""What makes a tone a road's: least share of its surface in ribbons, and of its length of even
+width; most that wide parts exceed the usual width; and most width, as a share of the shorter
+side."""
+_LEAST = 0.5
+"""Least length of roads, as a share of the picture's shorter side."""
+_WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 220 / 360
+"""Water is of these hues where it is also wide, or bluish up to the other one where it differs from
+the land in the other direction than roads do, darker or lighter."""
+_GRAY = 0.02
+"""Channels that differ by less, of 1, have no hue."""
+_WIDE = 1.5
+"""Water is wider than so many roads."""
+_AREA = 4.3
+"""A tone that is anywhere so many times as wide as a road is an area."""
+_TOUCHING = 0.5
+"""Least share of a tone that lies in parts which touch other roads."""
+_EDGE, _EDGES = 3, 0.4
+"""Tones touch across edge lines of so many pixels, or of this share of a road's width."""
+
+
+def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
+    """Those of the tones that are roads, the one with most road first; `side` in pixels."""
+    land = max(tones, key=lambda tone: float(tone.mask.sum()))
+    ribbons = [
+        tone
+        for tone in tones
+        if tone is not land
+        and tone.ribbons >= _RIBBONS
+        and tone.even >= _EVEN
+        and tone.spread <= _SPREAD
+        and tone.width <= _WIDEST * side
+    ]
+    if not ribbons:
+        return []
+    main = max(ribbons, key=lambda tone: tone.length * tone.ribbons * tone.even)
+    if main.length < _LEAST * side:
+        return []
+    others = [
+        tone
+        for tone in ribbons
+        if tone is not main and tone.widest < _AREA * main.width and not _is_water(tone, main, land)
+    ]
+    return [main, *_joined(main, others)]
+
+
+def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
+    """Whether a ribbon is a river rather than a road of another class than `main`."""
+    blue, green, red = tone.color / 255
+    hue, _, _ = colorsys.rgb_to_hsv(red, green, blue)
+    if max(red, green, blue) - min(red, green, blue) < _GRAY:
+        return False
+    if _WATER_HUES[0] <= hue <= _WATER_HUES[1] and tone.width > _WIDE * main.width:
+        return True
+    directions = [float(np.sign(one.color.mean() - land.color.mean())) for one in (tone, main)]
+    return _WATER_HUES[0] <= hue <= _BLUISH and directions[0] != directions[1]
+
+
+def _joined(main: MapTone, others: list[MapTone]) -> list[MapTone]:
+    """Those of the others that touch roads already taken: one after the other."""
+    taken: list[MapTone] = []
+    size = 2 * max(_EDGE, round(_EDGES * main.width)) + 1
+    kernel = np.ones((size, size), np.uint8)
+    reach = cv2.dilate(main.mask.astype(np.uint8), kernel) > 0
+    left = sorted(others, key=lambda tone: -tone.length)
+    found = True
+    while found:
+        found = False
+        for tone in left:
+            if any(tone is one for one in taken):
+                continue
+            if _share_touching(tone.mask, reach) >= _TOUCHING:
+                taken.append(tone)
+                reach |= cv2.dilate(tone.mask.astype(np.uint8), kernel) > 0
+                found = True
+    return taken
+
+
+def _share_touching(mask: Booleans, reach: Booleans) -> float:
+    """Share of a mask (h, w) that lies in parts which meet `reach`: buildings stand apart."""
+    count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+    touching = np.bincount(parts[reach], minlength=count) > 0
+    touching[0] = False
+    return float(touching[parts].sum() / max(1, mask.sum()))

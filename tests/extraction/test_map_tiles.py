@@ -1,0 +1,94 @@
+"""Rendered maps: which colors are roads, and roads beneath names."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang.ir.picture import Picture
+from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.found_network import FoundNetwork
+from roadlang_standard.extraction.map_letters import letters_of_map
+from roadlang_standard.extraction.map_tiles import roads_of_map
+from roadlang_standard.extraction.map_tones import flat_colors, map_tones
+from roadlang_standard.extraction.road_tones import road_tones
+from tests.extraction.drawn_maps import (
+    DARK,
+    LIGHT,
+    PALE,
+    MapStyle,
+    drawn_map,
+    found_streets,
+    on_streets,
+)
+
+STYLES = pytest.mark.parametrize("style", [LIGHT, PALE, DARK], ids=["light", "pale", "dark"])
+
+
+def points(found: FoundNetwork) -> np.ndarray:
+    return np.vstack([road.points for road in found.roads])
+
+
+@STYLES
+def test_the_streets_of_a_map_are_found_and_nothing_else(style: MapStyle) -> None:
+    found = roads_of_map(drawn_map(style))
+    assert found is not None
+    assert on_streets(points(found)).mean() > 0.95
+    assert found_streets(points(found)).mean() > 0.95
+
+
+@pytest.mark.parametrize("style", [LIGHT, PALE], ids=["light", "pale"])
+def test_the_streets_of_a_map_are_one_network(style: MapStyle) -> None:
+    found = roads_of_map(drawn_map(style))
+    assert found is not None
+    meeting = [node for road in found.roads for node in (road.start, road.end)]
+    assert sorted(meeting.count(node) for node in set(meeting)) == [1, 1, 1, 1, 1, 3, 3, 3, 4]
+
+
+@STYLES
+def test_roads_are_the_colors_of_streets_not_of_water_buildings_or_land(style: MapStyle) -> None:
+    image = drawn_map(style)
+    found = road_tones(map_tones(image, flat_colors(image)), 360)
+    colors = {tuple(int(x) for x in tone.color[::-1]) for tone in found}
+    assert colors == {style.street, style.main}
+
+
+def test_widths_are_those_of_each_class_of_road() -> None:
+    found = roads_of_map(drawn_map(LIGHT, names=False))
+    assert found is not None
+    widths = sorted(float(np.median(road.widths)) for road in found.roads)
+    assert widths[0] == pytest.approx(8, abs=1.2)
+    assert widths[-1] == pytest.approx(14, abs=1.2)
+
+
+def test_names_are_seen_and_edges_of_streets_are_no_names() -> None:
+    named, plain = (letters_of_map(drawn_map(LIGHT, names), 8.0) for names in (True, False))
+    assert named[265:276, 395:445].mean() > 0.8
+    assert plain.mean() < 0.01
+
+
+def test_a_map_twice_as_large_or_saved_as_jpeg_has_the_same_streets() -> None:
+    image = drawn_map(LIGHT)
+    large = roads_of_map(cv2.resize(image, None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC))
+    coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, 90])[1]
+    decoded = cv2.imdecode(coded, cv2.IMREAD_COLOR)
+    assert decoded is not None
+    saved = roads_of_map(np.asarray(decoded, np.uint8))
+    assert large is not None
+    assert saved is not None
+    assert found_streets((points(large) + 0.5) / 2 - 0.5).mean() > 0.95
+    assert found_streets(points(saved)).mean() > 0.95
+
+
+def test_auto_says_that_a_picture_is_a_rendered_map() -> None:
+    found = Auto().extract(Picture(drawn_map(PALE), 0.5))
+    assert found.remarks[0] == "read as a rendered map"
+
+
+def test_a_picture_of_few_colors_or_without_streets_is_no_map() -> None:
+    plain = np.full((200, 200, 3), 240, np.uint8)
+    assert roads_of_map(plain) is None
+    for k in range(6):
+        plain[20 + 25 * k : 40 + 25 * k, 30:60] = 40 * k
+    assert roads_of_map(plain) is None
