@@ -11,7 +11,7 @@ import sys
 import mujoco
 import numpy as np
 
-LATERAL = 2.2
+LATERAL = 1.5
 """Acceleration in bends, m/s^2."""
 BRAKING = 2.0
 """Acceleration before bends, m/s^2."""
@@ -35,7 +35,8 @@ def speeds(path, station, fastest):
 
 
 def drive(model, clear=True, seconds=600.0):
-    """The greatest distance to the line (meters) and the share of the line that was driven.
+    """The greatest distance to the line (meters) and the share of the line that was driven, of
+    all but the last meter.
 
     `clear`: the other agents, which are mocap bodies, are lifted out of the way first.
     """
@@ -62,7 +63,8 @@ def drive(model, clear=True, seconds=600.0):
         speed = float(car.cvel[3:5] @ turn[:2, 0])
         # Between the rear axle, for which the formula holds, and the middle, which is to be near.
         behind = place - 0.3 * wheelbase * turn[:2, 0]
-        ahead = at + max(1.0, 0.3 * speed) + 0.3 * wheelbase
+        # Far enough to begin to turn before a bend that is as tight as the car can turn.
+        ahead = at + max(1.6, 0.4 * speed) + 0.3 * wheelbase
         target = np.array([np.interp(ahead, station, column) for column in path.T])
         if ahead > station[-1]:
             last = (path[-1] - path[-2]) / (station[-1] - station[-2])
@@ -73,7 +75,7 @@ def drive(model, clear=True, seconds=600.0):
         motor.ctrl = np.clip(wish, speed - 4.0, speed + 3.0) / radius
         for _ in range(every):
             mujoco.mj_step(model, data)
-    return farthest, at / station[-1]
+    return farthest, min(at / max(station[-1] - 1.0, 1e-9), 1.0)
 
 
 def main():

@@ -125,13 +125,15 @@ def test_what_is_no_scene_is_refused(tmp_path: Path, text: str) -> None:
     assert caught.value.diagnostics[0].code == "RL479"
 
 
-@pytest.mark.parametrize("length", [1e9, 1e308])
-def test_turns_of_impossible_lengths_are_refused(tmp_path: Path, length: float) -> None:
+@pytest.mark.parametrize(("member", "value"), [(0, 1e9), (0, 1e308), (1, 1e6), (1, -1e300)])
+def test_turns_of_impossible_lengths_or_curvatures_are_refused(
+    tmp_path: Path, member: int, value: float
+) -> None:
     """Without hanging, and without a fault of the reader."""
     (tmp_path / "town.xodr").write_text(crossing())
     text = testing.sample(f'network town from "{tmp_path}/town.xodr"')[0].to_json()
     content = json.loads(text)
-    content["networks"][0]["junctions"][0]["connections"][0]["pieces"][0][0] = length
+    content["networks"][0]["junctions"][0]["connections"][0]["pieces"][0][member] = value
     path = tmp_path / "scene.json"
     path.write_text(json.dumps(content))
     with pytest.raises(roadlang.DiagnosticError, match="a turn has a piece") as caught:

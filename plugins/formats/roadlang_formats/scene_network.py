@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 _SPACING = 0.5
 _SHORTEST = 1e-6
 """Meters of a road, and of a piece of a turn."""
+_MOST_TURNING = 20.0 * math.pi
+"""Radians of a piece of a turn."""
 _LONGEST = 10_000.0
 """Meters of a piece of a turn."""
 
@@ -122,6 +124,8 @@ def _line(connection: SceneConnection) -> Curve | None:
             continue
         if not length <= _LONGEST:
             raise GeometryError(f"a turn has a piece of {length:g} m")
+        if not abs(curvature) * length <= _MOST_TURNING:
+            raise GeometryError(f"a turn has a piece of {length:g} m with {curvature:g}/m")
         stations = np.linspace(0.0, length, max(2, math.ceil(length / _SPACING) + 1))
         poses = poses_along(pose, (curvature, curvature), stations)
         found += list(poses[1:])
