@@ -93,3 +93,16 @@ def test_corners_that_hardly_turn_are_passed_straight() -> None:
     curve = filleted(points, radius=15.0)
     assert curve.length == pytest.approx(59.5)
     assert curve.at([0.0, curve.length]) == pytest.approx(points[[0, -1]], abs=1e-6)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_turns_too_slight_for_a_fillet_do_not_move_the_end(closed: bool) -> None:
+    """A turn of 1e-7 over 500 m is 5e-5 m."""
+    x = np.array([0.0, 10.0, 20.0, 30.0, 530.0])
+    points = np.column_stack((x, np.array([0.0, 0.0, 1e-6, 3e-6, 1e-4])))
+    points = np.concatenate([points, [(530.0, 90.0), (0.0, 90.0)]])
+    curve = filleted(points, radius=5.0, closed=closed)
+    if not closed:
+        assert curve.at([0.0, curve.length]) == pytest.approx(points[[0, -1]], abs=1e-8)
+    away = np.abs(curve.project(np.array([(200.0, 4e-5), (300.0, 90.0)]))[1])
+    assert away.max() < 2e-5

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arrays import cross, norm
+from .arrays import Floats, cross, norm
 from .curve import Curve, distinct_points
 from .errors import GeometryError
 from .segments import Arc, Straight, chain
@@ -73,6 +73,21 @@ def _concatenated(parts: Sequence[PiecewiseCubic]) -> PiecewiseCubic:
     )
 
 
+def _cut_corners(
+    corners: Floats, radius: float, closed: bool
+) -> tuple[Floats, Floats, Floats, float]:
+    """(n, 2) the lines between corners; the turn at each corner between them; how much of both
+    lines its fillet takes, 0 where that is less than the last number, meters."""
+    ring = np.concatenate([corners, corners[:2]]) if closed else corners
+    legs = np.diff(ring, axis=0)
+    lengths = norm(legs)
+    turns = np.arctan2(cross(legs[:-1], legs[1:]), (legs[:-1] * legs[1:]).sum(axis=1))
+    shorter = np.minimum(lengths[:-1], lengths[1:]) / 2.0
+    cuts = np.minimum(radius * np.tan(np.abs(turns) / 2.0), shorter)
+    shortest = max(_SHORTEST, _SHORTEST_SHARE * float(norm(np.ptp(corners, axis=0))))
+    return legs, turns, np.where(cuts < shortest, 0.0, cuts), shortest
+
+
 def filleted(points: ArrayLike, radius: float, closed: bool = False) -> Curve:
     """Straight lines through `points` (n, 2), meters, their corners rounded by arcs of `radius`.
 
@@ -83,17 +98,16 @@ def filleted(points: ArrayLike, radius: float, closed: bool = False) -> Curve:
     if not 0.0 < radius < np.inf:
         raise GeometryError("the radius of a fillet must be positive")
     corners = distinct_points(points, closed)
-    ring = np.concatenate([corners, corners[:2]]) if closed else corners
-    legs = np.diff(ring, axis=0)
-    lengths = norm(legs)
-    turns = np.arctan2(cross(legs[:-1], legs[1:]), (legs[:-1] * legs[1:]).sum(axis=1))
+    legs, turns, cuts, shortest = _cut_corners(corners, radius, closed)
+    # A turn that is too slight for a fillet would be lost, and the end would lie elsewhere.
+    while (lost := (cuts == 0.0) & (turns != 0.0)).any() and len(corners) > (3 if closed else 2):
+        first = np.flatnonzero(lost)[::2][: len(corners) - (3 if closed else 2)]
+        corners = np.delete(corners, (first + 1) % len(corners), axis=0)
+        legs, turns, cuts, shortest = _cut_corners(corners, radius, closed)
+    lengths, tangents = norm(legs), np.tan(np.abs(turns) / 2.0)
     if (np.abs(turns) > _SHARPEST).any():
         place = corners[(int(np.argmax(np.abs(turns))) + 1) % len(corners)]
         raise GeometryError(f"the lines turn right back at ({place[0]:g} m, {place[1]:g} m)")
-    tangents = np.tan(np.abs(turns) / 2.0)
-    cuts = np.minimum(radius * tangents, np.minimum(lengths[:-1], lengths[1:]) / 2.0)
-    shortest = max(_SHORTEST, _SHORTEST_SHARE * float(norm(np.ptp(corners, axis=0))))
-    cuts[cuts < shortest] = 0.0
     if closed:  # the last corner is that at the first point
         legs, lengths = legs[:-1], lengths[:-1]
         before, after = np.roll(cuts, 1), cuts
