@@ -22,11 +22,12 @@ def compare(text: str, apart: Sequence[str] = ()) -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("searchers", nargs="*", default=["cma", "random"])
     parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--first", type=int, default=1, help="the first of the seeds")
     parser.add_argument("--evaluations", type=int, default=2000)
     options = parser.parse_args()
     for searcher in options.searchers or ["cma", "random"]:
         counts, firsts = [], []
-        for seed in range(1, options.seeds + 1):
+        for seed in range(options.first, options.first + options.seeds):
             start = time.process_time()
             found = roadlang.loads(text).falsify(
                 searcher=searcher, evaluations=options.evaluations, seed=seed

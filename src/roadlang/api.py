@@ -265,6 +265,10 @@ _RENAMED = {"Stretch": "ViolatedSegment", "Whole": "Integer"}
 
 
 def __getattr__(name: str) -> Any:
+    if (
+        name == "__path__"
+    ):  # every `from roadlang.api import` asks for it, those in steps of drives too
+        raise AttributeError(name)
     current = current_name(__name__, name, _RENAMED)
     if current in globals():
         return globals()[current]

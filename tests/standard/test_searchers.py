@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.api import Axis, DiagnosticError, Search, Searcher
 from roadlang_standard.cube_encoding import CubeEncoding
 from roadlang_standard.failure_model import graded
-from roadlang_standard.failure_spread import FailureSpread
+from roadlang_standard.failure_spread import APART, FailureSpread, one_of_each_neighborhood
 from roadlang_standard.falsify_cma import Cma
 from roadlang_standard.falsify_elites import Archive, Elites
 from roadlang_standard.falsify_grid import Grid
@@ -148,8 +148,8 @@ def test_batches_of_cma_grow_with_the_distinct_failures() -> None:
         descriptors = 10.0 * points
         search.ask(20)
         search.tell(points, np.where(np.arange(20) == 0, -1.0, 0.5), descriptors)
-        sizes.append(search.batch_size(60))
-    assert sizes == [30, 40, 50, 60, 60]
+        sizes.append(search.batch_size(110))
+    assert sizes == [45, 70, 95, 110, 110]
 
 
 def test_the_model_learns_in_which_directions_values_change() -> None:
@@ -164,6 +164,19 @@ def test_the_model_learns_in_which_directions_values_change() -> None:
         kernel.fit(known, value(known))
         errors.append(float(np.abs(kernel.predicted(others) - value(others)).mean()))
     assert errors[-1] < 0.5 * errors[0]
+
+
+def test_what_the_model_does_not_know_may_be_better_than_it_expects() -> None:
+    kernel, random = LearnedKernel(mean=0.5), np.random.default_rng(0)
+    known = 0.5 * random.random((100, 4))
+    kernel.fit(known, known.sum(axis=1))
+
+    def hope(vectors: Floats) -> Floats:
+        return np.asarray(kernel.predicted(vectors) - kernel.predicted(vectors, optimism=2.0))
+
+    near, far = hope(known), hope(known + 0.5)
+    assert (near > 0.0).all()
+    assert near.max() < 0.5 * far.min()
 
 
 def test_a_model_of_one_value_or_of_one_place_predicts_it() -> None:
@@ -232,6 +245,16 @@ def test_the_safe_candidates_that_came_nearest_have_children_until_something_fai
     assert len(spread) == 0
     children = spread.ask(30)
     assert np.abs(children - 0.9).mean() < np.sort(away)[:20].mean()
+
+
+def test_one_good_place_does_not_have_all_the_children() -> None:
+    random = np.random.default_rng(3)
+    best = list(0.2 + 0.01 * random.random((100, 6)))
+    chosen = one_of_each_neighborhood([*best, np.full(6, 0.8), np.full(6, 0.5), np.full(6, 0.79)])
+    assert [vector[0] for vector in chosen[1:]] == [0.8, 0.5]
+    many = np.stack(one_of_each_neighborhood(list(random.random((400, 3)))))
+    gaps = np.sqrt(((many[:, None] - many[None]) ** 2).mean(axis=2))
+    assert gaps[np.triu_indices(len(many), 1)].min() > APART
 
 
 def test_safe_values_are_graded_by_rank_and_others_stay() -> None:

@@ -36,14 +36,15 @@ class FailureModel:
         self._values.append(values)
         self._descriptors.append(descriptors)
 
-    def predicted(self, vectors: Floats) -> tuple[Floats, Floats]:
-        """(n,) values and (n, D) descriptors of candidates (n, columns)."""
+    def predicted(self, vectors: Floats, optimism: float) -> tuple[Floats, Floats]:
+        """(n,) values and (n, D) descriptors of candidates (n, columns); the values less `optimism`
+        times their standard deviation."""
         import numpy as np
 
         known, values = np.concatenate(self._vectors), graded(np.concatenate(self._values))
         best = np.argsort(values, kind="stable")[:_MOST]
         self._kernel.fit(known[best], values[best])
-        return self._kernel.predicted(vectors), self.described(vectors)
+        return self._kernel.predicted(vectors, optimism), self.described(vectors)
 
     def described(self, vectors: Floats) -> Floats:
         """(n, D) descriptors of candidates (n, columns)."""

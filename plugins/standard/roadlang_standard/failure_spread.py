@@ -20,6 +20,13 @@ _ROUNDS = 6
 """How often children that violate a requirement are replaced by others."""
 _ELITE, _FEWEST = 40, 10
 """Safe candidates that are parents: the greatest number, and that with which it begins."""
+_REMEMBERED, APART = 400, 0.12
+"""Safe candidates that may become parents, and how far parents are apart (root mean square over the
+columns) until there are two distinct failures: without it all soon are the neighbors of one, from
+which no failure may be reached."""
+_OPTIMISM = 2.0
+"""Standard deviations of the model by which values may be better than it has them, until there are
+two distinct failures: what is unknown is tried before what is known to be nearly good enough."""
 _RECENT = 400
 """Failures of which differences are taken: the latest."""
 _LEAST_STEP, _MOST_STEP = 0.03, 0.4
@@ -57,7 +64,8 @@ class FailureSpread:
         self._distinct: list[Floats] = []
         self._descriptors: list[Floats] = []
         self._failures: list[Floats] = []
-        self._elite: list[tuple[float, Floats]] = []
+        self._safe: list[tuple[float, Floats]] = []
+        self._elite: list[Floats] = []
         self._model = FailureModel()
 
     def __len__(self) -> int:
@@ -67,7 +75,12 @@ class FailureSpread:
     @property
     def has_parents(self) -> bool:
         """Whether enough is known to ask for candidates."""
-        return len(self._distinct) > 1 or len(self._elite) >= _FEWEST
+        return self._is_variety or len(self._safe) >= _FEWEST
+
+    @property
+    def _is_variety(self) -> bool:
+        """Whether failures unlike those that are known are looked for: to find any comes first."""
+        return len(self._distinct) > 1
 
     def tell(self, vectors: Floats, values: Floats, descriptors: Floats) -> None:
         """What came of candidates, these or others: (n, columns), (n,), (n, D)."""
@@ -75,8 +88,8 @@ class FailureSpread:
 
         self._model.tell(vectors, values, descriptors)
         safe = np.flatnonzero((values >= 0.0) & (values < 1.0)).tolist()
-        self._elite += [(float(values[row]), vectors[row]) for row in safe]
-        self._elite = sorted(self._elite, key=lambda pair: pair[0])[:_ELITE]
+        self._safe += [(float(values[row]), vectors[row]) for row in safe]
+        self._safe = sorted(self._safe, key=lambda pair: pair[0])[:_REMEMBERED]
         failing = np.flatnonzero(values < 0.0)
         self._failures = [*self._failures, *vectors[failing]][-_RECENT:]
         descriptors = np.column_stack([descriptors, self._choices(vectors)])[failing]
@@ -88,16 +101,19 @@ class FailureSpread:
                 self._distinct.append(vectors[row])
                 self._descriptors.append(descriptors[number])
                 nearest = np.minimum(nearest, _squares_from(descriptors, number))
+        best = [vector for _, vector in self._safe]
+        self._elite = best[:_ELITE] if self._is_variety else one_of_each_neighborhood(best)
 
     def ask(self, count: int) -> Floats:
         """(count, columns) vectors in [0, 1]; there have to be parents."""
         import numpy as np
 
         children = self._children(_POOL * count)
-        values, predicted = self._model.predicted(children)
+        optimism = 0.0 if self._is_variety else _OPTIMISM
+        values, predicted = self._model.predicted(children, optimism)
         descriptors = np.column_stack([predicted, self._choices(children)])
         nearest, unlike = np.full(len(children), np.inf), _UNLIKE_AT_FIRST
-        if len(self) > 1:
+        if self._is_variety:
             # As the model has them too: what it cannot tell makes nothing unlike.
             failures = np.stack(self._distinct)
             known = np.column_stack([self._model.described(failures), self._choices(failures)])
@@ -135,7 +151,7 @@ class FailureSpread:
         import numpy as np
 
         random = self._random
-        parents = np.stack([*self._distinct, *(vector for _, vector in self._elite)])
+        parents = np.stack([*self._distinct, *self._elite])
         child = parents[random.integers(len(parents), size=count)]
         other = parents[random.integers(len(parents), size=count)]
         choice = random.random((count, 1))
@@ -162,6 +178,22 @@ class FailureSpread:
         moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (first - second)
         noise = _NOISE * random.random((count, 1)) * random.standard_normal(base.shape)
         return np.asarray(moved + noise)
+
+
+def one_of_each_neighborhood(vectors: Sequence[Floats]) -> list[Floats]:
+    """The first of some vectors (columns,), without those that are near one before them."""
+    import numpy as np
+
+    chosen: list[Floats] = []
+    for vector in vectors:
+        if chosen:
+            gaps = np.stack(chosen) - vector
+            if np.einsum("ij,ij->i", gaps, gaps).min() <= APART**2 * len(vector):
+                continue
+        chosen.append(vector)
+        if len(chosen) == _ELITE:
+            break
+    return chosen
 
 
 def _loss(squares: Floats, unlike: tuple[float, float]) -> Floats:

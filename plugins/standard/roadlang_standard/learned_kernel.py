@@ -30,7 +30,9 @@ class LearnedKernel:
     def __init__(self, mean: float) -> None:
         self._mean = mean
         self._metric: Floats | None = None
-        self._map = self._known = self._weights = _none()
+        self._map = self._known = self._weights = self._factor = _none()
+        self._variance = 0.0
+        """of the values, as the process has it that the kernel stands for"""
 
     def fit(self, vectors: Floats, values: Floats) -> None:
         """Learn from vectors (m, columns) with their values (m,)."""
@@ -46,17 +48,28 @@ class LearnedKernel:
         kernel[np.diag_indices(len(kernel))] += _NOISE
         factor = cho_factor(kernel, lower=True, overwrite_a=True, check_finite=False)
         self._weights = cho_solve(factor, values - self._mean, check_finite=False)
+        self._factor = factor[0]
+        self._variance = float((values - self._mean) @ self._weights) / len(values)
         decay *= self._weights
         # Of each known vector the gradient of the regression, but for a constant factor.
         gradients = (decay.sum(axis=1)[:, None] * vectors - decay @ vectors) @ metric
         self._metric = _metric_of(gradients, metric)
 
-    def predicted(self, vectors: Floats) -> Floats:
-        """(n,) values of vectors (n, columns), by the last fit."""
+    def predicted(self, vectors: Floats, optimism: float = 0.0) -> Floats:
+        """(n,) values of vectors (n, columns), by the last fit, less `optimism` times the standard
+        deviation of what they may be (equation 2.26; the variance of the process is that of
+        equation 5.4 at its maximum): a lower confidence bound (Cox and John 1992)."""
         import numpy as np
+        from scipy.linalg import solve_triangular
 
         apart = np.sqrt(3.0 * squares_apart(vectors @ self._map, self._known))
-        return np.asarray(self._mean + ((1.0 + apart) * np.exp(-apart)) @ self._weights)
+        kernel = (1.0 + apart) * np.exp(-apart)
+        found = self._mean + kernel @ self._weights
+        if not optimism:
+            return np.asarray(found)
+        known = solve_triangular(self._factor, kernel.T, lower=True, check_finite=False)
+        unknown = np.maximum(1.0 - np.einsum("ij,ij->j", known, known), 0.0)
+        return np.asarray(found - optimism * np.sqrt(max(self._variance, 0.0) * unknown))
 
 
 def squares_apart(a: Floats, b: Floats) -> Floats:

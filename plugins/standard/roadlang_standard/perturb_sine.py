@@ -33,15 +33,19 @@ class Sine(Perturber):
         wavelength = self.wavelength
         if roads.period is not None:
             wavelength = roads.period / np.maximum(np.rint(roads.period / wavelength), 1.0)
-        columns = (self.amplitude, 2.0 * np.pi / wavelength, self.phase)
-        amplitude, rate, phase = np.broadcast_arrays(*(np.atleast_2d(c) for c in columns))
-        result = np.empty((len(rate), len(roads.stations)))
-        for rows in blocks(result):
-            wave = np.multiply(rate[rows], roads.stations, out=result[rows])
-            wave += phase[rows]
-            np.sin(wave, out=wave)
-            wave *= amplitude[rows]
-        return result
+        rate, phase = np.broadcast_arrays(
+            *(np.atleast_2d(column) for column in (2.0 * np.pi / wavelength, self.phase))
+        )
+        wave = np.empty((len(rate), len(roads.stations)))
+        for rows in blocks(wave):
+            np.multiply(rate[rows], roads.stations, out=wave[rows])
+            wave[rows] += phase[rows]
+            np.sin(wave[rows], out=wave[rows])
+        amplitude = np.atleast_2d(self.amplitude)
+        if len(wave) < len(amplitude):  # roads that differ in their amplitudes alone have one wave
+            return np.asarray(wave * amplitude)
+        wave *= amplitude
+        return wave
 
     def displacement_bound(self) -> Floats | float:
         return abs(self.amplitude)

@@ -32,16 +32,24 @@ COLUMNS = (
 
 def to_csv(trace: Trace) -> str:
     """One row for each agent at each time; SI units and radians, 9 significant digits."""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(("time", "agent", *COLUMNS))
+    header = ",".join(("time", "agent", *COLUMNS))
     time = _shown(trace.time)
     tables = [
-        zip(time, [name] * len(time), *(_shown(getattr(agent, c)) for c in COLUMNS), strict=True)
-        for name, agent in trace.agents.items()
+        map(",".join, zip(time, agent, *columns, strict=True))
+        for agent, columns in (
+            ([_field(name)] * len(time), [_shown(getattr(agent, c)) for c in COLUMNS])
+            for name, agent in trace.agents.items()
+        )
     ]
-    writer.writerows(chain.from_iterable(zip(*tables, strict=True)))
-    return out.getvalue()
+    rows = chain.from_iterable(zip(*tables, strict=True))
+    return "\n".join([header, *rows, ""])
+
+
+def _field(text: str) -> str:
+    """A text as CSV has it, in quotes where it needs them."""
+    out = io.StringIO()
+    csv.writer(out, lineterminator="").writerow((text, ""))
+    return out.getvalue()[:-1]
 
 
 def to_json(trace: Trace) -> str:

@@ -237,7 +237,7 @@ class FalsifyOptions:
         example="10min",
     )
     batch: Integer = option(
-        160,
+        250,
         minimum=1,
         maximum=100_000,
         help="greatest number of candidates that are evaluated together",

@@ -32,6 +32,7 @@ from ..falsification.statistics import (
 )
 from ..files.journal import JOURNAL_FILE
 from ..search.worker_pool import WorkerPool, Workers
+from ..simulation import compiled
 from ..world.index import index_scenario
 from .scene import Scene
 from .tables import columns_of
@@ -228,6 +229,7 @@ def falsified(
     journal: Journal = NoJournal()
     if folder is not None:
         journal = SearchJournal(folder / JOURNAL_FILE, search_key(task, plan), resume)
+    compiled.expect(plan.evaluations / plan.batch)
     with WorkerPool(evaluator, workers) as pool:
         expired = deadline(plan.seconds)
         result = search_failures(plan, axes, pool, expects, journal, workers.progress, expired)

@@ -27,6 +27,10 @@ class Decision:
         """Nothing decided of agents that are `driven`; the others brake."""
         return cls(np.where(driven, math.nan, 0.0), np.where(driven, math.nan, -UNDRIVEN_BRAKING))
 
+    def copy(self) -> Decision:
+        """The same, in separate columns, where nobody goes by a heading or a pose yet."""
+        return Decision(self.steering.copy(), self.acceleration.copy())
+
     @property
     def has_open(self) -> bool:
         """Whether any agent still has something undecided."""

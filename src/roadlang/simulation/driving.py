@@ -49,6 +49,8 @@ class DriverGroup:
         self._in_charge = np.zeros(0, dtype=np.int64)
         self._chosen: list[Integers] = []
         """of each group who is in charge, by the last `in_charge`"""
+        self._open = Decision.open(self._in_charge >= 0)
+        """what is decided before any controller is called, by the last `in_charge`"""
 
     def view(self, world: World, poses: Poses) -> View:
         """What the agents see, with what they sensed last."""
@@ -71,7 +73,8 @@ class DriverGroup:
         if in_charge is not self._in_charge:
             self._in_charge = in_charge
             self._chosen = [np.flatnonzero(in_charge[g.rows] == g.place) for g in self._groups]
-        out = Decision.open(in_charge >= 0)
+            self._open = Decision.open(in_charge >= 0)
+        out = self._open.copy()
         for group, chosen in zip(self._groups, self._chosen, strict=True):
             if len(chosen):
                 found = _decided(group, chosen, view)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -66,6 +67,8 @@ class Patches:
     ) -> Bodies:  # fmt: skip
         """`mixed` bodies with what these stretches change; `own` are those on the road that each
         agent begins on."""
+        if self._is_empty:
+            return mixed
         rows = np.flatnonzero(self.patched & present & ~own.walks)
         if not len(rows):
             return mixed
@@ -88,6 +91,10 @@ class Patches:
         rows, more = rows[changed], more[:, changed]
         friction = mixed.friction[rows] + more[0]
         return mixed.on_ground(rows, friction, mixed.rolling[rows] + GRAVITY * more[1])
+
+    @cached_property
+    def _is_empty(self) -> bool:
+        return not self.patched.any()
 
     def _lanes(self, road: SceneRoad) -> _LaneSurfaces:
         if id(road) not in self.known:

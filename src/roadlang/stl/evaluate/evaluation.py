@@ -156,11 +156,12 @@ def everywhere(
     return finite_first(value)
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=128)
 def _plan_everywhere(
     formula: f.Formula, boolean: bool, clock: _Clock, wrap: float | None, infinite: bool
 ) -> EvaluationPlan:
-    """Kept, as trace after trace of one clock is evaluated."""
+    """Kept, as trace after trace of one clock is evaluated: the drives of a search have perhaps 60
+    lengths, and two formulas each."""
     leaves = BOOLEAN if boolean else ROBUST
     return _everywhere(formula, leaves, clock.positions, wrap, infinite)
 
