@@ -22,11 +22,11 @@ _ELITE, _FEWEST = 40, 10
 """Safe candidates that are parents: the greatest number, and that with which it begins."""
 _REMEMBERED, APART = 400, 0.12
 """Safe candidates that may become parents, and how far parents are apart (root mean square over the
-columns) until there are two distinct failures: without it all soon are the neighbors of one, from
-which no failure may be reached."""
+columns) until something fails: without it all soon are the neighbors of one, from which no failure
+may be reached."""
 _OPTIMISM = 2.0
-"""Standard deviations of the model by which values may be better than it has them, until there are
-two distinct failures: what is unknown is tried before what is known to be nearly good enough."""
+"""Standard deviations of the model by which values may be better than it has them, until something
+fails: what is unknown is tried before what is known to be nearly good enough."""
 _RECENT = 400
 """Failures of which differences are taken: the latest."""
 _LEAST_STEP, _MOST_STEP = 0.03, 0.4
@@ -41,7 +41,7 @@ _UNLIKE = (1.0, 2.5)
 """How far from all failures a child should be (further than 1 is distinct), and what it loses in
 value for what it lacks; the best value is below 0, the worst 1."""
 _UNLIKE_AT_FIRST = (0.5, 0.3)
-"""The same until there are two distinct failures: to find any comes before variety."""
+"""The same while there are fewer failures than `_FEWEST`: to find some comes before variety."""
 
 
 class FailureSpread:
@@ -75,12 +75,12 @@ class FailureSpread:
     @property
     def has_parents(self) -> bool:
         """Whether enough is known to ask for candidates."""
-        return self._is_variety or len(self._safe) >= _FEWEST
+        return bool(self._failures) or len(self._safe) >= _FEWEST
 
     @property
     def _is_variety(self) -> bool:
-        """Whether failures unlike those that are known are looked for: to find any comes first."""
-        return len(self._distinct) > 1
+        """Whether failures unlike those that are known are looked for: to find some comes first."""
+        return len(self._failures) >= _FEWEST
 
     def tell(self, vectors: Floats, values: Floats, descriptors: Floats) -> None:
         """What came of candidates, these or others: (n, columns), (n,), (n, D)."""
@@ -102,14 +102,14 @@ class FailureSpread:
                 self._descriptors.append(descriptors[number])
                 nearest = np.minimum(nearest, _squares_from(descriptors, number))
         best = [vector for _, vector in self._safe]
-        self._elite = best[:_ELITE] if self._is_variety else one_of_each_neighborhood(best)
+        self._elite = best[:_ELITE] if self._failures else one_of_each_neighborhood(best)
 
     def ask(self, count: int) -> Floats:
         """(count, columns) vectors in [0, 1]; there have to be parents."""
         import numpy as np
 
         children = self._children(_POOL * count)
-        optimism = 0.0 if self._is_variety else _OPTIMISM
+        optimism = 0.0 if self._failures else _OPTIMISM
         values, predicted = self._model.predicted(children, optimism)
         descriptors = np.column_stack([predicted, self._choices(children)])
         nearest, unlike = np.full(len(children), np.inf), _UNLIKE_AT_FIRST
