@@ -124,7 +124,10 @@ def test_threads_and_any_executor_give_the_same_outcomes(search: Falsification) 
 
 
 def test_a_search_that_was_interrupted_is_resumed(search: Falsification, tmp_path: Path) -> None:
+    finished = []
+
     def interrupt(done: int, total: int) -> None:
+        finished.append(done)
         if done >= 80:
             raise KeyboardInterrupt
 
@@ -136,7 +139,7 @@ def test_a_search_that_was_interrupted_is_resumed(search: Falsification, tmp_pat
     counting = Counting()
     resumed = slides().falsify(**FEW, folder=tmp_path, resume=True, executor=counting)
     assert resumed.outcomes == search.outcomes
-    assert counting.evaluated == 120
+    assert 0 < counting.evaluated == 200 - finished[-1]
     assert len(journal.read_text().splitlines()) == 201
 
 
@@ -145,7 +148,7 @@ def test_a_search_goes_on_with_more_evaluations(search: Falsification, tmp_path:
     counting = Counting()
     longer = slides().falsify(**FEW, folder=tmp_path, resume=True, executor=counting)
     assert longer.outcomes == search.outcomes
-    assert counting.evaluated <= 120
+    assert counting.evaluated <= 140, "the rounds that were whole are not evaluated again"
 
 
 def test_the_journal_of_another_search_is_refused(tmp_path: Path) -> None:
