@@ -15,6 +15,7 @@ from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..geometry import CurveFrame, Edge, RoadNetwork, WidthProfile
+from ..geometry.arrays import Floats
 from ..geometry.joints import junction_window
 from ..geometry.junctions.one_way import one_way
 from ..ir.batch import RoadBatch
@@ -23,6 +24,7 @@ from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
+from .beside_arms import room_beside
 from .clipped_networks import clipped_network
 from .cross_sections import LaneBatch
 from .junctions import NetworkPlans, directed, network_plans
@@ -56,6 +58,7 @@ class NetworkRoot:
     warnings: tuple[Diagnostic, ...] = ()
     junctions: NetworkPlans = field(default_factory=NetworkPlans)
     _frames: dict[int, CurveFrame] = field(default_factory=dict)
+    _rooms: dict[int, Floats | None] = field(default_factory=dict)
 
     def frame(self, edge: int) -> CurveFrame:
         """The frame of an edge at its stations, of which one is at each trim; always the same
@@ -66,6 +69,13 @@ class NetworkRoot:
             stations = self.junctions.stations(edge, even, curve.length)
             self._frames[edge] = CurveFrame.of(curve, stations)
         return self._frames[edge]
+
+    def room(self, edge: int, stations: Floats) -> Floats | None:
+        """(S,) meters that an edge may be moved beside others: see `room_beside`."""
+        if edge not in self._rooms:
+            plans, found = self.junctions.plans.values(), self.network.edge(edge)
+            self._rooms[edge] = room_beside(self.network, plans, found, stations)
+        return self._rooms[edge]
 
     @cached_property
     def edges(self) -> tuple[Edge, ...]:
@@ -131,9 +141,11 @@ def _perturbed_edge(
     found = root.network.edge(edge)
     trims = root.junctions.frozen(edge, batch.stations, found.length)
     window = junction_window(root.network, found, batch.stations, trims=trims)
+    room = root.room(edge, batch.stations)
+    share = None if room is None else room / len(calls)
     for call in calls:
         if edge in chosen_edges(call, root.network, candidates):
-            batch = perturbed(batch, call, candidates, edge, window)
+            batch = perturbed(batch, call, candidates, edge, window, share)
     return batch
 
 

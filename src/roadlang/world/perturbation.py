@@ -18,6 +18,7 @@ from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
 from ..plugins.results import real_numbers
+from .beside_arms import kept_beside
 from .displacement_bound import displacement_bound
 from .interval_faults import interval_off_road
 from .root_roads import is_undisplaced
@@ -33,8 +34,10 @@ def perturbed(
     candidates: CandidateBatch,
     element: int = 0,
     window: Floats | None = None,
+    room: Floats | None = None,
 ) -> RoadBatch:
-    """A road after one pass. `window` (S,) fades the displacement at junctions.
+    """A road after one pass. `window` (S,) fades the displacement at junctions; `room` (S,), where
+    it is beside another road, is the most that it is moved, meters.
 
     In a window, or on an interval, a displacement in the plane keeps its part along the normal.
     Raises RL470 and RL474 for what the kind does wrong, RL414 for an interval off the road.
@@ -50,6 +53,8 @@ def perturbed(
         displacement = displacement * _over(call, interval, before, candidates, element)
     if window is not None:
         displacement = window * displacement
+    if room is not None:
+        displacement = kept_beside(displacement, room)
     return verified(call, before.name, displaced(before, displacement), candidates)
 
 
