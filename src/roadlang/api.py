@@ -166,6 +166,7 @@ if TYPE_CHECKING:
     from .ir.surroundings import LanePlace, LanePlaces, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
+    from .scenes.junction_curbs import CurbCorner, beside_curb, junction_curbs
     from .scenes.junction_paint import PaintedShape, junction_paint
     from .scenes.paint_rings import paint_rings
     from .scenes.signal_heads import SignalHead, signal_heads
@@ -213,6 +214,7 @@ _LATER = {
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
+    ".scenes.junction_curbs": "CurbCorner beside_curb junction_curbs",
     ".scenes.junction_paint": "PaintedShape junction_paint",
     ".scenes.paint_rings": "paint_rings",
     ".scenes.signal_heads": "SignalHead signal_heads",
@@ -236,28 +238,29 @@ __all__ = [
     "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration", "ActuationBatch", "Adjuster",
     "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
     "BatchRandom", "Between", "Body", "Call", "CameraGeometry", "Code", "Condition",
-    "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "Curvature", "Dataset",
-    "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError", "Dimension", "Distribution",
-    "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration", "EngineSettings", "Extraction",
-    "Extractor", "File", "Fix", "Flag", "FoundObject", "FrameLabels", "ImageName", "InitialSpeed",
-    "Integer", "Jerk", "JunctionControl", "Kind", "Label", "LabeledThing", "LaneKind", "LanePlace",
-    "LanePlaces", "Length", "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor",
-    "Neighbor", "Neighbors", "Number", "ObjectKind", "Observation", "ObservationBatch",
-    "ObservationVector", "OptionError", "PaintedShape", "Perturber", "Picture", "Piece",
-    "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace", "Position", "Profile",
-    "Provenance", "Reader", "Reading", "ReadingArray", "Region", "RightOfWay", "RoadBatch",
-    "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace", "RouteStep", "RouteTurn",
-    "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor", "SceneArm", "SceneConflict",
-    "SceneConnection", "SceneControl", "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork",
-    "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute", "SceneSensor", "SceneSignal", "Search",
-    "Searcher", "Selector", "SensedBatch", "Sensor", "SensorRecord", "Signal", "SignalHead",
-    "SignalPhase", "Simulator", "SolidThings", "Source", "Span", "Speed", "Standing", "String",
-    "SurfaceName", "SurfacePatch", "SurfaceStretch", "Trace", "Verdict", "ViolatedSegment", "Word",
-    "body_of", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_paint",
-    "junction_surface", "kind_of", "line_steering", "list_of", "map_of", "one_of", "option",
-    "paint_rings", "pair_of", "quantity", "read_image", "read_input", "record_of", "road_surface",
-    "route_points", "scene_from_json", "signal_heads", "simulate_scenes", "surface_names",
-    "surface_stretches", "to_json", "vehicle_parameters",
+    "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "CurbCorner",
+    "Curvature", "Dataset", "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError",
+    "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration",
+    "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
+    "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
+    "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval",
+    "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind",
+    "Observation", "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape",
+    "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace",
+    "Position", "Profile", "Provenance", "Reader", "Reading", "ReadingArray", "Region",
+    "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace",
+    "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor",
+    "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
+    "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
+    "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector", "SensedBatch", "Sensor",
+    "SensorRecord", "Signal", "SignalHead", "SignalPhase", "Simulator", "SolidThings", "Source",
+    "Span", "Speed", "Standing", "String", "SurfaceName", "SurfacePatch", "SurfaceStretch", "Trace",
+    "Verdict", "ViolatedSegment", "Word", "beside_curb", "body_of", "call_of", "diagnose",
+    "did_you_mean", "geometry", "hookimpl", "junction_curbs", "junction_paint", "junction_surface",
+    "kind_of", "line_steering", "list_of", "map_of", "one_of", "option", "paint_rings", "pair_of",
+    "quantity", "read_image", "read_input", "record_of", "road_surface", "route_points",
+    "scene_from_json", "signal_heads", "simulate_scenes", "surface_names", "surface_stretches",
+    "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

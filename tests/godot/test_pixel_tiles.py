@@ -90,6 +90,26 @@ def test_fine_pixels_are_taken_together() -> None:
     assert coarse.tolist() == [[False, False, False], [True, False, False]]
 
 
+@pytest.mark.parametrize("factor", [2, 3, 4])
+def test_thin_roads_stay_whole_where_pixels_are_taken_together(factor: int) -> None:
+    road = np.zeros((60, 84), bool)
+    road[20:30] = True  # wide
+    road[0:20, 41] = True  # leads to it
+    road[45, 10:80] = True  # alone
+    for step in range(12):
+        road[46 + step, 12 + step] = True  # a diagonal one
+    coarse = coarsened(road, factor)
+    parts = cv2.connectedComponents(coarse.astype(np.uint8), connectivity=8)[0] - 1
+    assert parts == 2
+    blocks = np.kron(coarse, np.ones((factor, factor), bool))[-60:, :84]
+    thin = road.copy()
+    thin[20:30] = False
+    assert blocks[thin].all()
+    wide = np.flatnonzero(blocks[:, 5])
+    assert 20 - factor < wide.min() <= 20 + factor
+    assert 29 - factor <= wide.max() < 29 + factor
+
+
 def test_a_scene_with_a_mask_is_built_of_tiles() -> None:
     roads, network = town()
     mask = np.zeros((10, 12), np.uint8)

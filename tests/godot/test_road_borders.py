@@ -10,11 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang.api import SceneArm, SceneJunction
 from roadlang.scenes.sampling import SamplingResult
 from roadlang_godot.dash_pattern import PERIOD, dashes_between
 from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.junction_edges import INSET, edge_line_rings
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of
 from roadlang_godot.protocol import Message
@@ -58,26 +56,6 @@ def test_the_dashes_of_a_road_with_open_ends_are_not_stretched() -> None:
     part = road_parts(line_of(road("main", pieces(straight(95)))), 1, SceneOrigin())[0]
     first, step = struct.unpack_from("<ff", part.body, 7)
     assert (first, step) == pytest.approx((0.0, 2.5))
-
-
-def test_the_side_opposite_the_mouth_of_a_t_has_its_edge_line() -> None:
-    """Three roads 8 m wide meet at the origin, from the west, the east and the north."""
-    ends = {"west": (-40.0, 0.0), "east": (40.0, 0.0), "north": (0.0, 40.0)}
-    roads = [road(name, np.linspace((0.0, 0.0), end, 81), width=8.0) for name, end in ends.items()]
-    area = ((-8, -4), (0, -4), (8, -4), (8, 4), (4, 8), (-4, 8), (-8, 4))
-    arms = (
-        SceneArm("west", "start", 8.0, left=0, right=6),
-        SceneArm("east", "start", 8.0, left=3, right=2),
-        SceneArm("north", "start", 8.0, left=5, right=4),
-    )
-    junction = SceneJunction(0, (0,), "junction", area, arms, ())
-    made = scene(*roads)
-    quads = np.array(list(edge_line_rings(made, [junction])))
-    south = quads[(quads[:, :, 1] < -3.0).all(axis=1)]
-    assert south[:, :, 0].min() == -8.0
-    assert south[:, :, 0].max() == 8.0
-    assert south[:, :, 1].mean() == pytest.approx(-4.0 + INSET)
-    assert len(quads) == 2 + 2
 
 
 def test_sidewalks_go_on_around_the_corners_of_a_junction(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 
@@ -11,6 +12,7 @@ import pytest
 from roadlang.ir.scene import Scene
 from roadlang.ir.scene_junctions import SceneControl, SceneJunction, SignalPhase
 from roadlang.scenes.junction_paint import PaintedShape, junction_paint
+from roadlang.scenes.paint_rings import paint_rings
 from roadlang.scenes.sampling import SamplingResult
 from roadlang.scenes.signal_heads import signal_heads
 
@@ -168,3 +170,19 @@ def test_lines_go_on_only_where_one_road_has_priority(
         dashes = painted(scene, junction, kind)
         middles = np.array([dash.points.mean(axis=0) for dash in dashes]).reshape(-1, 2)
         assert min(len(np.unique(column.round(2))) for column in middles.T) == count
+
+
+def test_the_side_opposite_the_mouth_of_a_t_has_its_edge_line(sample: Sample) -> None:
+    """A road from west to east, and one from the north: a solid line along the south."""
+    plan = CROSSING.replace("#########\n....#....\n....#....", "#########\n.........\n.........")
+    scene = sample(plan.replace("LANES", "lanes: 2").replace("WORLD", "")).scenes[0]
+    (junction,) = scene.networks[0].junctions
+    lines = painted(scene, junction, "corner_line")
+    assert len(lines) == 3
+    middle = np.array(junction.area).mean(axis=0)
+    (south,) = (line.points for line in lines if (line.points[:, 1] < middle[1] - 2.0).all())
+    border = np.array(junction.area)[:, 1].min()
+    np.testing.assert_allclose(south[:, 1], border + 0.25, atol=0.02)
+    rings = list(paint_rings([lines[0]]))
+    for first, last in itertools.pairwise(rings):
+        np.testing.assert_allclose(first[[1, 2]], last[[0, 3]])  # no gaps between them

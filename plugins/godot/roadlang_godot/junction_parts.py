@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterable, Sequence
-from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +13,6 @@ from roadlang.api import PAINT_HEIGHT, junction_paint, paint_rings, signal_heads
 from roadlang.geometry import Floats
 
 from .frame import SceneOrigin
-from .junction_edges import edge_line_rings
 from .junctions import triangles_part
 from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
 from .scene_part import ScenePart
@@ -32,8 +30,7 @@ def paint_parts(
     """The paint of all junctions, as much in one thing as a datagram holds."""
     parts: list[ScenePart] = []
     batch: list[Floats] = []
-    painted = paint_rings(junction_paint(scene, junctions))
-    for ring in chain(painted, edge_line_rings(scene, junctions)):
+    for ring in paint_rings(junction_paint(scene, junctions)):
         if batch and sum(map(_size, (*batch, ring))) > _LARGEST:
             parts.append(_paint(batch, len(parts) + 1, frame))
             batch = []

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.api import CURB_HEIGHT
+from roadlang.api import CURB_HEIGHT, CurbCorner, beside_curb, junction_curbs
 from roadlang.geometry import CrossSection, Floats, Lane
 
 from .frame import SceneOrigin
-from .junction_edges import CurbCorner, beside, corners
 from .lane_strips import BorderLine, LaneStrip, Surface
 from .road_mesh import strip_part
 from .scene_part import ScenePart
@@ -36,7 +35,7 @@ def sidewalk_parts(
     widths = {road.name: _raised_widths(road.cross_section()) for road in scene.roads}
     parts: list[ScenePart] = []
     for junction in junctions:
-        for corner in corners(junction):
+        for corner in junction_curbs(junction):
             ends = (
                 widths[corner.first.road][corner.border],
                 widths[corner.last.road][corner.next_border],
@@ -56,7 +55,7 @@ def _strip(
     s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(curb, axis=0).T))])
     width = np.interp(s, (0.0, s[-1]), ends)
     strip = np.empty((len(s), 2, 3), dtype="<f4")
-    strip[:, 0] = frame.ground(beside(curb, width))
+    strip[:, 0] = frame.ground(beside_curb(curb, width))
     strip[:, 1] = frame.ground(curb)
     from_end = np.minimum(s, s[-1] - s)
     strip[..., 1] = np.interp(from_end, (0.0, _RAMP), (CURB_HEIGHT, LOWERED))[:, None]

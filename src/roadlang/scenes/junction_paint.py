@@ -12,6 +12,7 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Scene
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_road import SceneRoad
+from .junction_curbs import edge_lines
 from .lines_through import lines_through
 from .turn_arrows import arrow
 from .zebra_crossings import crossings
@@ -30,8 +31,11 @@ _ARROW_ROOM = 14.0
 class PaintedShape:
     """A shape in white: a line of some width, or the inside of a ring."""
 
-    kind: Literal["stop_line", "yield_line", "arrow", "crossing", "lane_line", "edge_line"]
-    """what it is for"""
+    kind: Literal[
+        "stop_line", "yield_line", "arrow", "crossing", "lane_line", "edge_line", "corner_line"
+    ]
+    """what it is for; `edge_line`: along the mouth of a minor road; `corner_line`: the edge line
+    around a corner"""
     points: Floats
     """(n, 2) meters"""
     width: float = 0.0
@@ -41,8 +45,9 @@ class PaintedShape:
 
 
 def junction_paint(scene: Scene, junctions: Iterable[SceneJunction]) -> Iterator[PaintedShape]:
-    """Stop lines, lines to yield at, turn arrows, zebra crossings between sidewalks, and the broken
-    lines of priority roads (a shape for each dash) that go straight on."""
+    """Stop lines, lines to yield at, turn arrows, zebra crossings between sidewalks, broken lines
+    of priority roads (a shape for each dash) that go straight on, and the edge lines around
+    corners."""
     roads = {road.name: road for road in scene.roads}
     for junction in junctions:
         if junction.kind == "joint":
@@ -51,6 +56,8 @@ def junction_paint(scene: Scene, junctions: Iterable[SceneJunction]) -> Iterator
             yield PaintedShape("crossing", stripe)
         for line in lines_through(junction, roads):
             yield PaintedShape(line.kind, line.points, LANE_LINE)
+        for points in edge_lines(junction, roads):
+            yield PaintedShape("corner_line", points, LANE_LINE)
         lanes = connections_by_lane(junction)
         for connections in lanes.values():
             yield from _line(junction, connections[0])

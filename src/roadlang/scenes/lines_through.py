@@ -13,12 +13,12 @@ from ..geometry.arrays import Floats
 from ..ir.scene_junctions import SceneConnection, SceneJunction, SceneLaneEnd
 from ..ir.scene_road import SceneRoad
 from ..world.connection_roads import connection_curve
+from .junction_curbs import EDGE_INSET
 
 LANE_DASH = 3.0
 """Meters, of lines between lanes: as on the road, but with shorter gaps."""
 EDGE_DASH = 1.5
 """Meters, of edge lines along the mouth of a minor road."""
-_EDGE_INSET = 0.25
 _POINT_SPACING = 1.0
 
 
@@ -116,6 +116,6 @@ def _dashes(
         start = (2 * dash + max(lead, 0)) * unit
         s = np.linspace(start, start + unit, 1 + max(1, int(np.ceil(unit / _POINT_SPACING))))
         away = 0.5 * np.interp(s, [0.0, curve.length], connection.widths)
-        away = side * (away - (_EDGE_INSET if is_edge else 0.0))
+        away = side * (away - (EDGE_INSET if is_edge else 0.0))
         frame = CurveFrame.of(curve, s)
         yield LineThrough(kind, frame.points + away[:, None] * frame.normal)

@@ -7,17 +7,29 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from ..geometry.arrays import Floats
+from .junction_curbs import beside_curb
 from .junction_paint import PaintedShape
 
 
 def paint_rings(shapes: Iterable[PaintedShape]) -> Iterator[Floats]:
-    """Convex rings (n, 2), counter-clockwise: lines are made of rectangles."""
+    """Convex rings (n, 2), counter-clockwise: lines are made of rectangles, solid ones that bend
+    of quadrilaterals that meet at the bends."""
     for shape in shapes:
         if not shape.width:
             yield shape.points if _area(shape.points) > 0.0 else shape.points[::-1]
             continue
+        if shape.dashes is None and len(shape.points) > 2:
+            yield from _ribbon(shape.points, shape.width)
+            continue
         for start, stop in zip(shape.points[:-1], shape.points[1:], strict=True):
             yield from _strokes(start, stop, shape.width, shape.dashes)
+
+
+def _ribbon(points: Floats, width: float) -> Iterator[Floats]:
+    half = np.full(len(points), 0.5 * width)
+    left, right = beside_curb(points, half), beside_curb(points, -half)
+    for i in range(len(points) - 1):
+        yield np.array([right[i], right[i + 1], left[i + 1], left[i]])
 
 
 def _strokes(

@@ -1,38 +1,32 @@
-"""Edge lines along the curbs of junctions, from road to road."""
+"""The curbs of junctions from road to road, and the edge lines along them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.geometry import CrossSection, Floats
+from ..geometry import CrossSection
+from ..geometry.arrays import Floats
+from ..ir.scene_junctions import SceneArm, SceneJunction
+from ..ir.scene_road import SceneRoad
 
-if TYPE_CHECKING:
-    from roadlang.api import Scene, SceneArm, SceneJunction
-
-INSET = 0.25
-"""Meters from the curb to the middle of the line, as along roads (`shaders/road.gdshader`)."""
-WIDTH = 0.14
+EDGE_INSET = 0.25
+"""Meters from the border of a road to the middle of its edge line."""
 _LEAST_STEP = 1e-3
 
 
-def edge_line_rings(scene: Scene, junctions: Iterable[SceneJunction]) -> Iterator[Floats]:
-    """Quadrilaterals (4, 2), counter-clockwise, one for each straight piece of a line.
+def edge_lines(junction: SceneJunction, roads: Mapping[str, SceneRoad]) -> Iterator[Floats]:
+    """(n, 2) the middles of solid lines.
 
     Where both roads beside a corner have edge lines, these are joined around the corner: at the
     mouth of a T, along the side that goes straight on, too.
     """
-    marked = {road.name: _marked_borders(road.cross_section()) for road in scene.roads}
-    for junction in junctions:
-        for corner in corners(junction):
-            if (
-                marked[corner.first.road][corner.border]
-                and marked[corner.last.road][corner.next_border]
-            ):
-                yield from _ribbon(corner.curb)
+    for corner in junction_curbs(junction):
+        ends = (corner.first, corner.border), (corner.last, corner.next_border)
+        if all(_is_marked(roads[arm.road].cross_section(), border) for arm, border in ends):
+            yield beside_curb(corner.curb, np.full(len(corner.curb), EDGE_INSET))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,7 +49,7 @@ class CurbCorner:
         return 1 if self.last.end == "start" else 0
 
 
-def corners(junction: SceneJunction) -> Iterator[CurbCorner]:
+def junction_curbs(junction: SceneJunction) -> Iterator[CurbCorner]:
     """The corners of a junction whose curbs have a length."""
     area = np.array(junction.area, dtype=float)
     for arm in junction.arms:
@@ -68,7 +62,7 @@ def corners(junction: SceneJunction) -> Iterator[CurbCorner]:
             yield CurbCorner(arm, last, curb)
 
 
-def beside(curb: Floats, away: Floats) -> Floats:
+def beside_curb(curb: Floats, away: Floats) -> Floats:
     """(n, 2) the line `away` (n,) meters left of a curb (n, 2), its corners mitered."""
     along = np.diff(curb, axis=0)
     along /= np.hypot(*along.T)[:, None]
@@ -79,21 +73,9 @@ def beside(curb: Floats, away: Floats) -> Floats:
     return np.asarray(curb + away[:, None] * miters)
 
 
-def _marked_borders(section: CrossSection | None) -> tuple[bool, bool]:
-    """Whether a road has an edge line along its left and right border."""
+def _is_marked(section: CrossSection | None, border: int) -> bool:
+    """Whether a road has an edge line along its left (0) or right (1) border."""
     if section is None:
-        return (True, True)
-    lanes, markings = section.lanes, section.markings
-    left, right = (lanes[end].drivable and markings[end] == "solid" for end in (0, -1))
-    return left, right
-
-
-def _ribbon(curb: Floats) -> Iterator[Floats]:
-    """Pieces of the line inside a curb."""
-    ones = np.ones(len(curb))
-    outer, inner = (
-        beside(curb, (INSET - 0.5 * WIDTH) * ones),
-        beside(curb, (INSET + 0.5 * WIDTH) * ones),
-    )
-    for i in range(len(curb) - 1):
-        yield np.array([outer[i], outer[i + 1], inner[i + 1], inner[i]])
+        return True
+    end = -border
+    return section.lanes[end].drivable and section.markings[end] == "solid"
