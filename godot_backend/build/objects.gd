@@ -129,7 +129,7 @@ func _variant(origin: Vector3) -> int:
 func _add_lamp(place: Transform3D) -> void:
 	var lamp := Lamp.new()
 	lamp.position = place.origin + Vector3.UP * (place.basis.get_scale().y - 0.3)
-	lamp.aim(Vector3.DOWN, 26.0, 70.0, 14.0, Color(1.0, 0.84, 0.6))
+	lamp.aim(Vector3.DOWN, 30.0, 76.0, 30.0, Color(1.0, 0.84, 0.6))
 	add_child(lamp)
 
 

@@ -8,16 +8,17 @@ const Cameras := preload("cameras.gd")
 
 const MOST_PIXELS := 8192
 const MOST_WAITING := 64
+## Of the shadows for each column of a picture, as a power of two: with less they are blocky in the
+## foreground, more cost time and are not seen. Cameras of agents draw with fewer.
+const SHADOW_PIXELS := 3
+const LEAST_SHADOW := 1024
+const MOST_SHADOW := 4096
 
 var _cameras: Cameras
 var _server: Server
 var _viewport := SubViewport.new()
 var _camera := Camera3D.new()
 var _queue: Array[Array] = []
-## Cameras of agents draw with fewer.
-var _shadow_pixels: int = ProjectSettings.get_setting(
-	"rendering/lights_and_shadows/directional_shadow/size"
-)
 
 
 func _init(cameras: Cameras, server: Server) -> void:
@@ -65,7 +66,8 @@ func _picture(wish: Dictionary) -> void:
 	_camera.force_update_transform()
 	_cameras.surround(_camera)
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
-	RenderingServer.directional_shadow_atlas_set_size(_shadow_pixels, true)
+	var shadow := clampi(nearest_po2(SHADOW_PIXELS * width), LEAST_SHADOW, MOST_SHADOW)
+	RenderingServer.directional_shadow_atlas_set_size(shadow, true)
 	RenderingServer.force_draw(false)
 	var image := _viewport.get_texture().get_image()
 	image.convert(Image.FORMAT_RGB8)

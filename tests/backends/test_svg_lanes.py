@@ -12,6 +12,7 @@ from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.scenes.sampling import SamplingResult
 from roadlang_standard.emit_svg import Svg
 from roadlang_standard.svg import palette
+from tests.backends.svg_shapes import points
 
 Sample = Callable[..., SamplingResult]
 SVG = "{http://www.w3.org/2000/svg}"
@@ -79,3 +80,29 @@ def test_a_scene_that_does_not_list_its_lanes_is_drawn_with_equal_ones(street: S
     old = replace(street, roads=(replace(main, lane_list=(), lanes=3),))
     assert paths(old, "lanes") == []
     assert len(paths(old, "markings")) == 4
+
+
+def test_a_patch_has_the_color_of_its_surface_where_it_is(sample: Sample) -> None:
+    """Ice on the right half from 40 m to 60 m of a road of gravel: as long as a fifth of the road,
+    and on the other side of its middle than what is left."""
+    text = STREET.split("left:")[0] + (
+        "lanes: 2, width: 8m, surface: gravel\n"
+        "surface_patches: [{ surface: ice, over: [40m, 60m], side: right }]\n}"
+    )
+    (scene,) = sample(text).scenes
+    root = ElementTree.fromstring(Svg().files(scene)["svg"])
+    drawn = {
+        name: [points(path) for path in root.iter(f"{SVG}path") if path.get("fill") == color]
+        for name, color in palette.SURFACES.items()
+    }
+    assert {name for name, found in drawn.items() if found} == {"gravel", "ice"}
+    (ice,) = drawn["ice"]
+    everywhere = [point for shape in drawn["gravel"] for point in shape] + ice
+    left, right = min(x for x, _ in everywhere), max(x for x, _ in everywhere)
+    top, bottom = min(y for _, y in everywhere), max(y for _, y in everywhere)
+    length = right - left
+    assert [(min(x for x, _ in ice) - left) / length, (max(x for x, _ in ice) - left) / length] == (
+        pytest.approx([0.4, 0.6], abs=0.01)
+    )
+    assert min(y for _, y in ice) == pytest.approx((top + bottom) / 2, abs=1.5)
+    assert max(y for _, y in ice) == pytest.approx(bottom, abs=1.5)

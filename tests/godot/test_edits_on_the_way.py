@@ -136,8 +136,19 @@ def toggled(line: str) -> Callable[[str], str]:
     return lambda text: text.replace(line, "") if line in text else text + line
 
 
+def toggled_after(place: str, option: str) -> Callable[[str], str]:
+    """Adds an option at a place, or takes it away."""
+    return lambda text: (
+        text.replace(option, "") if option in text else text.replace(place, place + option)
+    )
+
+
 EDITS = {
     "a far waypoint": replaced(r"\(300m, (\d+m)\)", "120m", "122m"),
+    "the surface of a road": toggled_after("width: 8m, lanes: 2", ", surface: gravel"),
+    "a patch of ice": toggled_after(
+        "width: 8m, lanes: 2", ", surface_patches: [{ surface: ice, over: [150m, 170m] }]"
+    ),
     "a near waypoint": replaced(r"\(60m, (\S+m)\)", "100m", "100.5m"),
     "the perturbation of a photo": replaced(r"amplitude: (\S+m),", "2m", "2.5m"),
     "an option of a controller": replaced(r"stanley \{ speed: (\S+) \}", "9m/s", "10m/s"),
@@ -193,3 +204,25 @@ def test_an_agent_that_has_left_the_text_is_gone_and_who_comes_has_its_own_state
     _, now = edited.now()
     assert set(now) == {"late", "lead", "other", "child"}
     assert now["late"][0] == pytest.approx(120.0, abs=2.0)
+
+
+def test_whoever_drives_on_a_surface_that_was_edited_has_its_grip(edited: Edited) -> None:
+    """Braking with 4 m/s^2 on asphalt is little more than 1 m/s^2 on ice."""
+    brake = (
+        "agent ego is car on main at 5m { start_speed: 15m/s, drive with stanley { speed: 15m/s }"
+    )
+    stop = " drive with brake { deceleration: 4m/s^2, when: time > 1s }"
+    edited.edit(lambda text: re.sub(r"agent ego .*\n", f"{brake}{stop} }}\n", text))
+    edited.edit(toggled_after("width: 8m, lanes: 2", ", surface: ice"))
+    edited.drive(2.5)
+    trace = edited.live.trace()
+    assert trace is not None
+    ego, time = trace.agents["ego"], trace.time
+    braking = (ego.speed[0] - ego.speed[-1]) / (time[-1] - time[0])
+    assert 0.3 < braking < 2.0
+    edited.edit(toggled_after("width: 8m, lanes: 2", ", surface: ice"))
+    edited.drive(0.8)
+    trace = edited.live.trace()
+    assert trace is not None
+    ego, time = trace.agents["ego"], trace.time
+    assert (ego.speed[0] - ego.speed[-1]) / (time[-1] - time[0]) > 2.5
