@@ -2,8 +2,8 @@ extends Node3D
 ## The whole program: a stage in a window of its own.
 ##
 ## Arguments after `--`: --host ADDRESS, --port N, --transport udp|websocket, --still,
-## --quit-idle SECONDS without a client, --quit-with-parent when standard input ends. Then the folder
-## of the file --log, to which the parent has directed the output, is removed in its stead.
+## --quit-idle SECONDS without a client, --quit-with-parent when standard input ends. Then the
+## folder of the file --log, to which the parent has directed the output, is removed in its stead.
 
 const Stage := preload("roadlang_stage.gd")
 
