@@ -45,13 +45,14 @@ def test_a_bug_is_a_short_report_and_exit_70(
     from roadlang.cli.main import run
 
     def broken() -> None:
-        raise RuntimeError("the moon is full")
+        raise RuntimeError("the moon is full" + 400 * "~")
 
     monkeypatch.setattr(explain, "codes", broken)
     assert run(["explain"]) == 70
     words = capsys.readouterr().err
     assert "RL900" in words
     assert "the moon is full" in words
+    assert words.count("~") == 300 - len("RuntimeError: the moon is full")
     assert "Traceback" not in words
     monkeypatch.setenv("ROADLANG_TRACEBACK", "1")
     with pytest.raises(RuntimeError):

@@ -184,3 +184,11 @@ def test_faults_of_a_built_network_are_under_the_option_too(
         testing.sample(TOWN + f"agent ego is car on town {written}\n")
     (found,) = caught.value.diagnostics
     assert (found.code, found.span.text if found.span else None) == (code, underlined)
+
+
+def test_widths_that_disagree_are_said_to_a_tenth_of_a_millimeter() -> None:
+    lanes = "left: [drive(3.33333m)], right: [drive(3.33333m)], width: 9m"
+    text = "road main { draw with segments { pieces: [straight(99m)] }, LANES }"
+    (found,) = testing.check(text.replace("LANES", lanes))
+    assert found.code == "RL246"
+    assert "`main` are 6.6667m wide together, and `width` is 9m" in found.message
