@@ -126,6 +126,25 @@ def test_areas_are_closed_run_counterclockwise_and_cover_the_road() -> None:
     assert properties["speed"] == 8.0
 
 
+@pytest.mark.parametrize(
+    ("lanes", "limit"),
+    [
+        ("lanes: 2", None),
+        ("lanes: 2, speed_limit: 50km/h", 50.0),
+        ("left: [drive], right: [drive], speed_limit: 50km/h", 50.0),
+        ("left: [drive(speed_limit: 30km/h)], right: [drive], speed_limit: 30km/h", 30.0),
+        ("left: [drive(speed_limit: 30km/h)], right: [drive], speed_limit: 50km/h", None),
+        ("right: [drive(speed_limit: 30km/h), sidewalk], speed_limit: 50km/h", 30.0),
+    ],
+)
+def test_a_speed_limit_is_said_where_one_holds_in_all_lanes(
+    lanes: str, limit: float | None
+) -> None:
+    text = f"road main {{ draw with segments {{ pieces: [straight(80m)] }}, {lanes} }}"
+    (road,) = of_type(features(scene_of(text)), "road")
+    assert road["properties"].get("maxspeed") == limit
+
+
 def test_lanes_of_a_loop_are_rings_with_a_hole() -> None:
     scene = scene_of(LOOP)
     found = features(scene)

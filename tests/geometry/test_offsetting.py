@@ -89,6 +89,20 @@ def test_a_ring_keeps_its_seam() -> None:
     np.testing.assert_allclose(np.linalg.norm(offset(ring, 4.0, s), axis=1), 6.0, atol=1e-3)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9])
+def test_a_ring_may_begin_in_a_bend_tighter_than_the_offset(share: float) -> None:
+    """A rounded square, 40 m wide with corners of 4 m, seen from 7 m inside: a square of 26 m."""
+    corner, side = Arc(4.0, np.pi / 2), Straight(32.0)
+    begun = Arc(4.0, (1.0 - share) * np.pi / 2)
+    pieces: list[Any] = [begun, side, corner, side, corner, side, corner, side]
+    if share:
+        pieces.append(Arc(4.0, share * np.pi / 2))
+    ring = chain(pieces, heading=share * np.pi / 2, spacing=0.5).curve(closed=True)
+    inside = offset(ring, 7.0, ring.stations(count=400))
+    middle = (inside.min(axis=0) + inside.max(axis=0)) / 2
+    np.testing.assert_allclose(np.abs(inside - middle).max(axis=1), 13.0, atol=0.1)
+
+
 def test_edges_follow_the_width() -> None:
     road = Road(line(100.0), WidthProfile(np.array([0.0, 100.0]), np.array([4.0, 8.0])))
     left, right = road.edges([0.0, 50.0, 100.0])

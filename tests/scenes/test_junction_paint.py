@@ -64,6 +64,21 @@ def test_stripes_lie_inside_the_area_beyond_the_stop_line(sample: Sample) -> Non
         assert near > 0.5
 
 
+def test_arrows_are_painted_in_their_lanes_before_the_stop_lines(sample: Sample) -> None:
+    scene, junction = crossing(sample, "lanes: 4, control with all_way_stop")
+    ends = {connection.source.end for connection in junction.connections}
+    lines = np.array([shape.points.mean(axis=0) for shape in painted(scene, junction, "stop_line")])
+    arrows = [shape.points.mean(axis=0) for shape in painted(scene, junction, "arrow")]
+    middle = np.mean(junction.area, axis=0)
+    assert ends == {"start", "end"}
+    assert len(arrows) >= len(lines) == 8
+    for arrow in arrows:
+        line = lines[np.hypot(*(lines - arrow).T).argmin()]
+        away = (line - middle) / np.hypot(*(line - middle))
+        assert 2.0 < (arrow - line) @ away < 12.0
+        assert np.hypot(*(arrow - line)) < 14.0
+
+
 def test_without_sidewalks_nobody_crosses(sample: Sample) -> None:
     scene, junction = crossing(sample, "lanes: 2")
     assert not painted(scene, junction, "crossing")
