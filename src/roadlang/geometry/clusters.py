@@ -43,21 +43,22 @@ def clusters(points: Floats, gap: float = GAP, fewest: int = FEWEST) -> Integers
 
 def _cut(between: Floats, gap: float) -> Integers:
     count = len(between)
-    reached, source = between[0].copy(), np.zeros(count, dtype=np.intp)
-    outside = np.ones(count, dtype=bool)
-    outside[0] = False
+    ways, nearest = between.copy(), 0
+    reached, source = ways[0].copy(), np.zeros(count, dtype=np.intp)
+    closer = np.empty(count, dtype=bool)
     tree = []
     for _ in range(count - 1):
-        nearest = int(np.argmin(np.where(outside, reached, np.inf)))
+        # Who is in the tree is no longer reached: minima over all are then those over the others.
+        reached[nearest] = ways[:, nearest] = np.inf
+        nearest = int(reached.argmin())
         tree.append((float(reached[nearest]), int(source[nearest]), nearest))
-        outside[nearest] = False
-        closer = between[nearest] < reached
-        reached[closer], source[closer] = between[nearest][closer], nearest
+        np.less(ways[nearest], reached, out=closer)
+        np.copyto(reached, ways[nearest], where=closer)
+        source[closer] = nearest
     limit = gap * float(np.quantile([length for length, _, _ in tree], USUAL)) if tree else 0.0
-    labels = np.zeros(count, dtype=np.intp)
-    last = 0
+    labels, last = [0] * count, 0
     for length, before, after in tree:
         if length > limit:
             last += 1
         labels[after] = last if length > limit else labels[before]
-    return labels
+    return np.array(labels, dtype=np.intp)
