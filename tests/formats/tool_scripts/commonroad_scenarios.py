@@ -13,6 +13,7 @@ from typing import Any
 
 import commonroad
 from commonroad.common.file_reader import CommonRoadFileReader
+from commonroad.scenario.lanelet import LaneletType
 from commonroad.scenario.obstacle import ObstacleType
 from commonroad_dc.boundary.boundary import create_road_boundary_obstacle
 from commonroad_dc.collision.collision_detection.pycrcc_collision_dispatch import (
@@ -22,6 +23,8 @@ from commonroad_dc.collision.collision_detection.pycrcc_collision_dispatch impor
 from commonroad_dc.pycrcc import CollisionChecker
 from lxml import etree
 
+_LONG = 6.0
+"""Meters: longer vehicles cut the inside of tight bends."""
 _SCHEMA = Path(commonroad.__file__).parent / (
     "scenario_definition/xml_definition_files/XML_commonRoad_XSD.xsd"
 )
@@ -48,6 +51,8 @@ def faults(file: str, schema: Any) -> list[str]:
         places = [state.position for state in obstacle.prediction.trajectory.state_list]
         if off_road.collide(begins) or not all(network.find_lanelet_by_position(places)):
             found.append(f"dynamic obstacle {obstacle.obstacle_id} leaves the road")
+        elif obstacle.obstacle_shape.length <= _LONG and _sticks_out(obstacle, network, off_road):
+            found.append(f"a part of dynamic obstacle {obstacle.obstacle_id} leaves the road")
     for problem in problems.planning_problem_dict.values():
         place = problem.initial_state.position
         if not network.find_lanelet_by_position([place])[0]:
@@ -55,6 +60,19 @@ def faults(file: str, schema: Any) -> list[str]:
         if problem.goal.lanelets_of_goal_position is None and not problem.goal.state_list:
             found.append("the planning problem has no goal")
     return found
+
+
+def _sticks_out(obstacle: Any, network: Any, off_road: Any) -> bool:
+    """Whether any of its footprint is beside the road at any time; in junctions, whose area is not
+    all of lanelets, it may be."""
+    for state in obstacle.prediction.trajectory.state_list:
+        shape = obstacle.occupancy_at_time(state.time_step).shape
+        if off_road.collide(create_collision_object(shape)):
+            ids = network.find_lanelet_by_position([state.position])[0]
+            types = [kind for id in ids for kind in network.find_lanelet_by_id(id).lanelet_type]
+            if LaneletType.INTERSECTION not in types:
+                return True
+    return False
 
 
 def _unlinked(network: Any) -> list[str]:
