@@ -20,3 +20,22 @@ def chains_of(scene: Scene) -> list[list[int]]:
             chains.append([ids[source], ids[number], ids[target]])
         assert len(junction.connections) == len(junction.junction.connections)
     return chains
+
+
+def routes_of(scene: Scene) -> list[list[int]]:
+    """Of each agent with a route through junctions, the lanelet by which it leaves its first road,
+    and that by which it enters its last."""
+    lanelets = lanelet_map(scene, TOLERANCE)
+    ids = written_lanelets(lanelets)
+    routes = []
+    for agent in scene.agents:
+        steps = agent.route.steps if agent.route is not None else ()
+        turns = [place for place, step in enumerate(steps) if step.turn is not None]
+        if not turns or turns[-1] + 1 >= len(steps):
+            continue
+        first, last = steps[turns[0]], steps[turns[-1] + 1]
+        ends = ("end", "start") if first.stop >= first.start else ("start", "end")
+        source = lanelets.leaving[first.road, ends[0], first.lane]
+        ends = ("end", "start") if last.stop >= last.start else ("start", "end")
+        routes.append([ids[source], ids[lanelets.entering[last.road, ends[1], last.lane]]])
+    return routes

@@ -12,7 +12,7 @@ from benchmarks.formats.corpus import example_scenes, random_scenes
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_commonroad import CommonRoadBackend
 from roadlang_formats.emit_lanelet2 import Lanelet2Backend
-from tests.formats.lanelet_chains import chains_of
+from tests.formats.lanelet_chains import chains_of, routes_of
 from tests.formats.tool_environments import ask_tool
 
 pytestmark = pytest.mark.slow
@@ -23,7 +23,7 @@ DRIVEN = ("cut_in", "overtaking", "traffic")
 
 @pytest.fixture(scope="module")
 def scenes() -> dict[str, Scene]:
-    found = (*example_scenes(SEED), *random_scenes(1, SEED))
+    found = (*example_scenes(SEED), *random_scenes(1, SEED, with_traffic=True))
     return {name.replace(" ", "_"): scene for name, scene in found}
 
 
@@ -51,6 +51,7 @@ def test_lanelet2_reads_all_and_routes_through_every_junction(
         path = tmp_path / f"{name}.osm"
         path.write_text(Lanelet2Backend().files(scene)["lanelet2.osm"], encoding="utf-8")
         origins = [network.origin for network in scene.networks if network.origin is not None]
-        question[str(path)] = [origins[0] if origins else (0.0, 0.0), chains_of(scene)]
+        place = origins[0] if origins else (0.0, 0.0)
+        question[str(path)] = [place, chains_of(scene), routes_of(scene)]
     faults = ask_tool("lanelet2", "lanelet2_maps.py", question)
     assert {file: found for file, found in faults.items() if found} == {}

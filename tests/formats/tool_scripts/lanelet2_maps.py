@@ -1,7 +1,7 @@
 """Lanelet2 files, by its own reader and routing graph. Runs with their Python.
 
-Question: by file, the latitude and longitude of its (0, 0), and chains of lanelets, each of which
-leads into the next. Answer: by file, what is wrong with it.
+Question: by file, the latitude and longitude of its (0, 0), chains of lanelets, each of which leads
+into the next, and routes: from which lanelet to which. Answer: by file, what is wrong with it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ _CLOSE = 0.01
 """Meters between a point as it is projected and its local coordinates."""
 
 
-def faults(file: str, origin: list[float], chains: list[list[int]]) -> list[str]:
+def faults(
+    file: str, origin: list[float], chains: list[list[int]], routes: list[list[int]]
+) -> list[str]:
     """Of one file."""
     projector = LocalCartesianProjector(lanelet2.io.Origin(*origin))
     found, errors = lanelet2.io.loadRobust(file, projector)
@@ -36,6 +38,10 @@ def faults(file: str, origin: list[float], chains: list[list[int]]) -> list[str]
     graph = lanelet2.routing.RoutingGraph(found, rules)
     report += [str(error) for error in graph.checkValidity()]
     report += [_broken(found, graph, rules, chain) for chain in chains]
+    for start, goal in routes:
+        ends = [found.laneletLayer[id] for id in (start, goal)]
+        if not graph.getRoute(*ends, 0, True):
+            report.append(f"no vehicle gets from lanelet {start} to {goal}")
     return [fault for fault in report if fault]
 
 
