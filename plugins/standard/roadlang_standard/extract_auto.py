@@ -41,34 +41,43 @@ class Auto(Extractor):
     def extract(self, picture: Picture) -> Extraction:
         from dataclasses import replace
 
-        from .extract_aerial import Aerial
-        from .extract_contour import Contour, in_pixels
+        from .extract_contour import in_pixels
         from .extract_pixels import Pixel
-        from .extraction.drawing import roads_of_drawing
-        from .extraction.map_tiles import roads_of_map
-        from .extraction.picture_kind import MAP, MASK, picture_kind
-        from .extraction.pixels_to_meters import extraction
 
         if picture.characters is not None or picture.legend:
             kind = "typed grid" if picture.characters is not None else "drawing with a legend"
             found = Pixel(thickness=in_pixels(self.width, picture)).extract(picture)
         else:
-            assert picture.pixels is not None
-            seen = picture_kind(picture.pixels)
-            kind = seen.name
-            width = in_pixels(self.width, picture)
-            plain = seen.drawn and seen.name != MASK and self.threshold == "auto"
-            rendered = roads_of_map(picture.pixels, width) if plain and not self.through else None
-            if rendered is not None:
-                kind, found = "rendered map", extraction(picture, rendered)
-            elif seen.name == MAP and self.threshold == "auto":
-                found = extraction(picture, roads_of_drawing(picture.pixels, width=width))
-            elif seen.drawn and not self.through:
-                found = Contour(threshold=self.threshold, width=self.width).extract(picture)
-            else:
-                found = self._aerial(Aerial).extract(picture)
+            kind, found = self._seen(picture)
         article = "an" if kind[0] in "aeiou" else "a"
         return replace(found, remarks=(f"read as {article} {kind}", *found.remarks))
+
+    def _seen(self, picture: Picture) -> tuple[str, Extraction]:
+        """What sort of picture without a legend it is, and its roads."""
+        from .extract_aerial import Aerial
+        from .extract_contour import Contour, in_pixels
+        from .extraction.drawing import roads_of_drawing
+        from .extraction.map_tiles import roads_of_map
+        from .extraction.paper import roads_on_paper
+        from .extraction.picture_kind import MAP, MASK, picture_kind
+        from .extraction.pixels_to_meters import extraction
+
+        assert picture.pixels is not None
+        seen, width = picture_kind(picture.pixels), in_pixels(self.width, picture)
+        if self.threshold == "auto" and not self.through and seen.name != MASK:
+            on_paper = roads_on_paper(picture.pixels, width)
+            if on_paper is not None:
+                return "drawing on paper", extraction(picture, on_paper)
+            rendered = roads_of_map(picture.pixels, width) if seen.drawn else None
+            if rendered is not None:
+                return "rendered map", extraction(picture, rendered)
+            if seen.name == MAP:
+                drawn = roads_of_drawing(picture.pixels, width=width)
+                return seen.name, extraction(picture, drawn)
+        if seen.drawn and not self.through:
+            contour = Contour(threshold=self.threshold, width=self.width)
+            return seen.name, contour.extract(picture)
+        return seen.name, self._aerial(Aerial).extract(picture)
 
     def _aerial(self, kind: type[Aerial]) -> Aerial:
         """The photo's kind with this one's options."""

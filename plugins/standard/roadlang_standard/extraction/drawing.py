@@ -12,6 +12,7 @@ from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
 from .masks import roads_of_surface, without_specks
+from .open_edges import with_closed_ends
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
 
@@ -99,7 +100,9 @@ def _between(ink: Booleans) -> list[RoadRegion]:
         ribbons = _ribbons(closed)
         if ribbons and _edged(ribbons, ink, pen):
             return ribbons
-    return []
+    capped = with_closed_ends(ink, pen)
+    ribbons = [] if capped is None else _ribbons(capped)
+    return ribbons if ribbons and _edged(ribbons, ink, pen) else []
 
 
 def _edged(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> bool:

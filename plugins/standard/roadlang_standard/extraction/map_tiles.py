@@ -105,7 +105,7 @@ def _without_thin(mask: Booleans, width: float) -> Booleans:
     """Without what is not nearly as wide as a road: railways of the same color."""
     size = max(1, int(_THIN * width))
     core = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, np.ones((size, size), np.uint8))
-    return mask & (cv2.dilate(core, np.ones((3, 3), np.uint8)) > 0)
+    return np.asarray(mask & (cv2.dilate(core, np.ones((3, 3), np.uint8)) > 0))
 
 
 def _without_islands(mask: Booleans, least: float) -> Booleans:

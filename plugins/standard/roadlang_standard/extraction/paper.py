@@ -1,0 +1,120 @@
+"""Roads drawn on paper and photographed: ink on a light sheet that is unevenly lit, maybe ruled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+from .drawing import between_lines
+from .found_network import FoundNetwork
+from .hysteresis import hysteresis
+from .masks import roads_of_surface
+from .ruling import without_ruling
+from .skeleton import skeleton
+from .tones import Image, Layer, thinned
+
+_SMALL, _BROADEST = 300, 12
+"""The light is estimated at this size in pixels; ink is thinner than one in so many sides."""
+_DARKEST, _COLORED = 60, 0.35
+"""A sheet is lighter than this gray and less colored than this share of its brightness."""
+_PLAIN, _EVEN = 0.06, 0.6
+"""So much of the sheet is within this share of its own brightness."""
+_SAME, _EXACT = 2, 0.5
+"""A drawing made on a screen has one color, within so many gray levels, on more than this share."""
+_NOISE, _FAINTEST = 6.0, 0.1
+"""Ink absorbs so many times the noise, and at least this share of the light."""
+_MOST_INK = 0.2
+"""Share of the sheet that ink covers."""
+_TOP, _STRONG, _WEAK = 0.02, 0.7, 0.45
+"""The darkest strokes, a share of all; ink is at least so dark as they are, and goes on while it is
+at least a little less dark: ruled lines are lighter."""
+_SHORTEST, _LITTLE = 0.12, 0.3
+"""Shares of the shorter side: shorter strokes are letters; less in all is no road."""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A photographed sheet: how much light (h, w) ink takes away, 0..1, and the noise of that."""
+
+    ink: Layer
+    noise: float
+
+
+def sheet_of(image: Image) -> Sheet | None:
+    """The ink of a picture (h, w, 3), freed from how it is lit; None if it shows no light sheet."""
+    light = _light(image)
+    if _is_flat(image):
+        return None
+    color = np.median(light.reshape(-1, 3), axis=0)
+    if color.mean() < _DARKEST or np.ptp(color) > _COLORED * color.max():
+        return None
+    taken = 1 - image.astype(np.float32) / np.maximum(light, 1)
+    ink = cv2.GaussianBlur(taken.max(axis=2), (0, 0), 0.7)
+    middle = float(np.median(ink))
+    noise = 1.4826 * float(np.median(np.abs(ink - middle)))
+    if (np.abs(ink - middle) < _PLAIN).mean() < _EVEN:
+        return None
+    return Sheet(np.clip(ink - middle, 0, 1), noise)
+
+
+def _is_flat(image: Image) -> bool:
+    """Whether most of the picture has exactly one color: it was drawn on a screen."""
+    sample = thinned(image, 100_000).reshape(-1, 3).astype(np.int16)
+    middle = np.median(sample, axis=0)
+    return bool((np.abs(sample - middle).max(axis=1) <= _SAME).mean() > _EXACT)
+
+
+def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | None:
+    """The roads (pixels) drawn on a photographed sheet (h, w, 3); None if it shows no sheet.
+
+    A line is a road; two lines side by side are the edges of one. There may be none.
+    """
+    sheet = sheet_of(image)
+    if sheet is None:
+        return None
+    marked = _strokes(sheet)
+    if not marked.any():
+        remark = "no line on the paper is long enough to be a road"
+        return FoundNetwork(np.zeros((0, 2)), (), marked, "paper", (remark,))
+    if marked.mean() > _MOST_INK:
+        return None
+    between = between_lines(marked)
+    if between is not None:
+        return roads_of_surface(between, "edge lines on paper", width=width)
+    surface = cv2.GaussianBlur(marked.astype(np.float32), (0, 0), 0.8)
+    return roads_of_surface(surface, "line on paper", width=width)
+
+
+def _light(image: Image) -> Layer:
+    """How bright the sheet is at each pixel (h, w, 3): the picture without its thin dark parts."""
+    scale = min(1.0, _SMALL / max(image.shape[:2]))
+    size = (max(1, round(image.shape[1] * scale)), max(1, round(image.shape[0] * scale)))
+    small = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+    side = 2 * (min(size) // (2 * _BROADEST)) + 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
+    closed = cv2.morphologyEx(small, cv2.MORPH_CLOSE, kernel)
+    smooth = cv2.GaussianBlur(closed.astype(np.float32), (0, 0), side / 4)
+    return np.asarray(cv2.resize(smooth, image.shape[1::-1], interpolation=cv2.INTER_LINEAR))
+
+
+def _strokes(sheet: Sheet) -> Booleans:
+    """Where long strokes are (h, w)."""
+    least = max(_NOISE * sheet.noise, _FAINTEST)
+    ink = without_ruling(sheet.ink, least)
+    seen = ink[ink > least]
+    if not len(seen):
+        return np.zeros(ink.shape, bool)
+    dark = float(np.quantile(seen, 1 - _TOP))
+    marked = hysteresis(ink, max(least, _STRONG * dark), max(least, _WEAK * dark))
+    count, parts = cv2.connectedComponents(marked.astype(np.uint8), connectivity=8)
+    lengths = np.bincount(parts[skeleton(marked)], minlength=count)
+    side = min(marked.shape)
+    long = lengths >= _SHORTEST * side
+    long[0] = False
+    if lengths[long].sum() < _LITTLE * side:
+        return np.zeros(marked.shape, bool)
+    return np.asarray(long[parts])

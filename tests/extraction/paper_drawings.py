@@ -1,0 +1,46 @@
+"""Drawings on paper as a camera sees them: unevenly lit, noisy, maybe ruled."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+_SHAPE = (360, 480)
+INK = (70, 40, 30)
+RULING = (215, 180, 150)
+
+
+def wave() -> np.ndarray:
+    """A line (n, 2) across the sheet, pixels."""
+    x = np.linspace(40, 440, 200)
+    return np.column_stack([x, 180 + 70 * np.sin(x / 70)])
+
+
+def sheet() -> np.ndarray:
+    """Blank paper (h, w, 3) BGR."""
+    return np.full((*_SHAPE, 3), (236, 240, 240), np.uint8)
+
+
+def drawn(image: np.ndarray, line: np.ndarray, pen: int = 3) -> np.ndarray:
+    """The line on the image."""
+    points = np.round((line + 0.5) * 16 - 8).astype(np.int32)
+    return np.asarray(cv2.polylines(image.copy(), [points], False, INK, pen, cv2.LINE_AA, 4))
+
+
+def ruled(image: np.ndarray, squared: bool = False) -> np.ndarray:
+    """The sheet with printed lines, slightly turned."""
+    image = image.copy()
+    for k in range(-2, 20):
+        cv2.line(image, (0, 24 * k), (480, 24 * k + 14), RULING, 1, cv2.LINE_AA)
+        if squared:
+            cv2.line(image, (24 * k, 0), (24 * k - 10, 360), RULING, 1, cv2.LINE_AA)
+    return image
+
+
+def photographed(image: np.ndarray, seed: int = 1) -> np.ndarray:
+    """The sheet in light that falls off to one side, with a shadow across it, and noise."""
+    rng = np.random.default_rng(seed)
+    y, x = np.mgrid[: _SHAPE[0], : _SHAPE[1]]
+    light = 1 - 0.35 * x / _SHAPE[1] - 0.25 / (1 + np.exp(-(x - 250 + 0.5 * y) / 12))
+    lit = image * light[..., None] + rng.normal(0, 3, (*_SHAPE, 1))
+    return np.clip(lit, 0, 255).astype(np.uint8)

@@ -1,0 +1,103 @@
+"""Roads drawn on paper and photographed."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang.ir.picture import Picture
+from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.edges import normals
+from roadlang_standard.extraction.open_edges import with_closed_ends
+from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
+from roadlang_standard.extraction.ruling import without_ruling
+from tests.extraction.paper_drawings import drawn, photographed, ruled, sheet, wave
+from training.rendering.aerial import render_aerial
+
+
+def distances(points: np.ndarray, line: np.ndarray) -> np.ndarray:
+    return np.asarray(np.hypot(*(points[:, None] - line[None]).transpose(2, 0, 1)).min(axis=1))
+
+
+def assert_one_road_along(image: np.ndarray, line: np.ndarray) -> None:
+    found = roads_on_paper(image)
+    assert found is not None
+    (road,) = found.roads
+    assert np.quantile(distances(road.points, line), 0.95) < 3
+    assert np.quantile(distances(line, road.points), 0.95) < 3
+
+
+def assert_no_road(image: np.ndarray) -> None:
+    found = roads_on_paper(image)
+    assert found is not None
+    assert found.roads == ()
+    assert found.remarks == ("no line on the paper is long enough to be a road",)
+
+
+@pytest.mark.parametrize("pen", [2, 3, 12])
+def test_a_line_in_uneven_light_is_a_road(pen: int) -> None:
+    assert_one_road_along(photographed(drawn(sheet(), wave(), pen)), wave())
+
+
+@pytest.mark.parametrize("squared", [False, True])
+def test_printed_lines_of_the_paper_are_no_roads(squared: bool) -> None:
+    assert_one_road_along(photographed(drawn(ruled(sheet(), squared), wave())), wave())
+    assert_no_road(photographed(ruled(sheet(), squared)))
+
+
+def test_two_lines_side_by_side_are_the_edges_of_one_road_with_open_ends() -> None:
+    aside = 14 * normals(wave())
+    image = photographed(drawn(drawn(sheet(), wave() + aside), wave() - aside))
+    assert_one_road_along(image, wave())
+    found = roads_on_paper(image)
+    assert found is not None
+    assert np.median(found.roads[0].widths) == pytest.approx(28, abs=3)
+
+
+def test_letters_are_no_roads() -> None:
+    image = sheet()
+    for row in range(40, 340, 30):
+        place, font = (30, row), cv2.FONT_HERSHEY_SIMPLEX
+        cv2.putText(image, "some words, not roads", place, font, 0.6, (40, 40, 40), 1, cv2.LINE_AA)
+    assert_no_road(photographed(image))
+
+
+def test_photos_from_above_and_drawings_made_on_a_screen_are_no_sheets() -> None:
+    assert sheet_of(render_aerial("curve", 901, 256).image) is None
+    assert sheet_of(drawn(sheet(), wave())) is None
+
+
+def test_only_what_is_darker_than_a_printed_line_stays_upon_it() -> None:
+    ink = np.zeros((100, 200), np.float32)
+    ink[10::15] = 0.3
+    ink[:, 98:103] = 0.8
+    cleaned = without_ruling(ink, 0.1)
+    assert cleaned[:, 98:103].min() == pytest.approx(0.8)
+    assert not cleaned[:, :98].any()
+    assert not cleaned[:, 103:].any()
+
+
+def test_few_straight_lines_are_not_printed() -> None:
+    ink = np.zeros((100, 200), np.float32)
+    ink[20::30] = 0.3
+    assert (without_ruling(ink, 0.1) == ink).all()
+
+
+def test_ends_are_closed_only_between_lines_that_run_the_same_way_abreast() -> None:
+    ink = np.zeros((100, 200), bool)
+    ink[40:43, 20:180] = True
+    assert with_closed_ends(ink, 3.0) is None
+    ink[60:63, 20:180] = True
+    closed = with_closed_ends(ink, 3.0)
+    assert closed is not None
+    assert closed[40:63, 21].all()
+    assert closed[40:63, 178].all()
+    assert not closed[50, 40:160].any()
+
+
+def test_auto_says_that_a_picture_is_a_drawing_on_paper() -> None:
+    found = Auto().extract(Picture(photographed(drawn(sheet(), wave())), 0.5))
+    assert found.remarks[0] == "read as a drawing on paper"
+    length = np.hypot(*np.diff(wave(), axis=0).T).sum()
+    assert found.network.edges[0].length == pytest.approx(0.5 * length, rel=0.02)
