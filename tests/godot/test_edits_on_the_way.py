@@ -207,22 +207,15 @@ def test_an_agent_that_has_left_the_text_is_gone_and_who_comes_has_its_own_state
 
 
 def test_whoever_drives_on_a_surface_that_was_edited_has_its_grip(edited: Edited) -> None:
-    """Braking with 4 m/s^2 on asphalt is little more than 1 m/s^2 on ice."""
-    brake = (
-        "agent ego is car on main at 5m { start_speed: 15m/s, drive with stanley { speed: 15m/s }"
-    )
-    stop = " drive with brake { deceleration: 4m/s^2, when: time > 1s }"
-    edited.edit(lambda text: re.sub(r"agent ego .*\n", f"{brake}{stop} }}\n", text))
-    edited.edit(toggled_after("width: 8m, lanes: 2", ", surface: ice"))
-    edited.drive(2.5)
-    trace = edited.live.trace()
-    assert trace is not None
-    ego, time = trace.agents["ego"], trace.time
-    braking = (ego.speed[0] - ego.speed[-1]) / (time[-1] - time[0])
-    assert 0.3 < braking < 2.0
-    edited.edit(toggled_after("width: 8m, lanes: 2", ", surface: ice"))
+    """Braking with 8 m/s^2 on asphalt is 3 m/s^2 on snow, and less than 5.5 beside the road."""
+    edited.edit(toggled_after("width: 8m, lanes: 2", ", surface: snow"))
+    fast = "start_speed: 15m/s, drive with stanley { speed: 15m/s }"
+    stop = "drive with brake { deceleration: 8m/s^2 }"
+    ego_line = f"agent ego is car on main at 5m {{ {fast} {stop} }}\n"
+    edited.edit(lambda text: re.sub(r"agent ego .*\n", ego_line, text))
     edited.drive(0.8)
     trace = edited.live.trace()
     assert trace is not None
     ego, time = trace.agents["ego"], trace.time
-    assert (ego.speed[0] - ego.speed[-1]) / (time[-1] - time[0]) > 2.5
+    assert ego.speed[0] > 10.0
+    assert 1.0 < (ego.speed[0] - ego.speed[-1]) / (time[-1] - time[0]) < 5.5
