@@ -78,3 +78,13 @@ def test_lanes_that_begin_at_a_link_have_no_lane_before_them(tmp_path: Path) -> 
     assert found.root.find("junction") is None
     links = {id: found.roads[2].lane(id).find("link/predecessor") for id in (1, -1, -2)}
     assert {id: one is not None for id, one in links.items()} == {1: True, -1: True, -2: False}
+
+
+def test_an_end_at_two_joints_has_no_direct_link(tmp_path: Path) -> None:
+    """As where a road ends at both ends of a loop."""
+    first = straight(1, 0, 0, inside=link(successor="road 2 start"))
+    other = straight(3, 60, 0, inside=link(predecessor="road 1 end"))
+    found, _ = emitted(tmp_path, first, SECOND, other)
+    assert len(list(found.root.iterfind("junction"))) == 2
+    ways = found.root.iterfind("road[@junction='-1']/link/*[@elementType='road']")
+    assert list(ways) == []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
@@ -42,8 +43,12 @@ def direct_links(scene: Scene) -> Links:
     """
     roads = {road.name: road for road in built_roads(scene)}
     found: dict[tuple[str, End], DirectLink] = {}
-    for _, junction in built_junctions(scene):
-        if junction.kind != "joint" or len({arm.road for arm in junction.arms}) != 2:
+    junctions = [junction for _, junction in built_junctions(scene)]
+    met = Counter((arm.road, arm.end) for junction in junctions for arm in junction.arms)
+    for junction in junctions:
+        # An end at two joints, as where both ends of a loop meet one road, leads to a junction.
+        alone = all(met[arm.road, arm.end] == 1 for arm in junction.arms)
+        if junction.kind != "joint" or not alone or len({a.road for a in junction.arms}) != 2:
             continue
         (one, end), (other, other_end) = ((arm.road, arm.end) for arm in junction.arms)
         lanes = _continued(roads[one], end, roads[other], other_end)
