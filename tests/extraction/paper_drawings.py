@@ -43,4 +43,4 @@ def photographed(image: np.ndarray, seed: int = 1) -> np.ndarray:
     y, x = np.mgrid[: _SHAPE[0], : _SHAPE[1]]
     light = 1 - 0.35 * x / _SHAPE[1] - 0.25 / (1 + np.exp(-(x - 250 + 0.5 * y) / 12))
     lit = image * light[..., None] + rng.normal(0, 3, (*_SHAPE, 1))
-    return np.clip(lit, 0, 255).astype(np.uint8)
+    return np.asarray(np.clip(lit, 0, 255), np.uint8)

@@ -22,6 +22,8 @@ def test_no_car_begins_in_a_bend_that_it_cannot_steer_through() -> None:
         (road,) = scene.record.roads
         stations, heading = np.array(road.stations), np.unwrap(road.heading)
         for car in scene.record.agents:
+            assert car.start is not None
+            assert car.offset is not None
             around = np.interp([car.start - 1.0, car.start + 1.0], stations, heading)
             bend = float(np.diff(around)[0]) / 2.0
             assert abs(bend / (1.0 - bend * car.offset)) < 0.27

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from ..diagnostics import Span
 from .dimension import Dimension
 from .read_only import FrozenDict
-from .values import NO_OPTIONS, NO_SPANS, UNWRITTEN, Condition, Options, PassCall, Value
+from .schema import UNWRITTEN
+from .values import NO_OPTIONS, NO_SPANS, Condition, Options, PassCall, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
 
