@@ -15,6 +15,8 @@ _RIBBONS, _EVEN, _SPREAD, _WIDEST = 0.7, 0.5, 1.95, 0.12
 """What makes a tone a road's: least share of its surface in ribbons, and of its length of even
 width; most that wide parts exceed the usual width; and most width, as a share of the shorter
 side."""
+_ALSO_EVEN = 0.3
+"""Least share of even width of further roads: names hide more of roads that are few."""
 _LEAST = 0.5
 """Least length of roads, as a share of the picture's shorter side."""
 _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 220 / 360
@@ -40,13 +42,14 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         for tone in tones
         if tone is not land
         and tone.ribbons >= _RIBBONS
-        and tone.even >= _EVEN
+        and tone.even >= _ALSO_EVEN
         and tone.spread <= _SPREAD
         and tone.width <= _WIDEST * side
     ]
-    if not ribbons:
+    even = [tone for tone in ribbons if tone.even >= _EVEN]
+    if not even:
         return []
-    main = max(ribbons, key=lambda tone: tone.length * tone.ribbons * tone.even)
+    main = max(even, key=lambda tone: tone.length * tone.ribbons * tone.even)
     if main.length < _LEAST * side:
         return []
     others = [
