@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from roadlang.ir.scene import Scene
+from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.ir.scene_junctions import (
     SceneArm,
     SceneConnection,
@@ -231,9 +231,10 @@ def junction(*connections: SceneConnection, **changes: Any) -> SceneJunction:
     return replace(plain, **changes)
 
 
-def painted(place: SceneJunction) -> list[Shape]:
-    trimmed = replace(bend(), roads=(straight(trim=(0.0, 20.0)),))
-    return of(paint(trimmed, [place], PAGE), "path")
+def painted(place: SceneJunction, road: SceneRoad | None = None) -> list[Shape]:
+    """What is painted on the road at a junction, without the edge lines around its corners."""
+    trimmed = replace(bend(), roads=(road or straight(trim=(0.0, 20.0)),))
+    return of(paint(trimmed, [replace(place, arms=())], PAGE), "path")
 
 
 STOP = SceneControl("stop", minor=("main",))
@@ -283,18 +284,24 @@ def test_an_arrow_lies_9_meters_before_the_stop_line_in_the_middle_of_its_lane()
 
 
 def test_an_arrow_at_the_start_of_a_road_points_to_the_start() -> None:
-    trimmed = replace(bend(), roads=(straight(trim=(20.0, 0.0)),))
     line = ((20.0, 25.0), (20.0, 29.0))
     both = [replace(connection(i, lane=i, end="start"), stop_line=line) for i in (1, 2)]
-    shaft = of(paint(trimmed, [junction(*both)], PAGE), "path")[0]
+    shaft = painted(junction(*both), straight(trim=(20.0, 0.0)))[0]
     assert ends(shaft) == near(290 + 16, 230, 290 - 10, 230)
 
 
 @pytest.mark.parametrize(("trim", "count"), [(85.9, 4), (86.1, 0)])
 def test_a_road_shorter_than_14_meters_has_no_room_for_arrows(trim: float, count: int) -> None:
-    short = replace(bend(), roads=(straight(trim=(0.0, trim)),))
     place = junction(connection(1), connection(2, lane=-2))
-    assert len(of(paint(short, [place], PAGE), "path")) == count
+    assert len(painted(place, straight(trim=(0.0, trim)))) == count
+
+
+def test_the_edge_line_goes_around_the_corners_of_a_junction() -> None:
+    place = junction(connection(1))
+    trimmed = replace(bend(), roads=(straight(trim=(0.0, 20.0)),))
+    (line,) = of(paint(trimmed, [place], PAGE), "path")
+    assert ends(line) == near(802.5, 210, 802.5, 290)
+    assert line.get("stroke-dasharray") is None
 
 
 def turned(turn: str) -> tuple[list[float], list[float]]:

@@ -65,7 +65,7 @@ HABITS = [
     ("agent a is car on main at 5m { speed: 10m/s }", "RL220", "drive with pure_pursuit", None),
     ("agent a is car on main at 5m { drive: stanley }", "RL220", "`drive with KIND", None),
     ("agent a is car on main at 5m { sense with lidar }", "RL210", "`sense with ranges`", None),
-    ("agent a is car on main at 5m { sense with lid }", "RL210", "`sense` are `camera`", None),
+    ("agent a is car on main at 5m { sense with lid }", "RL210", "`sense` are `boxes`", None),
     ("agent a is car on main at 5m { length: 0m }", "RL208", "write more than `0m`", None),
     ("world { friction: 3 }", "RL208", "more than `0` and at most `2`", None),
     ("agent a is car on main", "RL236", "`at 20m`", None),
