@@ -89,6 +89,7 @@ OPTIONAL = {
     "numba": "the extra `fast`: motion of the embedded engine, compiled",
     "onnxruntime": "the extra `onnx`: policy networks that drive",
     "pandas": "traces as data frames, for those who have it",
+    "pyproj": "the extra `maps`: grids of pictures other than UTM",
     "pytest": "the fixture of `roadlang.testing`",
 }
 
