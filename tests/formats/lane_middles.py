@@ -17,7 +17,7 @@ _NARROW = 0.1
 
 def lane_middles(scene: Scene, tolerance: float = 0.005, every: int = 1) -> Iterator[LanePoint]:
     """At every nth station of every lane that is built."""
-    for part in road_parts(scene, tolerance):
+    for part in road_parts(scene, tolerance, "one_way_roads"):
         stations = part.stations[::every]
         table = np.column_stack((part.road.stations, part.road.x, part.road.y, part.road.heading))
         if part.road.closed:

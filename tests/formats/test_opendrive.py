@@ -136,22 +136,45 @@ def test_a_turn_begins_and_ends_in_the_middle_of_its_lanes(name: str) -> None:
             assert turn.width(lane, s) == pytest.approx(other.width(id, at), abs=2e-3)
 
 
-@pytest.mark.parametrize("left_hand", [False, True])
-def test_lanes_of_the_right_run_along_the_road_in_right_hand_traffic(left_hand: bool) -> None:
-    """And turns lead from lanes that run to the junction to lanes that run from it."""
-    side = "left" if left_hand else "right"
-    _, file = exported(f"{CROSSING % 'lanes: 2'}world {{ traffic: {side} }}")
-    for road in file.roads.values():
-        assert road.element.attrib["rule"] == ("LHT" if left_hand else "RHT")
-        if road.junction == -1:
-            continue
-        source = road.element.find("link/predecessor")
+@pytest.mark.parametrize(
+    ("side", "left_hand"), [("right", "rule"), ("left", "rule"), ("left", "one_way_roads")]
+)
+def test_turns_lead_along_the_lanes_that_the_rule_of_each_road_says(
+    side: str, left_hand: str
+) -> None:
+    """From lanes that run to the junction to lanes that run from it. Tools that do not know
+    left-hand traffic drive on the right of each road all the same."""
+    scene, file = exported(
+        f"{CROSSING % 'lanes: 4'}world {{ traffic: {side} }}", left_hand=left_hand
+    )
+    on_left = (side, left_hand) == ("left", "rule")
+    (junction,) = scene.networks[0].junctions
+    turns = [road for road in file.roads.values() if road.junction != -1]
+    assert len(turns) == len(junction.connections)
+    assert {road.element.attrib["rule"] for road in file.roads.values()} == {
+        "LHT" if on_left else "RHT"
+    }
+    for road in turns:
         (lane,) = (id for id in road.lane_ids() if id)
-        linked = road.lane(lane).find("link/predecessor")
-        assert source is not None
-        assert linked is not None
-        runs_along = (int(linked.attrib["id"]) > 0) == left_hand
-        assert runs_along == (source.attrib["contactPoint"] == "end")
+        for tag, contact in (("predecessor", "end"), ("successor", "start")):
+            end, linked = road.element.find(f"link/{tag}"), road.lane(lane).find(f"link/{tag}")
+            assert end is not None
+            assert linked is not None
+            runs_along = (int(linked.attrib["id"]) > 0) == on_left
+            assert runs_along == (end.attrib["contactPoint"] == contact)
+
+
+def test_in_left_hand_traffic_roads_whose_lanes_are_on_the_right_stay_so() -> None:
+    """As those of a map of a country with right-hand traffic."""
+    text = "left: [drive], right: [drive, sidewalk] }"
+    main = "road main { draw with waypoints { points: [(0m, 0m), (90m, 20m)] }, " + text
+    scene = testing.sample(main)[0].record
+    wrong = replace(scene, world={**scene.world, "traffic": "left"})
+    (road,), (same,) = (tuple(read(found).roads.values()) for found in (scene, wrong))
+    assert same.element.attrib["rule"] == road.element.attrib["rule"] == "RHT"
+    assert [lane.attrib for lane in same.element.iter("lane")] == [
+        lane.attrib for lane in road.element.iter("lane")
+    ]
 
 
 def test_lanes_of_a_one_way_road_all_lie_on_the_side_of_their_traffic() -> None:
@@ -202,12 +225,14 @@ def test_lights_are_switched_together_and_stand_beside_their_lanes() -> None:
 def test_signs_stand_at_the_roads_that_stop() -> None:
     scene, file = exported(ROADS["left-hand crossing"])
     minor = scene.networks[0].junctions[0].control.minor
-    signs = {
-        road.element.attrib["name"]: [s.attrib["type"] for s in road.element.iter("signal")]
+    signs = [
+        (road.element.attrib["name"], sign.attrib["type"], number(sign, "t") > 0.0)
         for road in file.roads.values()
-    }
-    assert {name for name, types in signs.items() if types} == set(minor)
-    assert {kind for types in signs.values() for kind in types} == {"206"}
+        for sign in road.element.iter("signal")
+    ]
+    assert {name for name, _, _ in signs} == set(minor)
+    # They stand on the left of those who read them.
+    assert {(kind, on_left) for _, kind, on_left in signs} == {("206", True)}
 
 
 def test_objects_stand_where_the_scene_has_them() -> None:

@@ -79,7 +79,7 @@ def test_reference_lines_keep_to_the_roads_with_few_pieces(written: list[Written
     pieces, meters = 0, 0.0
     for item in written:
         file = ReadFile.of(item.file.read_text(encoding="utf-8"))
-        for part in road_parts(item.scene, 0.005):
+        for part in road_parts(item.scene, 0.005, "one_way_roads"):
             read = file.roads[part.id]
             count = max(2, int(read.length / 0.5))
             line = LineString([read.pose(read.length * k / count)[:2] for k in range(count + 1)])

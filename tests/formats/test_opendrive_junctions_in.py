@@ -136,6 +136,36 @@ network town from plan { lanes: 1 }''')[0].record
     assert len(junction.arms) == 4
 
 
+def test_roads_of_left_hand_traffic_that_were_parted_are_whole_again(tmp_path: Path) -> None:
+    """`emit opendrive` writes a road for each direction, or roads with `rule="LHT"`."""
+    scene = testing.sample('''image plan from """
+...#...
+#######
+...#...
+""" { scale: 30m/px }
+network town from plan { lanes: 4, sidewalks: 2m, control with stop }
+world { traffic: left }''')[0].record
+    seen = []
+    for written in ("one_way_roads", "rule"):
+        text = OpenDriveBackend(left_hand=written).files(scene)["xodr"]
+        found = sampled(tmp_path, text, "\nworld { traffic: left }")
+        roads = {road.name: place for place, road in enumerate(found.roads)}
+        (junction,) = found.networks[0].junctions
+        seen.append(
+            (
+                [(road.x, road.y, road.center_marking, road.lane_list) for road in found.roads],
+                {(roads[a], lane, roads[b], to) for a, lane, b, to in turns_of(found)},
+                {roads[name] for name in junction.control.minor},
+            )
+        )
+    assert seen[0] == seen[1]
+    before, after = scene.roads[0].lane_list, seen[0][0][0][3]
+    assert [(lane.id, lane.kind, lane.direction, lane.marking) for lane in after] == [
+        (lane.id, lane.kind, lane.direction, lane.marking) for lane in before
+    ]
+    assert len(seen[0][1]) == len(scene.networks[0].junctions[0].connections)
+
+
 @pytest.mark.parametrize("rule", ["signals", "stop", "yield", "all_way_stop"])
 @pytest.mark.parametrize("lanes", [1, 2])
 def test_lights_and_signs_say_who_goes_first(tmp_path: Path, rule: str, lanes: int) -> None:

@@ -151,8 +151,7 @@ def test_scenic_samples_the_programs_without_a_rejection(tmp_path: Path) -> None
                 continue
             on = answer["lanes"][actor.name]
             assert on is not None, (name, actor.name)
-            if name != "left-hand":  # where Scenic takes lanes to run the other way
-                assert on[1] < 0.3, (name, actor.name)
+            assert on[1] < 0.3, (name, actor.name)
 
 
 def test_a_pedestrian_on_a_lane_may_be_there() -> None:

@@ -30,6 +30,11 @@ class OpenDriveBackend(Backend):
     geo_reference: String = option(
         "", help="a PROJ string that says where on Earth the origin is; without one, nowhere"
     )
+    left_hand: Literal["one_way_roads", "rule"] = option(
+        "one_way_roads",
+        help="left-hand traffic: a road for each direction, which all tools drive, or roads with "
+        '`rule="LHT"`, which CARLA, netconvert and Scenic do not know',
+    )
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
         """It is of roads."""
@@ -39,4 +44,5 @@ class OpenDriveBackend(Backend):
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .opendrive.document import document
 
-        return {"xodr": document(scene, self.version, self.tolerance, self.geo_reference)}
+        text = document(scene, self.version, self.tolerance, self.geo_reference, self.left_hand)
+        return {"xodr": text}

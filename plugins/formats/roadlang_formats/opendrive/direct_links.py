@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 
 from ..surfaces.built import built_junctions, built_roads, is_loop
-from .both_ways import shared_lane
+from .carriageways import shared_lane
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneJunction, SceneRoad

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 from xml.etree.ElementTree import Element, indent, tostring
 
 import numpy as np
 
 from roadlang_formats.opendrive_map.both_ways import REVERSE_OF
+from roadlang_formats.opendrive_map.left_hand import LEFT_HAND_OF
 from roadlang_formats.place_on_earth import map_origin
 
 from .connecting_roads import ConnectingRoad, put_connecting_road
@@ -17,7 +18,7 @@ from .junctions import end_roads, numbered_junctions, put_junction
 from .lanes import put_lanes
 from .objects import objects_by_part, put_objects
 from .reference import put_elevation, put_plan_view
-from .road_parts import OpenDriveRoad, road_parts
+from .road_parts import LeftHand, OpenDriveRoad, road_parts
 from .signals import put_controllers, put_signals, signals
 
 if TYPE_CHECKING:
@@ -29,12 +30,14 @@ _DATE = "1970-01-01T00:00:00"
 """The format demands one; files of the same scene are to be equal."""
 
 
-def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -> str:
+def document(
+    scene: Scene, version: str, tolerance: float, geo_reference: str, left_hand: LeftHand
+) -> str:
     """The file of a scene. Roads keep to their curves within `tolerance` (meters)."""
-    left_hand = scene.world.get("traffic") == "left"
-    rule = "LHT" if left_hand else "RHT"
-    parts = road_parts(scene, tolerance)
-    junctions = numbered_junctions(scene, parts)
+    on_left = scene.world.get("traffic") == "left"
+    rule = turn_rule(scene, left_hand)
+    parts = road_parts(scene, tolerance, left_hand)
+    junctions = numbered_junctions(scene, parts, rule)
     lights = signals(junctions)
     ends = end_roads(junctions)
     things = objects_by_part(scene.objects, [part for part in parts if part.reverse_of is None])
@@ -42,16 +45,17 @@ def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -
     _put_header(root, scene, parts, version, geo_reference)
     for part in parts:
         road = put(root, "road", name=_name(part), length=part.line.length, id=part.id, junction=-1)
-        road.set("rule", rule)
+        road.set("rule", part.rule)
         _put_links(road, part, ends)
         _put_types(road, part)
         put_plan_view(road, part.line.pieces)
         put_elevation(road, _heights(part))
         put_lanes(road, part, version)
         put_objects(road, part, things.get(part.id, ()))
-        put_signals(road, part, lights, left_hand)
+        put_signals(road, part, lights, on_left)
         if part.reverse_of is not None:
-            put(road, "userData", code=REVERSE_OF, value=part.reverse_of)
+            code = REVERSE_OF if part.shares_lane else LEFT_HAND_OF
+            put(road, "userData", code=code, value=part.reverse_of)
     for junction in junctions:
         for connecting in junction.roads:
             put_connecting_road(root, connecting, rule, _speed(connecting))
@@ -60,6 +64,11 @@ def document(scene: Scene, version: str, tolerance: float, geo_reference: str) -
         put_junction(root, junction, controllers.get(junction.id, ()))
     indent(root, " ")
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, encoding="unicode") + "\n"
+
+
+def turn_rule(scene: Scene, left_hand: LeftHand) -> Literal["RHT", "LHT"]:
+    """That of the roads through junctions."""
+    return "LHT" if scene.world.get("traffic") == "left" and left_hand == "rule" else "RHT"
 
 
 def _put_header(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 from xml.etree.ElementTree import Element
 
 from .connecting_roads import ConnectingRoad, RoadEnd
@@ -33,12 +33,13 @@ class NumberedJunction:
 
 
 def numbered_junctions(
-    scene: Scene, parts: Sequence[OpenDriveRoad]
+    scene: Scene, parts: Sequence[OpenDriveRoad], rule: Literal["RHT", "LHT"]
 ) -> tuple[NumberedJunction, ...]:
-    """Junctions have numbers after those of all roads, so that none is the number of both."""
+    """Junctions have numbers after those of all roads, so that none is the number of both. `rule`:
+    that of their roads."""
     ends = PartEnds.of(parts)
     linked = direct_links(scene)
-    lane = 1 if scene.world.get("traffic") == "left" else -1
+    lane = 1 if rule == "LHT" else -1
     found: list[NumberedJunction] = []
     built = [
         (network.name, junction)
@@ -68,8 +69,7 @@ def numbered_junctions(
 
 
 def _end(at: SceneLaneEnd, part: OpenDriveRoad, end: str) -> RoadEnd:
-    lane = part.road.lane_list[0].id if part.reverse_of is not None else at.lane
-    return RoadEnd(part, end, part.numbers.ids[lane])
+    return RoadEnd(part, end, part.lane_ids[at.lane])
 
 
 def put_junction(root: Element, junction: NumberedJunction, controllers: Sequence[int]) -> None:

@@ -6,14 +6,20 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
 from roadlang.geometry import CrossSection, Curve, Floats
 
 from ..surfaces.built import built_roads, is_loop
-from .both_ways import one_way, reversed_road, shared_lane
+from .carriageways import (
+    Carriageway,
+    left_hand_carriageways,
+    one_way,
+    reversed_road,
+    shared_lane,
+)
 from .direct_links import End, Links, direct_links
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import (
@@ -27,10 +33,13 @@ from .plan_view import (
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneRoad
 
+LeftHand: TypeAlias = Literal["one_way_roads", "rule"]
+"""How left-hand traffic is written."""
 _LOOP_PARTS = 3
 """netconvert does not take a road that follows itself, or its own successor."""
 _RETURNING_PARTS = 2
 """Of a road whose ends are at one junction: CARLA does not tell its ends apart there."""
+_ENDS: tuple[End, End] = ("start", "end")
 _SAME = 1e-6
 """Meters between stations that are one."""
 
@@ -57,10 +66,14 @@ class OpenDriveRoad:
     line: ReferenceLine
     section: CrossSection
     numbers: LaneNumbers
+    lane_ids: Mapping[int, int]
+    """ids of OpenDRIVE by those of the lanes of the road in the scene; `road` may have others"""
+    rule: Literal["RHT", "LHT"]
     links: Mapping[End, PartLink] = field(default_factory=dict)
     reverse_of: int | None = None
-    """the part on the same ground whose lane this one has for the other direction; its `road` runs
-    that direction"""
+    """the part with the other direction of the same road of the scene; `road` runs against that"""
+    shares_lane: bool = False
+    """whether its lane is that of the part that it is the reverse of"""
 
     @property
     def arc_lengths(self) -> Floats:
@@ -77,9 +90,9 @@ class OpenDriveRoad:
         return poses_between(whole_turns(self.road), stations)
 
 
-def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
+def road_parts(scene: Scene, tolerance: float, left_hand: LeftHand) -> tuple[OpenDriveRoad, ...]:
     """All roads that are built, from the first number on; none that junctions have swallowed."""
-    left_hand = scene.world.get("traffic") == "left"
+    on_left = scene.world.get("traffic") == "left"
     junctions = [junction for network in scene.networks for junction in network.junctions]
     returning = {
         name
@@ -93,71 +106,113 @@ def road_parts(scene: Scene, tolerance: float) -> tuple[OpenDriveRoad, ...]:
         count = _RETURNING_PARTS if road.name in returning else 1
         if is_loop(road):
             count = _LOOP_PARTS
-        first = len(parts) + 1
-        start, end = road.trim
-        trims = (
-            0.0 if (road.name, "start") in links else start,
-            0.0 if (road.name, "end") in links else end,
+        start, end = (
+            0.0 if (road.name, at) in links else trim
+            for at, trim in zip(_ENDS, road.trim, strict=True)
         )
-        found = _parts(road, trims, count, first, left_hand, tolerance)
-        lane = shared_lane(road.cross_section())
-        if lane is not None:
-            back = reversed_road(road, lane)
-            turned = _parts(back, back.trim, count, first + len(found), left_hand, tolerance)
-            ids = [part.id for part in reversed(found)]
-            found += [replace(part, reverse_of=id) for part, id in zip(turned, ids, strict=True)]
+        cut = _Cut(count, (start, end), tolerance)
+        ways = _ways(road, on_left, left_hand)
+        found = cut.parts(ways.along, len(parts) + 1, ways.on_left)
+        if ways.against is not None:
+            back = replace(cut, trims=(end, start))
+            turned = back.parts(ways.against, len(parts) + len(found) + 1, ways.on_left)
+            found += [
+                replace(part, reverse_of=other.id, shares_lane=ways.share_lane)
+                for part, other in zip(turned, found[::-1], strict=True)
+            ]
         parts += found
-    return tuple(_linked(part, links, PartEnds.of(parts)) for part in parts)
+    ends = PartEnds.of(parts)
+    return tuple(_linked(part, links, ends) for part in parts)
+
+
+@dataclass(frozen=True)
+class _Ways:
+    """A road as one road or two; whether two have the same lane, and whether `on_left` is the rule
+    of their lanes."""
+
+    along: Carriageway
+    against: Carriageway | None
+    share_lane: bool
+    on_left: bool
+
+
+def _ways(road: SceneRoad, on_left: bool, left_hand: LeftHand) -> _Ways:
+    section = road.cross_section()
+    if on_left and lane_numbers(section, left_hand=True).contrary:
+        # Some roads have their lanes as in right-hand traffic, whatever the world says.
+        on_left = bool(lane_numbers(section, left_hand=False).contrary)
+    whole = Carriageway(road, {id: id for id in section.ids})
+    shared = shared_lane(section)
+    if shared is not None:
+        return _Ways(whole, reversed_road(road, shared), True, on_left and left_hand == "rule")
+    parted = left_hand_carriageways(road) if on_left and left_hand == "one_way_roads" else ()
+    if not parted:
+        return _Ways(whole, None, False, on_left)
+    return _Ways(parted[0], parted[1] if len(parted) > 1 else None, False, False)
 
 
 def _linked(part: OpenDriveRoad, links: Links, ends: PartEnds) -> OpenDriveRoad:
     """A part with the roads that follow the road of the scene at its ends."""
     found = dict(part.links)
-    both: tuple[End, ...] = ("start", "end")
-    for end in both:
-        link = links.get((part.road.name, end))
+    opposite: Mapping[End, End] = {"start": "end", "end": "start"}
+    for end in _ENDS:
+        at = end if part.reverse_of is None else opposite[end]
+        link = links.get((part.road.name, at))
         if end in found or link is None:
             continue
-        other, _ = ends.entering(link.road, link.end)
-        ids, others = part.numbers.ids, other.numbers.ids
-        lanes = {ids[lane]: others[after] for lane, after in link.lanes.items()}
-        found[end] = PartLink(other.id, link.end, lanes)
+        follow = ends.entering if end == "end" else ends.leaving
+        other, other_end = follow(link.road, link.end)
+        ids, others = part.lane_ids, other.lane_ids
+        lanes = {
+            ids[lane]: others[after]
+            for lane, after in link.lanes.items()
+            if lane in ids and after in others
+        }
+        if lanes:
+            found[end] = PartLink(other.id, other_end, lanes)
     return replace(part, links=found) if found != part.links else part
 
 
-def _parts(
-    road: SceneRoad,
-    trims: tuple[float, float],
-    count: int,
-    first: int,
-    left_hand: bool,
-    tolerance: float,
-) -> list[OpenDriveRoad]:
-    """Of one direction where the road has a single lane for both."""
-    points = np.column_stack((road.x, road.y))
-    curve = Curve.hermite(points, road.heading, closed=road.closed)
-    stations = whole_turns(road)[:, 0]
-    section = road.cross_section()
-    shared = shared_lane(section)
-    if shared is not None:
-        section = one_way(section, shared)
-    numbers = lane_numbers(section, left_hand)
-    cuts = np.linspace(trims[0], road.length - trims[1], count + 1)
-    same = {id: id for id in numbers.ids.values()}
-    spans = [_between(stations, start, stop) for start, stop in pairwise(cuts)]
-    found: list[OpenDriveRoad] = []
-    for place, at in enumerate(spans):
-        if at is None:
-            continue
-        id = first + place
-        links: dict[End, PartLink] = {}
-        if place or count == _LOOP_PARTS:
-            links["start"] = PartLink(first + (place - 1) % count, "end", same)
-        if place < count - 1 or count == _LOOP_PARTS:
-            links["end"] = PartLink(first + (place + 1) % count, "start", same)
-        fitted = reference_line(SampledLine.of(road, at), tolerance)
-        found.append(OpenDriveRoad(id, road, at, curve, fitted, section, numbers, links))
-    return found
+@dataclass(frozen=True)
+class _Cut:
+    """Into how many parts a road is cut, between how much of it at either end, meters."""
+
+    count: int
+    trims: tuple[float, float]
+    tolerance: float
+
+    def parts(self, way: Carriageway, first: int, on_left: bool) -> list[OpenDriveRoad]:
+        """Of one direction where the road has a single lane for both."""
+        road, count = way.road, self.count
+        points = np.column_stack((road.x, road.y))
+        curve = Curve.hermite(points, road.heading, closed=road.closed)
+        stations = whole_turns(road)[:, 0]
+        section = road.cross_section()
+        shared = shared_lane(section)
+        if shared is not None:
+            section = one_way(section, shared)
+        numbers = lane_numbers(section, on_left)
+        ids = {lane: numbers.ids[other] for lane, other in way.lanes.items()}
+        cuts = np.linspace(self.trims[0], road.length - self.trims[1], count + 1)
+        same = {id: id for id in numbers.ids.values()}
+        spans = [_between(stations, low, high) for low, high in pairwise(cuts)]
+        found: list[OpenDriveRoad] = []
+        for place, at in enumerate(spans):
+            if at is None:
+                continue
+            links: dict[End, PartLink] = {}
+            if place or count == _LOOP_PARTS:
+                links["start"] = PartLink(first + (place - 1) % count, "end", same)
+            if place < count - 1 or count == _LOOP_PARTS:
+                links["end"] = PartLink(first + (place + 1) % count, "start", same)
+            line = reference_line(SampledLine.of(road, at), self.tolerance)
+            rule: Literal["RHT", "LHT"] = "LHT" if on_left else "RHT"
+            found.append(
+                OpenDriveRoad(
+                    first + place, road, at, curve, line, section, numbers, ids, rule, links
+                )
+            )
+        return found
 
 
 @dataclass(frozen=True)
@@ -180,13 +235,13 @@ class PartEnds:
         """Whether a road is written."""
         return (road, "start", False) in self._ends
 
-    def leaving(self, road: str, end: str) -> tuple[OpenDriveRoad, str]:
+    def leaving(self, road: str, end: End) -> tuple[OpenDriveRoad, End]:
         """The part by which traffic leaves a road at this end, and which end of the part it is."""
         if end == "start" and (road, "end", True) in self._ends:
             return self._ends[road, "end", True], "end"
         return self._ends[road, end, False], end
 
-    def entering(self, road: str, end: str) -> tuple[OpenDriveRoad, str]:
+    def entering(self, road: str, end: End) -> tuple[OpenDriveRoad, End]:
         """The part by which traffic enters a road at this end, and which end of the part it is."""
         if end == "end" and (road, "start", True) in self._ends:
             return self._ends[road, "start", True], "start"

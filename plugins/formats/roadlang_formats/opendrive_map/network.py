@@ -97,7 +97,7 @@ def _same(one: tuple[float, float], other: tuple[float, float]) -> bool:
 
 
 def _remarks(record: OpenDriveRecord) -> tuple[str, ...]:
-    sides = {road.left_hand for road in record.roads.values()}
-    if sides == {True}:
+    sides = {road.left_hand for road in record.roads.values() if not road.junction}
+    if sides == {True} or any(road.left_hand_of for road in record.roads.values()):
         return ("the map has left-hand traffic: write `world { traffic: left }`",)
     return ()

@@ -13,6 +13,7 @@ from roadlang_formats.map_xml import MapElement, MapFile
 from .both_ways import REVERSE_OF, with_both_ways
 from .cubics import cubics
 from .lane_records import section_record
+from .left_hand import LEFT_HAND_OF, with_left_hand
 from .records import (
     ConnectionRecord,
     Contact,
@@ -61,7 +62,7 @@ def parsed_map(file: MapFile) -> OpenDriveRecord:
             raise file.fault(element, f"two junctions have the id `{junction.id}`")
         junctions[junction.id] = junction
     record = without_short_roads(OpenDriveRecord(roads, junctions, _origin(file)))
-    return with_both_ways(record)
+    return with_left_hand(with_both_ways(record))
 
 
 def _origin(file: MapFile) -> tuple[float, float] | None:
@@ -111,7 +112,8 @@ def _road(file: MapFile, element: MapElement) -> RoadRecord:
         sections,
         limit,
         _signals(file, element),
-        _reverse_of(element),
+        _user_data(element, REVERSE_OF),
+        _user_data(element, LEFT_HAND_OF),
     )
 
 
@@ -129,12 +131,12 @@ def _signals(file: MapFile, element: MapElement) -> tuple[SignalRecord, ...]:
     )
 
 
-def _reverse_of(element: MapElement) -> str:
-    """What `emit opendrive` says of the second road of a lane for both directions."""
+def _user_data(element: MapElement, code: str) -> str:
+    """What `emit opendrive` says of a road that is one of two."""
     marks = [
         child.attributes.get("value", "")
         for child in element.all("userData")
-        if child.attributes.get("code") == REVERSE_OF
+        if child.attributes.get("code") == code
     ]
     return marks[0] if marks else ""
 

@@ -116,6 +116,8 @@ class RoadRecord:
     reverse_of: str = ""
     """the id of a road on the same ground with a single lane, which this one has for the other
     direction"""
+    left_hand_of: str = ""
+    """the id of the road beside this one with the traffic that comes toward it, on its right"""
 
     def link(self, end: Contact) -> RoadLink | None:
         """What it leads to at this end."""

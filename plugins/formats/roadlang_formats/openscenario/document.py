@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
 from ..opendrive.document import document as opendrive_document
+from ..opendrive.document import turn_rule
 from ..opendrive.elements import put
 from ..opendrive.junctions import NumberedJunction, numbered_junctions
 from ..opendrive.road_parts import road_parts
@@ -44,13 +45,14 @@ class ScenarioFiles:
     @classmethod
     def of(cls, scene: Scene, version: str, road_file: str) -> ScenarioFiles:
         """Of a scene."""
-        parts = road_parts(scene, _TOLERANCE)
-        junctions = numbered_junctions(scene, parts)
+        parts = road_parts(scene, _TOLERANCE, "rule")
+        junctions = numbered_junctions(scene, parts, turn_rule(scene, "rule"))
         return cls(scene, Roads(parts), junctions, version, road_file)
 
     def roads_text(self, version: str) -> str:
         """The OpenDRIVE file. Objects are in the scenario."""
-        return opendrive_document(replace(self.scene, objects=()), version, _TOLERANCE, "")
+        scene = replace(self.scene, objects=())
+        return opendrive_document(scene, version, _TOLERANCE, "", "rule")
 
     def scenario_text(self) -> str:
         """What agents are to do."""

@@ -95,8 +95,7 @@ class ScenicProgram:
 
     def _behavior(self, actor: SceneActor) -> str | None:
         """Where one of Scenic's does what the first controller does from the start."""
-        left_hand = self.scene.world.get("traffic") == "left"
-        if not actor.drive or left_hand or not _drives_with_its_lane(self.scene, actor):
+        if not actor.drive or not _drives_with_its_lane(self.scene, actor):
             return None
         call = actor.drive[0]
         if call.when is not None or call.during is not None:

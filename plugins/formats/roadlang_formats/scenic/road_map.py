@@ -26,7 +26,7 @@ _NARROWEST = 0.1
 
 def road_map(scene: Scene) -> tuple[str, int]:
     """The text of the map, and into how many points each piece of a reference line is to be cut."""
-    root = ElementTree.fromstring(document(scene, "1.8", _TOLERANCE, ""))
+    root = ElementTree.fromstring(document(scene, "1.8", _TOLERANCE, "", "one_way_roads"))
     for road in root.iter("road"):
         for lane in road.iter("lane"):
             if lane.get("type") in _DRIVEN:
