@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import subprocess
 from collections import Counter
 from pathlib import Path
@@ -103,11 +104,19 @@ def _lengths(file: ElementTree.Element, edges: dict[str | None, ElementTree.Elem
                 for lane in edge.iterfind("lane")
                 if lane.get("type") not in _WALKED
             ]
-            mean = sum(float(str(lane.get("length"))) for lane in lanes) / len(lanes)
+            mean = sum(map(_plan_length, lanes)) / len(lanes)
             length = float(str(road.get("length")))
             if abs(mean / length - 1.0) > _SHARE:
                 faults.append(f"road {road.get('id')} is {mean:.2f} m long, not {length:.2f} m")
     return faults
+
+
+def _plan_length(lane: ElementTree.Element) -> float:
+    """netconvert's length, but on a slope that of the plan, as lengths of OpenDRIVE are."""
+    points = [tuple(map(float, point.split(","))) for point in str(lane.get("shape")).split()]
+    if not any(len(point) > 2 for point in points):
+        return float(str(lane.get("length")))
+    return sum(math.dist(one[:2], other[:2]) for one, other in itertools.pairwise(points))
 
 
 def _edges(name: str, edges: dict[str | None, ElementTree.Element]) -> list[ElementTree.Element]:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from roadlang.geometry import poses_along
 from roadlang_formats.emit_opendrive import OpenDriveBackend
-from tests.formats.opendrive_reader import ReadFile
+from tests.formats.opendrive_reader import ReadFile, number
 from tests.formats.read_maps import sampled, turns_of
 from tests.formats.small_maps import (
     TWO_WAY,
@@ -88,3 +90,20 @@ def test_an_end_at_two_joints_has_no_direct_link(tmp_path: Path) -> None:
     assert len(list(found.root.iterfind("junction"))) == 2
     ways = found.root.iterfind("road[@junction='-1']/link/*[@elementType='road']")
     assert list(ways) == []
+
+
+def test_the_pieces_of_a_map_come_out_as_they_went_in(tmp_path: Path) -> None:
+    """Short ones too, and wherever one becomes another: netconvert cuts roads off at joints where
+    a cubic stands in for the line before them."""
+    curvatures, lengths = (0.0, -0.1, -0.12, 0.0), (0.21, 7.9591, 6.0107, 43.3)
+    pose, s, pieces = np.array([5.0, 3.0, 0.4]), 0.0, ""
+    for curvature, length in zip(curvatures, lengths, strict=True):
+        shape = f'<arc curvature="{curvature}"/>' if curvature else "<line/>"
+        x, y, heading = pose.tolist()
+        pieces += piece(s, x, y, heading, length, shape)
+        pose = poses_along(pose, (curvature, curvature), np.array([0.0, length]))[-1]
+        s += length
+    found, _ = emitted(tmp_path, road(1, s, pieces))
+    written = found.roads[1].pieces()
+    assert [item[0].tag for item in written] == ["line", "arc", "arc", "line"]
+    assert [number(item, "length") for item in written] == pytest.approx(lengths, abs=1e-4)

@@ -5,25 +5,18 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from roadlang.geometry import Floats, poses_along
 
 from .pieces import FLATTEST_ARC, ReferencePiece, along_cubic, cubic, cubic_length, pose_on
+from .sampled_line import EXACT, STRAIGHT, SampledLine
 
-if TYPE_CHECKING:
-    from roadlang.api import SceneRoad
-
-_EXACT = 1e-5
-"""Meters: what is nearer to a line, arc or clothoid is one."""
 _ALONG = 1e-3
 """Meters by which stations on such a piece may be off along it."""
 _STRETCHED = 1e-3
 """Share by which its length may differ from that of the stations."""
-_STRAIGHT = 1e-7
-"""1/m: what bends less does not, and curvatures that differ by less are one."""
 _ALL_BUT_STRAIGHT = 1e-6
 """1/m: from what bends less on the average, no length can be told."""
 _TURNED = 2e-3
@@ -32,57 +25,6 @@ _LONGEST = 100.0
 """Meters of a cubic."""
 _WORTH_IT = 5.0
 """Meters from which on an exact piece is preferred to a longer cubic."""
-
-
-@dataclass(frozen=True)
-class SampledLine:
-    """Stations (n,), poses (n, 3) there, curvatures (n,), and the poses (n - 1, 3) in between."""
-
-    stations: Floats
-    poses: Floats
-    curvature: Floats
-    between: Floats
-
-    @classmethod
-    def of(cls, road: SceneRoad, stations: Floats) -> SampledLine:
-        """Of a road of a scene, exactly as it has them where the stations are its own."""
-        middles = (stations[1:] + stations[:-1]) / 2.0
-        at, curvature = whole_turns(road), np.array(road.curvature)
-        if road.closed:
-            curvature = np.append(curvature, curvature[0])
-        return cls(
-            stations,
-            poses_between(at, stations),
-            np.interp(stations, at[:, 0], curvature),
-            poses_between(at, middles),
-        )
-
-
-def whole_turns(road: SceneRoad) -> Floats:
-    """(n, 4) station, x, y and heading of all points of a road; a loop ends where it begins."""
-    table = np.column_stack((road.stations, road.x, road.y, road.heading))
-    if not road.closed:
-        return table
-    turn = 2.0 * np.pi * np.round((table[-1, 3] - table[0, 3]) / (2.0 * np.pi))
-    return np.vstack((table, (road.length, *table[0, 1:3], table[0, 3] + turn)))
-
-
-def poses_between(table: Floats, stations: Floats) -> Floats:
-    """(n, 3) poses at stations (n,): cubics between the rows of station, x, y and heading."""
-    after = np.clip(np.searchsorted(table[:, 0], stations), 1, len(table) - 1)
-    one, other = table[after - 1], table[after]
-    length = (other[:, 0] - one[:, 0])[:, None]
-    p = ((stations - one[:, 0]) / length[:, 0])[:, None]
-    leaves, enters = (np.column_stack((np.cos(r[:, 3]), np.sin(r[:, 3]))) for r in (one, other))
-    step = (other - one)[:, 1:3]
-    c = 3.0 * step - length * (2.0 * leaves + enters)
-    d = length * (leaves + enters) - 2.0 * step
-    points = one[:, 1:3] + p * (length * leaves + p * (c + p * d))
-    slope = length * leaves + p * (2.0 * c + 3.0 * p * d)
-    near = one[:, 3] + p[:, 0] * (other[:, 3] - one[:, 3])
-    heading = np.arctan2(slope[:, 1], slope[:, 0])
-    heading += 2.0 * np.pi * np.round((near - heading) / (2.0 * np.pi))
-    return np.column_stack((points, heading))
 
 
 @dataclass(frozen=True)
@@ -126,9 +68,30 @@ def _longest(
     exact = _reach(line, first, lambda end: _is_clothoid(line, first, end))
     free = max(first + 1, _reach(line, first, lambda end: _is_cubic(line, first, end, tolerance)))
     span = line.stations[exact] - line.stations[first]
-    if exact >= free or span >= _WORTH_IT:
+    free = _before_exact(line, first, free)
+    if exact >= free or span >= _WORTH_IT or _is_followed(line, first, exact):
         return exact, lambda end, s: _clothoid(line, first, end, s)
     return free, lambda end, s: _cubic(line, first, end, s)
+
+
+def _before_exact(line: SampledLine, first: int, free: int) -> int:
+    """Where the cubic that could end at `free` is to end: where a line or an arc begins that is
+    worth it and reaches farther."""
+    beyond = min(free + 1, len(line.stations) - 1)
+    even = np.abs(line.curvature[first:beyond] - line.curvature[beyond - 1]) < STRAIGHT
+    start = beyond - int(np.argmin(even[::-1])) if not even.all() else first
+    long = line.stations[beyond] - line.stations[start] >= _WORTH_IT
+    if long and first < start < free and _is_clothoid(line, start, beyond):
+        return start
+    return free
+
+
+def _is_followed(line: SampledLine, first: int, end: int) -> bool:
+    """Whether a short exact piece leads to one that is worth it."""
+    if end == first or end == len(line.stations) - 1:
+        return False
+    after = _reach(line, end, lambda next_end: _is_clothoid(line, end, next_end))
+    return float(line.stations[after] - line.stations[end]) >= _WORTH_IT
 
 
 def _reach(line: SampledLine, first: int, fits: Callable[[int], bool]) -> int:
@@ -159,10 +122,10 @@ def _is_clothoid(line: SampledLine, first: int, end: int) -> bool:
     off = found[:, :2] - poses[:, :2]
     across = off[:, 1] * np.cos(poses[:, 2]) - off[:, 0] * np.sin(poses[:, 2])
     return bool(
-        np.abs(across).max() < _EXACT
+        np.abs(across).max() < EXACT
         and np.hypot(*off.T).max() < _ALONG
-        and np.hypot(*off[-1]) < 10.0 * _EXACT
-        and np.abs(found[:, 2] - poses[:, 2]).max() < 10.0 * _EXACT
+        and np.hypot(*off[-1]) < 10.0 * EXACT
+        and np.abs(found[:, 2] - poses[:, 2]).max() < 10.0 * EXACT
     )
 
 
@@ -172,12 +135,12 @@ def _clothoid_through(line: SampledLine, first: int, end: int) -> tuple[float, f
     Curvatures and headings are exact where stations are off by the error of a long sum of chords,
     so the length is that which turns as far as the headings do.
     """
-    curvature = line.curvature[first : end + 1]
+    curvature = np.append(line.curvature[first:end], line.curvature_before[end])
     span = float(line.stations[end] - line.stations[first])
-    if np.abs(curvature).max() < _STRAIGHT:
+    if np.abs(curvature).max() < STRAIGHT:
         return 0.0, 0.0, span
     inner = curvature[1:-1] if len(curvature) > 2 else curvature
-    if np.ptp(inner) < _STRAIGHT:
+    if np.ptp(inner) < STRAIGHT:
         before = after = float(inner.mean())
     else:
         before, after = float(curvature[0]), float(curvature[-1])
@@ -194,7 +157,7 @@ def _is_straight(poses: Floats) -> bool:
     off = poses[:, :2] - poses[0, :2]
     across = np.cos(along) * off[:, 1] - np.sin(along) * off[:, 0]
     turned = np.abs(np.sin(poses[:, 2] - along))
-    return bool(np.abs(across).max() < _EXACT and turned.max() < _EXACT)
+    return bool(np.abs(across).max() < EXACT and turned.max() < EXACT)
 
 
 def _clothoid(line: SampledLine, first: int, end: int, s: float) -> ReferencePiece:

@@ -22,13 +22,8 @@ from .carriageways import (
 )
 from .direct_links import End, Links, direct_links
 from .lane_numbers import LaneNumbers, lane_numbers
-from .plan_view import (
-    ReferenceLine,
-    SampledLine,
-    poses_between,
-    reference_line,
-    whole_turns,
-)
+from .plan_view import ReferenceLine, reference_line
+from .sampled_line import SampledLine, poses_between, whole_turns
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneRoad

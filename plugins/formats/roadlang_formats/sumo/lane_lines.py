@@ -8,7 +8,7 @@ import numpy as np
 
 from roadlang.geometry import Floats
 
-from ..opendrive.plan_view import poses_between, whole_turns
+from ..opendrive.sampled_line import poses_between, whole_turns
 
 if TYPE_CHECKING:
     from roadlang.api import SceneRoad

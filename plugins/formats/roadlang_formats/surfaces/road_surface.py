@@ -11,7 +11,7 @@ import numpy as np
 
 from roadlang.geometry import CrossSection, Curve, Floats, Integers, offset
 
-from ..opendrive.plan_view import whole_turns
+from ..opendrive.sampled_line import whole_turns
 from .built import built_roads, is_loop
 from .thinning import thinned
 
