@@ -56,7 +56,7 @@ def test_a_fainter_line_that_turns_away_is_left_out() -> None:
 def test_ends_in_one_line_are_joined_across_nothing() -> None:
     score = evidence(((0, 100), (85, 100), 0.95), ((115, 100), (199, 100), 0.95))
     graph = sure_roads(score)
-    link(graph, score, 50, 0.8)
+    link(graph, score, 50, 0.8, 7)
     assert len(graph.lines) == 1
     assert 0.1 < graph.lines[0].linked < 0.3
 
@@ -64,7 +64,7 @@ def test_ends_in_one_line_are_joined_across_nothing() -> None:
 def test_ends_that_do_not_face_each_other_stay_apart() -> None:
     score = evidence(((0, 100), (85, 100), 0.95), ((115, 60), (115, 0), 0.95))
     graph = sure_roads(score)
-    link(graph, score, 50, 0.8)
+    link(graph, score, 50, 0.8, 7)
     assert len(graph.lines) == 2
 
 
@@ -72,7 +72,7 @@ def test_a_road_leaves_the_picture_where_fair_evidence_does() -> None:
     score = evidence(((0, 100), (165, 100), 0.95), ((165, 100), (199, 100), 0.5))
     graph = sure_roads(score)
     assert len(dead_ends(graph, score.shape)) == 1
-    link(graph, score, 50, 0.8)
+    link(graph, score, 50, 0.8, 7)
     assert not dead_ends(graph, score.shape)
 
 

@@ -65,7 +65,7 @@ def test_parts_go_by_what_they_are_worth_and_half_will_do_across_the_picture(
 @pytest.mark.parametrize(("gap", "joined"), [(40, True), (56, False)])
 def test_a_gap_is_bridged_up_to_a_distance(gap: int, joined: bool) -> None:
     graph = graph_of(((0, 50), (70, 50)), ((70 + gap, 50), (199, 50)))
-    link(graph, np.full((100, 200), 0.3, np.float32), 50.0, 0.8)
+    link(graph, np.full((100, 200), 0.3, np.float32), 50.0, 0.8, 8.0)
     assert (len(graph.lines) == 1) == joined
     if joined:
         assert graph.lines[0].linked == pytest.approx(gap / 199, abs=0.02)
@@ -78,14 +78,14 @@ def test_a_bridge_between_ends_in_one_line_costs_15_percent(worst: float, joined
     Half a cell at either end lies on the roads, so that a little less is counted.
     """
     graph = graph_of(((0, 50), (70, 50)), ((100, 50), (199, 50)))
-    link(graph, np.full((100, 200), 0.3, np.float32), 50.0, worst)
+    link(graph, np.full((100, 200), 0.3, np.float32), 50.0, worst, 8.0)
     assert (len(graph.lines) == 1) == joined
 
 
 def test_a_dead_end_joins_the_road_that_it_runs_into() -> None:
     graph = graph_of(((100, 2), (100, 97)), ((20, 50), (75, 50)))
     score = lit(0.9, (slice(45, 55), slice(0, 200)))
-    link(graph, score, 50.0, 0.8)
+    link(graph, score, 50.0, 0.8, 8.0)
     assert sorted(graph.degree().values()) == [1, 1, 1, 3]
     knot = next(node for node, count in graph.degree().items() if count == 3)
     assert graph.nodes[knot] == pytest.approx([100, 50], abs=2.0)
@@ -104,3 +104,12 @@ def test_the_nearest_fainter_line_goes_on() -> None:
     short = graph_of(((0, 50), (77, 50)))
     extend_dead_ends(short, score, (0.4, 0.27), 7.0, 10.0)
     assert short.lines[0].points[:, 0].max() == 77
+
+
+def test_no_bridge_leads_back_along_the_road_that_ends() -> None:
+    """A short street in sure evidence ends 60 px from the road that it branches off."""
+    graph = graph_of(((0, 90), (100, 90)), ((100, 90), (199, 90)), ((100, 90), (100, 30)))
+    score = lit(0.99, (slice(80, 100), slice(0, 200)), (slice(20, 100), slice(90, 110)))
+    link(graph, score, 120.0, 0.8, 20.0)
+    assert sorted(graph.degree().values()) == [1, 1, 1, 3]
+    assert all(line.linked == 0 for line in graph.lines)

@@ -9,6 +9,8 @@ import pytest
 from scipy.spatial import cKDTree
 
 from roadlang import load
+from roadlang.api import SceneRoad
+from roadlang_formats.surfaces.built import built_roads
 from roadlang_godot.engine import Engine
 from roadlang_godot.line import line_of
 from roadlang_godot.pictures import Shot, build, take
@@ -17,6 +19,7 @@ from tests.godot.godot_scenes import bend, pieces, road, scene, straight
 pytestmark = pytest.mark.godot
 
 PIXELS, SCALE = 800, 0.35
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def dense(x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -52,3 +55,36 @@ def test_a_road_found_in_its_own_picture_is_where_it_was(
     # All of it was found, but for a dozen meters at both ends, which thinning shortens.
     back, _ = cKDTree(points).query(dense(np.array(truth.x), np.array(truth.y)))
     assert (back < 1.5).mean() > 0.85
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["drawn_town", "signals"])
+def test_networks_come_back_from_their_pictures(
+    drawing_engine: Engine, tmp_path: Path, name: str
+) -> None:
+    """With houses, trees, cars, paint and shadows in them, as photos from above."""
+    made = load(EXAMPLES / f"{name}.rl").sample(1)[0].record
+    with drawing_engine.connect("round trip") as session:
+        layout = build(session, made)
+        picture = take(session, layout, Shot("top", PIXELS, PIXELS, SCALE))
+    (tmp_path / "top.png").write_bytes(picture)
+    file = tmp_path / "again.rl"
+    file.write_text(
+        f'image photo from "top.png" {{ scale: {SCALE}m/px }}\nnetwork found from photo\n',
+        encoding="utf-8",
+    )
+    corner = np.array([layout.frame.x, layout.frame.y]) - 0.5 * PIXELS * SCALE
+    truth, found = built_roads(made), load(file).sample(1)[0].record.roads
+    assert len(found) == len(truth)
+    there, back = along(truth), along(found) + corner
+    assert (cKDTree(back).query(there)[0] < 1.5).mean() > 0.95
+    assert (cKDTree(there).query(back)[0] < 1.5).mean() > 0.95
+
+
+def along(roads: tuple[SceneRoad, ...]) -> np.ndarray:
+    """Points half a meter apart along all roads (n, 2)."""
+    lines = []
+    for one in roads:
+        at = np.arange(0.0, one.stations[-1], 0.5)
+        lines.append(dense(*(np.interp(at, one.stations, v) for v in (one.x, one.y))))
+    return np.concatenate(lines)

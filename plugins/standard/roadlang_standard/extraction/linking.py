@@ -25,6 +25,8 @@ _CENTER = _RADIUS * _SIDE + _RADIUS
 _OUTSIDE = np.iinfo(np.int32).max
 """Owner of the picture's rim: a road may leave there."""
 _FLOOR = 0.05
+_BACK = 9.0
+"""Cost of a pixel of the surface of the road that ends."""
 _FACING = 0.6
 """Least cosine between a dead end's direction and the way to what it faces."""
 _STRAIGHT = 0.9
@@ -54,10 +56,11 @@ class Bridge:
     cost: float
 
 
-def link(graph: Graph, score: Layer, distance: float, worst: float) -> None:
+def link(graph: Graph, score: Layer, distance: float, worst: float, width: float) -> None:
     """Join dead ends to roads within `distance` pixels where a way costs at most `worst` a pixel.
 
-    The cost of a pixel is -ln(score) + 0.05. Cheapest first; what a bridge hits is split. In place.
+    The cost of a pixel is -ln(score) + 0.05, but for the surface of the road itself, `width` pixels
+    wide: no way leads back along it. Cheapest first; what a bridge hits is split. In place.
     """
     step = max(1.0, distance / _RADIUS)
     size = (max(1, round(score.shape[1] / step)), max(1, round(score.shape[0] / step)))
@@ -67,7 +70,7 @@ def link(graph: Graph, score: Layer, distance: float, worst: float) -> None:
         owner = _owners(graph, coarse.shape, step)
         ends = dead_ends(graph, score.shape)
         found = (
-            _bridge(graph, end, _faced(end, ends, distance), price, owner, step, worst)
+            _bridge(graph, end, _faced(end, ends, distance), price, owner, step, worst, width)
             for end in ends
         )
         bridges = [bridge for bridge in found if bridge is not None]
@@ -133,15 +136,18 @@ def _bridge(
     owner: NDArray[np.int32],
     step: float,
     worst: float,
+    width: float,
 ) -> Bridge | None:
     line = graph.lines[end.line]
     x, y = _cell(end.place, step)
     window = (slice(y, y + _SIDE), slice(x, x + _SIDE))
     if price[window].shape != (_SIDE, _SIDE):
         return None
-    costs = price[window] * _backwards(end.ahead)
     there = owner[window].ravel().copy()
-    there[_near_end(line, end.line, there, step)] = 0
+    own = _near_end(line, end.line, there, step)
+    there[own] = 0
+    costs = price[window] * _backwards(end.ahead)
+    costs[_surface(own, width / step)] = _BACK
     far, before = dijkstra(
         _grid(costs),
         indices=_CENTER,
@@ -207,6 +213,16 @@ def _close(owned: NDArray[np.bool_]) -> NDArray[np.bool_]:
     grid[_RADIUS - 1 : _RADIUS + 2, _RADIUS - 1 : _RADIUS + 2] = 1
     _, labels = cv2.connectedComponents(grid, connectivity=8)
     return np.asarray((labels == labels[_RADIUS, _RADIUS]).ravel())
+
+
+def _surface(own: NDArray[np.bool_], width: float) -> NDArray[np.bool_]:
+    """The cells (side, side) of a window that are the surface of a line of its own pixels, but for
+    its end. `width` in cells."""
+    line = own.reshape(_SIDE, _SIDE).astype(np.uint8)
+    across = 2 * round(0.6 * width) + 1
+    surface = cv2.dilate(line, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (across, across)))
+    y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
+    return np.asarray((surface > 0) & (np.hypot(x, y) > 0.8 * width))
 
 
 def _backwards(ahead: Floats) -> NDArray[np.float64]:

@@ -102,7 +102,7 @@ def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None
 
 def _bridge(graph: Graph, cover: Cover, width: float, shortest: float) -> None:
     """Join dead ends under a cover, in place; stubs shorter than `shortest` pixels go."""
-    link(graph, cover.hidden, _BRIDGED * width, _DEAREST)
+    link(graph, cover.hidden, _BRIDGED * width, _DEAREST, width)
     drop_loops(graph, 4 * width)
     contract(graph, 1.2 * width)
     prune(graph, shortest, cover.mask.shape, margin=0.6 * width + 2)
