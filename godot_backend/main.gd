@@ -24,6 +24,7 @@ func _ready() -> void:
 	stage.transport = _settings["transport"]
 	stage.eyes = Stage.View.Eyes.STILL if _settings["still"] else Stage.View.Eyes.WINDOW
 	stage.listens_at_once = false
+	stage.forgets_silent_clients = not _settings["quit-with-parent"]
 	add_child(stage)
 	if stage.listen() != OK:
 		get_tree().quit(5)

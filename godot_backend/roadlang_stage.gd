@@ -39,6 +39,9 @@ const IDLE_MSEC := 2
 
 ## What it brings for the eye.
 var eyes := View.Eyes.GUEST
+## Whether a client that is not heard counts as gone after a minute. One whose end is noticed
+## otherwise may be silent for as long as it likes: busy, or put to sleep.
+var forgets_silent_clients := true
 
 var _server: Server
 var _worlds := Worlds.new()
@@ -65,11 +68,13 @@ func listen() -> Error:
 	_worlds.fresh_spaces = eyes != View.Eyes.GUEST
 	add_child(_worlds)
 	_server = Server.new(link)
+	if not forgets_silent_clients:
+		_server.session_timeout_usec = 0
 	_simulation = Simulation.new(_server, _worlds.stages)
 	_simulation.begun.connect(drive_begun.emit)
 	_simulation.ended.connect(drive_ended.emit)
 	_view = View.new()
-	_view.setup(_worlds, _server, eyes)
+	_view.setup(_worlds, _server, eyes, get_viewport())
 	add_child(_view)
 	_simulation.while_waiting = _view.draw_waiting
 	_messages = Messages.new(_worlds, _simulation, _view, _server)

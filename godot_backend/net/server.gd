@@ -10,7 +10,6 @@ const Reader := preload("reader.gd")
 const BUDGET_USEC := 8000
 ## How long a pass waits for more once datagrams have come: bulk then does not wait for a frame.
 const LINGER_USEC := 1500
-const SESSION_TIMEOUT_USEC := 60000000
 ## A client this long unheard gives way to another.
 const YIELD_USEC := 6000000
 const ACK_EVERY := 8
@@ -23,6 +22,8 @@ const MOST_BACKLOG := 8192
 var handler: Callable
 ## Called with the client's HELLO when a session begins.
 var greeter: Callable
+## How long a client may be unheard before it counts as gone; 0: for ever.
+var session_timeout_usec := 60000000
 var dropped := 0
 var refused := 0
 
@@ -107,7 +108,8 @@ func poll(linger: bool) -> bool:
 			_link.poll()
 		now = Time.get_ticks_usec()
 	_flush(now)
-	if _session != 0 and now - _last_heard > SESSION_TIMEOUT_USEC:
+	var is_forgotten := session_timeout_usec > 0 and now - _last_heard > session_timeout_usec
+	if _session != 0 and is_forgotten:
 		end_session()
 	return taken > 0
 

@@ -4,6 +4,49 @@ extends RefCounted
 const Frame := preload("../net/frame.gd")
 const Reader := preload("../net/reader.gd")
 const Channel := preload("../net/channel.gd")
+const Protocol := preload("../net/protocol.gd")
+const Server := preload("../net/server.gd")
+
+
+## A network on which one client says hello.
+class Hello:
+	extends RefCounted
+	var window := 32
+	var waiting: Array[PackedByteArray] = []
+
+	func _init() -> void:
+		var hello := JSON.stringify({"protocol": [Protocol.VERSION, Protocol.VERSION], "nonce": 5})
+		waiting.append(Frame.pack(Protocol.HELLO, 0, 0, hello.to_ascii_buffer()))
+
+	func poll() -> void:
+		pass
+
+	func available() -> bool:
+		return not waiting.is_empty()
+
+	func take() -> PackedByteArray:
+		return waiting.pop_front()
+
+	func source() -> String:
+		return "127.0.0.1 9"
+
+	func send(_destination: String, _datagram: PackedByteArray) -> void:
+		pass
+
+
+func test_a_silent_client_is_forgotten_where_nothing_else_tells_its_end() -> String:
+	for timeout: int in [0, 1]:
+		var server := Server.new(Hello.new())
+		server.greeter = func(_hello: Dictionary) -> Dictionary: return {}
+		server.poll(false)
+		if not server.connected():
+			return "no session"
+		server.session_timeout_usec = timeout
+		OS.delay_msec(2)
+		server.poll(false)
+		if server.connected() == (timeout > 0):
+			return "timeout %d" % timeout
+	return ""
 
 
 func test_what_is_packed_is_opened() -> String:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import signal
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -20,6 +18,7 @@ from tests.godot.virtual_screen import virtual_screen
 def patience(monkeypatch: pytest.MonkeyPatch) -> None:
     """A busy machine is no fault: engines are waited for much longer than by users."""
     monkeypatch.setattr(sessions, "PATIENCE", 300.0)
+    monkeypatch.setattr(sessions, "SILENCE", 300.0)
     monkeypatch.setattr(sessions, "GOODBYE_SECONDS", 300.0)
     monkeypatch.setattr(engines, "ANSWER_TIMEOUT", 300.0)
     monkeypatch.setattr(engines, "START_SECONDS", 300.0)
@@ -28,17 +27,17 @@ def patience(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(autouse=True)
 def no_script_errors(monkeypatch: pytest.MonkeyPatch) -> None:
     """A session with an engine that has printed a script error fails: its answer may never come."""
-    is_running = engines.Engine._is_running
+    ending = engines.Engine.ending
     sizes: dict[Path, int] = {}
 
-    def is_sound(engine: engines.Engine) -> bool:
+    def sound_ending(engine: engines.Engine) -> str:
         size = engine.log.stat().st_size if engine.log.exists() else 0
         if sizes.get(engine.log, 0) != size:
             sizes[engine.log] = size
             assert "SCRIPT ERROR" not in engine.output(), engine.output()[-4000:]
-        return is_running(engine)
+        return ending(engine)
 
-    monkeypatch.setattr(engines.Engine, "_is_running", is_sound)
+    monkeypatch.setattr(engines.Engine, "ending", sound_ending)
 
 
 @pytest.fixture(scope="session")
@@ -49,29 +48,10 @@ def fast_engine() -> Iterator[engines.Engine]:
 
 
 @pytest.fixture(scope="session")
-def resting_engine() -> Iterator[engines.Engine]:
-    """An engine that takes pictures, stopped between the modules that use it.
-
-    Its window costs a third of a core even when nothing is drawn: Godot polls the X server.
-    """
-    with started(fixed_fps=60, draw=True, quit_idle=None) as engine:
-        _send(engine, "SIGSTOP")
-        yield engine
-        _send(engine, "SIGCONT")
-
-
-@pytest.fixture(scope="module")
-def drawing_engine(resting_engine: engines.Engine) -> Iterator[engines.Engine]:
+def drawing_engine() -> Iterator[engines.Engine]:
     """An engine that takes pictures."""
-    _send(resting_engine, "SIGCONT")
-    yield resting_engine
-    _send(resting_engine, "SIGSTOP")
-
-
-def _send(engine: engines.Engine, name: str) -> None:
-    """Send this signal, which Windows lacks, to the engine and its virtual screen."""
-    if hasattr(signal, name):
-        os.killpg(engine.process.pid, getattr(signal, name))
+    with started(fixed_fps=60, draw=True, quit_idle=900.0) as engine:
+        yield engine
 
 
 @pytest.fixture

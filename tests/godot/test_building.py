@@ -132,9 +132,9 @@ def test_an_engine_that_dies_is_noticed_at_once() -> None:
     with started() as engine, engine.connect("brief") as session:
         engine.process.kill()
         engine.process.wait()
-        with pytest.raises(EngineError, match=r"RL505.*its process has ended"):
+        with pytest.raises(EngineError, match=r"RL505.*its process was killed by SIGKILL"):
             session.prove()
-        with pytest.raises(EngineError, match=r"RL505.*its process has ended"):
+        with pytest.raises(EngineError, match=r"RL505.*its process was killed by SIGKILL"):
             engine.connect("again")
 
 

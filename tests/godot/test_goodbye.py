@@ -45,7 +45,7 @@ def test_a_goodbye_is_waited_for_whatever_else_is_said_before_it() -> None:
 def test_an_engine_that_has_ended_is_not_waited_for() -> None:
     link = TalkativeEngine(complaints=0)
     running = [True]
-    session = Session(link, is_running=lambda: running[0])
+    session = Session(link, ending=lambda: "" if running[0] else "its process has ended")
     running[0] = False
     session.close()
     assert link.is_closed

@@ -183,6 +183,20 @@ def test_an_engine_that_is_too_old_is_named_with_its_version(
         engines.start()
 
 
+def test_an_engine_that_prints_errors_and_does_not_listen_says_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    faulty = tmp_path / "godot"
+    faulty.write_text(
+        '#!/bin/sh\n[ "$1" = --version ] && echo 4.6.stable && exit\n'
+        "echo 'SCRIPT ERROR: Parse Error: no such file'\nexec sleep 600\n"
+    )
+    faulty.chmod(0o755)
+    monkeypatch.setenv("ROADLANG_GODOT", str(faulty))
+    with pytest.raises(EngineError, match=r"RL501(.|\n)*Parse Error: no such file"):
+        engines.start()
+
+
 def _runs(process: int) -> bool:
     try:
         return Path(f"/proc/{process}/stat").read_text().split(") ")[1][0] != "Z"

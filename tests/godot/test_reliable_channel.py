@@ -107,3 +107,21 @@ def test_a_message_that_later_ones_have_overtaken_is_sent_again_at_once() -> Non
     assert [seq for _, seq, _ in sender.to_send(0.001)] == [1]
     sender.acknowledged(struct.pack("<IQ", 6, 0))
     assert sender.idle
+
+
+def test_what_waits_while_others_arrive_is_not_late() -> None:
+    sender, receiver = Channel(window=1), Channel()
+    for label in ("first", "second", "third"):
+        sender.offer(17, b"", label)
+    for now in (0.0, 4.0, 8.0):
+        (_, seq, _), *_ = sender.to_send(now)
+        assert sender.overdue(now + 3.9, patience=5.0) == []
+        receiver.accept(seq)
+        sender.acknowledged(receiver.take_ack())
+    slow = Channel()
+    slow.offer(17, b"", "never taken")
+    slow.offer(17, b"", "taken late")
+    slow.to_send(0.0)
+    slow.acknowledged(struct.pack("<IQ", 0, 1 << 1))
+    assert slow.overdue(6.0, patience=5.0) == []
+    assert slow.overdue(11.1, patience=5.0) == ["never taken"]

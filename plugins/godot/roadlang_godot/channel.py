@@ -10,6 +10,7 @@ from __future__ import annotations
 import struct
 from collections import deque
 from dataclasses import dataclass
+from math import inf
 
 from .protocol import WINDOW
 
@@ -48,6 +49,7 @@ class Channel:
         self._received = 0
         self._beyond: set[int] = set()
         self._ack_at_next = False
+        self._has_progress, self._last_progress = False, -inf
 
     def offer(self, type: int, payload: bytes, label: str = "") -> None:
         """Take a message for sending; `label` names it where it never arrives."""
@@ -72,7 +74,7 @@ class Channel:
 
     def next_due(self) -> float:
         """When the next message is to be sent again; infinity if none is unacknowledged."""
-        return min((f.resend_at for f in self._flying.values()), default=float("inf"))
+        return min((f.resend_at for f in self._flying.values()), default=inf)
 
     def acknowledged(self, payload: bytes) -> None:
         """Take an acknowledgement; anything else is ignored."""
@@ -86,6 +88,7 @@ class Channel:
         ]
         for seq in arrived:
             del self._flying[seq]
+        self._has_progress |= bool(arrived)
         newest = max(arrived, default=0)
         for seq, flight in self._flying.items():
             if seq < newest:
@@ -113,7 +116,12 @@ class Channel:
         return _ACK.pack(self._received, sum(1 << bit for bit in ahead if bit < MASK_BITS))
 
     def overdue(self, now: float, patience: float) -> list[str]:
-        """Labels of the messages that have been on their way for longer than `patience`."""
+        """Labels of the messages that have been on their way for longer than `patience`, where no
+        other has arrived meanwhile."""
+        if self._has_progress:
+            self._has_progress, self._last_progress = False, now
+        if now - self._last_progress <= patience:
+            return []
         late = [f for f in self._flying.values() if now - f.first_sent > patience]
         return [flight.label or f"message {flight.type:#04x}" for flight in late]
 

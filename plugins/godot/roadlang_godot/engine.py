@@ -28,8 +28,8 @@ OLDEST = (4, 3)
 START_SECONDS = 180.0
 ANSWER_TIMEOUT = 120.0
 """Seconds without an answer after which an engine of ours is given up though its process runs: on a
-busy machine it may get little time. Where the process ends, nobody waits that long."""
-"""Drawing in software takes seconds, in which an engine answers nobody."""
+busy machine it may get little time, and drawing in software takes seconds in which it answers
+nobody. Where the process ends, nobody waits that long."""
 
 _KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
 _KILLED = {code for number in (_KILL, signal.SIGTERM) for code in (-number, 128 + number)}
@@ -135,10 +135,18 @@ class Engine:
     def connect(self, name: str = "", patience: float | None = None) -> Session:
         """A session with this engine."""
         seconds = ANSWER_TIMEOUT if patience is None else patience
-        return connect(self.host, self.port, self.transport, name, seconds, self._is_running)
+        return connect(self.host, self.port, self.transport, name, seconds, self.ending)
 
-    def _is_running(self) -> bool:
-        return self.process.poll() is None
+    def ending(self) -> str:
+        """How the process has ended, in words; nothing while it runs."""
+        code = self.process.poll()
+        if code is None:
+            return ""
+        number = -code if code < 0 else code - 128  # a shell gives the signal in this way
+        if number not in set(signal.Signals):
+            return f"its process has ended with code {code}"
+        name = signal.Signals(number).name
+        return f"its process was {'killed' if self.was_killed else 'ended'} by {name}"
 
     @property
     def was_killed(self) -> bool:
@@ -176,9 +184,9 @@ def connect(
     transport: str = "udp",
     name: str = "",
     patience: float | None = None,
-    is_running: Callable[[], bool] = lambda: True,
+    ending: Callable[[], str] = str,
 ) -> Session:
-    """A session with an engine that already runs.
+    """A session with an engine that already runs; `ending` says how its process has ended.
 
     Raises `EngineError` RL502 where nobody answers, RL503 where it refuses, RL512 where the address
     is wrong, RL516 where the package for a WebSocket is missing.
@@ -191,7 +199,7 @@ def connect(
         raise fault(
             Code.UNREACHABLE_ADDRESS, host=host, port=port, reason=error.strerror or error
         ) from error
-    return Session(link, patience=patience, name=name, is_running=is_running)
+    return Session(link, patience=patience, name=name, ending=ending)
 
 
 def start(
@@ -257,21 +265,21 @@ def _await_port(engine: Engine, name: str) -> int:
         if engine.process.poll() is not None or "SCRIPT ERROR" in engine.output():
             break
         time.sleep(0.02)
-    printed = engine.output()
-    engine.stop()
-    raise _not_started(name, printed, engine)
+    printed, was_killed = engine.output(), engine.was_killed
+    engine.stop()  # that ends it by a signal, too
+    raise _not_started(name, printed, engine.host, engine.port, was_killed)
 
 
-def _not_started(name: str, printed: str, engine: Engine) -> EngineError:
+def _not_started(name: str, printed: str, host: str, port: int, was_killed: bool) -> EngineError:
     """Why an engine does not listen, by what it has printed."""
     if _NO_PORT in printed:
         return fault(
             Code.GODOT_NOT_STARTED,
             "end the program that listens there, or take another port with `--port`",
             engine=name,
-            reason=f"port {engine.port} of {engine.host} is in use or not allowed",
+            reason=f"port {port} of {host} is in use or not allowed",
         )
-    if engine.was_killed:
+    if was_killed:
         reason = "its process was killed while it started"
         return fault(Code.GODOT_DISCONNECTED, reason=reason)
     try:

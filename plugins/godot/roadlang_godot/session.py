@@ -21,9 +21,10 @@ from .protocol import Message
 from .scene_part import RECORD_BYTES, Key, ScenePart, part_digest, record_key, removal
 
 PATIENCE = 5.0
-"""Seconds without an answer after which an engine that someone else started counts as gone."""
-_HELLO_EVERY, _PING_EVERY = 0.1, 1.0
-_NAMED = 8
+"""Seconds for which an engine that someone else started is waited for."""
+SILENCE = 30.0
+"""Seconds for which one that has answered may be silent: drawing in software takes long."""
+_HELLO_EVERY, _PING_EVERY, _NAMED = 0.1, 1.0, 8
 GOODBYE_SECONDS, _GOODBYE_EVERY = 1.0, 0.05
 """For how long, and how often, goodbye is said to an engine that does not answer it."""
 
@@ -36,8 +37,8 @@ _PROBE = struct.Struct("<IHHff")
 class Session:
     """A connection to one engine. Use as a context manager; every wait ends or raises.
 
-    `patience` is in seconds, by default `PATIENCE`. Where `is_running` says that the engine's
-    process has ended, no wait goes on.
+    `patience` is in seconds, by default `PATIENCE` for the first answer and `SILENCE` from then on.
+    Where the engine's process has ended, which `ending` says in words, no wait goes on.
     """
 
     def __init__(
@@ -46,10 +47,11 @@ class Session:
         *,
         patience: float | None = None,
         name: str = "",
-        is_running: Callable[[], bool] = lambda: True,
+        ending: Callable[[], str] = str,
     ) -> None:
         self.patience = PATIENCE if patience is None else patience
-        self._is_running = is_running
+        self._silence = SILENCE if patience is None else patience
+        self._ending = ending
         self._link = link
         self._channel = Channel(getattr(link, "window", protocol.WINDOW))
         self._inbox: deque[tuple[int, bytes]] = deque()
@@ -71,7 +73,7 @@ class Session:
         """Say goodbye until the engine says it too, or does not seem to hear it; leave."""
         deadline = time.monotonic() + GOODBYE_SECONDS
         try:
-            while time.monotonic() < deadline and self._is_running():
+            while time.monotonic() < deadline and not self._ending():
                 self.send_once(Message.BYE, b"")
                 if self._hears_goodbye(time.monotonic() + _GOODBYE_EVERY):
                     break
@@ -213,8 +215,7 @@ class Session:
         wait = min(timeout, max(0.0, self._channel.next_due() - now))
         for datagram in self._receive(wait):
             self._take(datagram)
-        ack = self._channel.take_ack()
-        if ack:
+        if ack := self._channel.take_ack():
             self._link.send(protocol.pack(Message.ACK, self._session, 0, ack))
         self._check_alive()
 
@@ -241,14 +242,13 @@ class Session:
             self._inbox.append((frame.type, frame.payload))
 
     def _check_alive(self) -> None:
-        if not self._is_running():
-            raise fault(Code.GODOT_DISCONNECTED, reason="its process has ended")
+        if ending := self._ending():
+            raise fault(Code.GODOT_DISCONNECTED, reason=ending)
         now = time.monotonic()
-        late = self._channel.overdue(now, self.patience)
-        if late:
+        if late := self._channel.overdue(now, self._silence):
             named = ", ".join(late[:_NAMED]) + (", ..." if len(late) > _NAMED else "")
             raise fault(Code.SCENE_NOT_BUILT, count=len(late), names=named)
-        if now - self._last_heard > self.patience + 2 * _PING_EVERY:
+        if now - self._last_heard > self._silence + 2 * _PING_EVERY:
             raise fault(
                 Code.GODOT_DISCONNECTED, reason=f"nothing heard for {now - self._last_heard:.0f} s"
             )
@@ -258,7 +258,7 @@ class Session:
         version = protocol.VERSION
         hello = as_json({"protocol": [version, version], "nonce": nonce, "scene": name})
         deadline = time.monotonic() + self.patience
-        while time.monotonic() < deadline and self._is_running():
+        while time.monotonic() < deadline and not self._ending():
             self._link.send(protocol.pack(Message.HELLO, 0, 0, hello))
             for datagram in self._receive(_HELLO_EVERY):
                 frame = protocol.unpack(datagram)
@@ -271,8 +271,8 @@ class Session:
                     self._last_heard = time.monotonic()
                     welcome: dict[str, Any] = json.loads(frame.payload)
                     return welcome
-        if not self._is_running():
-            raise fault(Code.GODOT_DISCONNECTED, reason="its process has ended")
+        if ending := self._ending():
+            raise fault(Code.GODOT_DISCONNECTED, reason=ending)
         raise fault(Code.GODOT_NOT_ANSWERING, seconds=f"{self.patience:.0f}")
 
     def _name_missing(self, world: int, wanted: Mapping[Key, bytes]) -> None:
