@@ -15,6 +15,7 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.godot.drags import drags
+from benchmarks.godot.window_drags import window_drags
 from roadlang.api import Scene
 from roadlang_godot import driving, engine
 from roadlang_godot.frame import SceneOrigin
@@ -155,7 +156,8 @@ def _build(session: Session, made: Scene) -> None:
 
 
 BARS: dict[str, Callable[[], None]] = {
-    one.__name__: one for one in (long_road, storms, live_edits, drags, speed, repeats, grip)
+    one.__name__: one
+    for one in (long_road, storms, live_edits, drags, window_drags, speed, repeats, grip)
 }
 
 if __name__ == "__main__":

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import statistics
 import tempfile
 import time
 from pathlib import Path
 
 import roadlang
+from benchmarks.godot.engine_time import engine_seconds
 from roadlang.commands import handles_of
 from roadlang_godot import engine
 from roadlang_godot.commands.watch import Watcher
@@ -58,7 +58,7 @@ def _cost(file: Path, text: str, name: str) -> tuple[float, float]:
         live = watcher.start(session, loaded.sample(1, seed=0)[0].record)
         watcher.settle(live)
         handle = next(h for h in handles_of(text, live.scene) if h.name == name)
-        took, before = [], _engine_seconds(running)
+        took, before = [], engine_seconds(running)
         for move in range(1, MOVES + 1):
             edit = HandEdit("move", handle, (handle.x + 0.05 * move, handle.y - 0.03 * move), 1,
                             False)  # fmt: skip
@@ -66,11 +66,5 @@ def _cost(file: Path, text: str, name: str) -> tuple[float, float]:
             watcher.take(live, edit)
             took.append(1000 * (time.process_time() - start))
             watcher.look(live)
-        spent = _engine_seconds(running) - before
+        spent = engine_seconds(running) - before
     return statistics.median(took), 1000 * spent / MOVES
-
-
-def _engine_seconds(running: engine.Engine) -> float:
-    """CPU time of its process so far (Linux)."""
-    fields = Path(f"/proc/{running.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")

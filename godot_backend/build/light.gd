@@ -31,6 +31,11 @@ func is_dark() -> bool:
 	return elevation < 0.06 or visibility < 150.0
 
 
+## Whether what it shines on casts shadows that are seen.
+func casts_shadows() -> bool:
+	return cloud < 0.9
+
+
 func prepare() -> void:
 	day = smoothstep(NIGHT, DAY, elevation)
 
@@ -52,7 +57,7 @@ func set_sun(sun: DirectionalLight3D) -> void:
 		0.3 if elevation < SUNSET else lerpf(0.15, 0.92, smoothstep(SUNSET, DAY, elevation))
 	)
 	sun.light_energy = clear * lerpf(1.0, 0.22, cloud)
-	sun.shadow_enabled = cloud < 0.9
+	sun.shadow_enabled = casts_shadows()
 	sun.shadow_normal_bias = 3.0
 	sun.shadow_blur = 1.0 + 2.0 * cloud
 	sun.directional_shadow_mode = DirectionalLight3D.SHADOW_PARALLEL_2_SPLITS

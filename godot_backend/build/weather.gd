@@ -56,6 +56,11 @@ func is_dark() -> bool:
 	return _light.is_dark()
 
 
+## Whether the sun casts shadows, where it does.
+func cast_shadows(casts: bool) -> void:
+	_sun.shadow_enabled = casts and _light.casts_shadows()
+
+
 ## Rain and snow as they are at a time of the drive.
 func show_at(time: float) -> void:
 	if _falling != null:

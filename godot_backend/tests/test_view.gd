@@ -5,6 +5,9 @@ const Protocol := preload("../net/protocol.gd")
 const Reader := preload("../net/reader.gd")
 const Stage := preload("../build/stage.gd")
 const Handles := preload("../build/handles.gd")
+const Worlds := preload("../build/worlds.gd")
+const Hands := preload("../view/hands.gd")
+const Detail := preload("../view/detail.gd")
 
 
 func test_handles_are_where_the_client_says() -> String:
@@ -39,6 +42,26 @@ func test_a_malformed_thing_is_refused_and_leaves_nothing() -> String:
 			return "kind %d" % kind
 	stage.free()
 	return ""
+
+
+func test_slow_frames_are_drawn_with_less_detail_while_something_is_dragged() -> String:
+	var viewport := SubViewport.new()
+	viewport.msaa_3d = Viewport.MSAA_2X
+	var hands := Hands.new()
+	var worlds := Worlds.new()
+	var detail := Detail.new(worlds, hands, viewport)
+	var seen: Array[float] = []
+	var wanted: Array[float] = [1.0, 1.0, 0.5, 0.5, 1.0]
+	for frame: Array in [[false, 0.2], [true, 0.01], [true, 0.2], [true, 0.01], [false, 0.01]]:
+		hands.hold({"id": 3, "index": 0} if frame[0] else Hands.NOTHING)
+		detail.look(frame[1])
+		seen.append(viewport.scaling_3d_scale)
+	var samples := viewport.msaa_3d
+	for node: Node in [detail, worlds, hands, viewport]:
+		node.free()
+	if samples != Viewport.MSAA_2X:
+		return "samples %d" % samples
+	return "" if seen == wanted else str(seen)
 
 
 func _handles(sort: int, numbers: Array[float]) -> PackedByteArray:

@@ -58,6 +58,17 @@ func setup(worlds: Worlds, cameras: Cameras, server: Server) -> void:
 	set_anchors_preset(PRESET_FULL_RECT)
 
 
+## Whether a handle follows the pointer.
+func is_dragging() -> bool:
+	return _is_dragged and not _same(_held, NOTHING)
+
+
+## Takes hold of a handle, or lets go.
+func hold(handle: Dictionary) -> void:
+	_held = handle
+	_is_dragged = not _same(handle, NOTHING)
+
+
 ## The place on the ground under a pixel: x east, y north.
 static func on_ground(camera: Camera3D, pixel: Vector2) -> Vector2:
 	var origin := camera.project_ray_origin(pixel)
@@ -111,7 +122,7 @@ func _unhandled_input(event: InputEvent) -> void:
 			_take(button.position)
 		elif not _same(_held, NOTHING):
 			_move_to(button.position, true)
-			_held = NOTHING
+			hold(NOTHING)
 	var motion := event as InputEventMouseMotion
 	if motion != null and _same(_held, NOTHING):
 		_hovered = under(motion.position)
@@ -125,12 +136,12 @@ func _unhandled_input(event: InputEvent) -> void:
 func _take(pixel: Vector2) -> void:
 	var found := under(pixel)
 	_selected = found
-	_held = found
+	hold(found)
+	_is_dragged = false
 	_hovered = found
 	if _same(found, NOTHING):
 		return
 	_pressed = pixel
-	_is_dragged = false
 	_drag += 1
 	_to = found["place"]
 	_from = _to

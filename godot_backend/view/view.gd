@@ -12,6 +12,7 @@ const Cameras := preload("cameras.gd")
 const Shots := preload("shots.gd")
 const Overlay := preload("overlay.gd")
 const Hands := preload("hands.gd")
+const Detail := preload("detail.gd")
 const Scenery := preload("scenery.gd")
 const SensorLooks := preload("../sensors/looks.gd")
 
@@ -27,7 +28,7 @@ var _scenery: Scenery
 var _stale := false
 
 
-func setup(worlds: Worlds, server: Server, eyes: Eyes) -> void:
+func setup(worlds: Worlds, server: Server, eyes: Eyes, window: Viewport) -> void:
 	_headless = DisplayServer.get_name() == "headless"
 	_server = server
 	_eyes = eyes
@@ -53,6 +54,7 @@ func setup(worlds: Worlds, server: Server, eyes: Eyes) -> void:
 	var hands := Hands.new()
 	hands.setup(worlds, cameras, server)
 	_overlay.add_child(hands)
+	add_child(Detail.new(worlds, hands, window))
 
 
 func _ready() -> void:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 import pytest
@@ -55,3 +55,11 @@ class Hand:
 
     def move(self, x: float, y: float) -> None:
         self.do("mousemove", "--window", self._window, str(round(x)), str(round(y)))
+
+    def sweep(self, places: Iterable[tuple[float, float]], pause: float) -> None:
+        """Move through places, so many seconds apart, in one command."""
+        words: list[str] = []
+        for x, y in places:
+            words += ["mousemove", "--window", self._window, str(round(x)), str(round(y))]
+            words += ["sleep", str(pause)]
+        self.do(*words)

@@ -77,7 +77,6 @@ class Drive:
         """what the sensors of the agents measured; none of a drive of a search"""
         self._verdicts = driven.judgement.verdicts
         self._faults = driven.judgement.faults
-        self._warnings = driven.judgement.warnings
         self._places = places
 
     def __repr__(self) -> str:
@@ -100,9 +99,8 @@ class Drive:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Why expectations could not be evaluated on this drive; each names its expectation. Then
-        warnings of windows that hold no sample of the drive."""
-        faults = (
+        """Why expectations could not be evaluated on this drive; each names its expectation."""
+        return tuple(
             replace(
                 fault,
                 span=fault.span or self._places.get(name),
@@ -111,12 +109,6 @@ class Drive:
             for name, faults in self._faults.items()
             for fault in faults
         )
-        warnings = (
-            replace(warning, span=self._places.get(name))
-            for name, found in self._warnings.items()
-            for warning in found
-        )
-        return (*faults, *warnings)
 
     @property
     def satisfied(self) -> bool:
@@ -217,9 +209,8 @@ class DriveSet(Sequence[Drive]):
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Those of all drives; a warning of several drives is there once."""
-        found = (diagnostic for drive in self for diagnostic in drive.diagnostics)
-        return tuple(dict.fromkeys(found))
+        """Why expectations could not be evaluated, of all drives."""
+        return tuple(diagnostic for drive in self for diagnostic in drive.diagnostics)
 
     @property
     def satisfied(self) -> bool:

@@ -134,19 +134,15 @@ class Evaluable:
         *,
         wrap: float | None = None,
         semantics: Semantics = "sampled",
-        finished: bool = False,
     ) -> NDArray[np.str_] | Verdict:
-        """Satisfied, violated, unknown or vacuous: a word, or an array (V,) of them for a batch.
-
-        A trace that is `finished` does not continue, and no verdict is unknown.
-        """
+        """Satisfied, violated, unknown or vacuous: a word, or an array (V,) of them for a batch."""
         if semantics != "sampled":
             from ..dense.verdicts import dense_verdict
 
-            return dense_verdict(self._formula, positions, signals, semantics, wrap, finished)
+            return dense_verdict(self._formula, positions, signals, semantics, wrap)
         from ..evaluate.verdicts import verdict
 
-        return verdict(self._formula, positions, signals, wrap=wrap, finished=finished)
+        return verdict(self._formula, positions, signals, wrap=wrap)
 
     def explain(
         self,
@@ -156,24 +152,17 @@ class Evaluable:
         variant: int = 0,
         wrap: float | None = None,
         semantics: Semantics = "sampled",
-        finished: bool = False,
     ) -> Explanation:
-        """What decides the robustness at the start of one variant, and where the formula fails.
-
-        `finished` is that of `verdict`; the range is over continuations all the same.
-        """
+        """What decides the robustness at the start of one variant, and where the formula fails."""
         if semantics != "sampled":
             from ..explain.dense_explanation import explain_between_samples
 
             return explain_between_samples(
-                self._formula, positions, signals, semantics,
-                variant=variant, wrap=wrap, finished=finished,
-            )  # fmt: skip
+                self._formula, positions, signals, semantics, variant=variant, wrap=wrap
+            )
         from ..explain.explanation import explain
 
-        return explain(
-            self._formula, positions, signals, variant=variant, wrap=wrap, finished=finished
-        )
+        return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
 
     def __str__(self) -> str:
         from .printing import formula_text

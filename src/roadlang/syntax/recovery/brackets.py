@@ -13,7 +13,6 @@ from .error_position import looks_like_item
 
 _OPEN_INTERVALS = {("LPAR", "RSQB"), ("LPAR", "LSQB"), ("LSQB", "LSQB"),
                    ("RSQB", "RPAR"), ("RSQB", "LSQB"), ("RSQB", "RSQB")}  # fmt: skip
-_OVER_INTERVALS = token_kinds("temporal", "binding", "measure")
 
 
 def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:
@@ -42,7 +41,7 @@ def _closed_intervals(source: Source, tokens: list[Token], found: list[Diagnosti
         first, *bounds, last = tokens[index : index + 5]
         forms = first[0], last[0]
         if (
-            tokens[index - 1][0] not in _OVER_INTERVALS
+            tokens[index - 1][0] not in token_kinds("temporal", "binding")
             or forms not in _OPEN_INTERVALS
             or [kind for kind, *_ in bounds[::2]] != ["NUMBER"] * 2
             or bounds[1][0] != "COMMA"
@@ -67,7 +66,7 @@ def _exchange(
     there = source.span(wrong[2], wrong[3])
     line = source.span(start, end).line
     fixes = [Fix(there, closer)]
-    if kind == "LSQB" and tokens[opener - 1][0] in _OVER_INTERVALS:
+    if kind == "LSQB" and tokens[opener - 1][0] in token_kinds("temporal", "binding"):
         help = f"intervals include both ends: close it with `{closer}`"
         fault = diagnose(
             Code.MALFORMED_INTERVAL, source.span(start, wrong[3]), help=help, fixes=fixes
