@@ -72,7 +72,7 @@ func acknowledged(payload: PackedByteArray) -> void:
 			_flying.erase(seq)
 
 
-## The acknowledgement to send, empty where none is due.
+## The acknowledgment to send, empty where none is due.
 func take_ack() -> PackedByteArray:
 	if not _ack_due:
 		return PackedByteArray()

@@ -96,7 +96,7 @@ func test_a_doubled_message_is_handed_on_once() -> String:
 	return "" if channel.accept(1) and not channel.accept(1) else "twice"
 
 
-func test_order_does_not_matter_to_the_acknowledgement() -> String:
+func test_order_does_not_matter_to_the_acknowledgment() -> String:
 	var channel := Channel.new()
 	for seq: int in [3, 1, 5]:
 		channel.accept(seq)

@@ -32,6 +32,8 @@ road main {
 agent ego is car on main at 20m { lane: -1 }
 """
 
+ONE_SIDEWALK = PLAIN.replace("lanes: 2", "left: [drive(3m)], right: [drive(3m), sidewalk(2m)]")
+
 
 def on_roads(text: str) -> Scene:
     scene: Scene = testing.sample(text, 1)[0].record
@@ -48,7 +50,7 @@ def on_routes() -> Scene:
     return replace(scene, agents=tuple(agents))
 
 
-@pytest.mark.parametrize("where", [SIDEWALK, PLAIN, "routes"])
+@pytest.mark.parametrize("where", [SIDEWALK, ONE_SIDEWALK, PLAIN, "routes"])
 def test_who_is_off_the_road_is_what_the_signal_says(where: str) -> None:
     scene = on_routes() if where == "routes" else on_roads(where)
     world = world_of([scene], {}, 0.02, 0.1)

@@ -80,7 +80,7 @@ def test_a_message_that_others_have_overtaken_is_sent_again_at_once() -> None:
 
 
 @given(st.binary(max_size=40))
-def test_a_false_acknowledgement_harms_nothing(payload: bytes) -> None:
+def test_a_false_acknowledgment_harms_nothing(payload: bytes) -> None:
     sender = Channel()
     sender.offer(17, b"")
     sender.to_send(0.0)

@@ -147,6 +147,12 @@ def test_a_number_of_a_road_states_a_range(sample: Sample) -> None:
     assert sample(text).impossible == ("sup_distance(bent, main) > 4.1m",)
 
 
+def test_an_option_that_geometry_decides_leaves_a_signal_without_range(sample: Sample) -> None:
+    """Also where the option has more in it than a number of a road."""
+    text = swaying("0m..4m", "require flat: always (acme.tilt(bent, 1 + length(bent) / 1km) < 30)")
+    assert computed(sample(text, 3, kinds=(Tilt,)), "flat") == 3
+
+
 def test_a_group_without_copies_satisfies_what_bounds_refute(sample: Sample) -> None:
     text = STRAIGHT + "object tree is tree on main at 10m { count: 0 }\n"
     result = sample(text + "require r: 3m < 2m and tree.start > 5m\n")

@@ -30,8 +30,6 @@ PLACES = {
     "road": "road IT from town {{ {} }}",
     "agent": "agent ego is car on main at 5m {{ {} }}",
     "object": "object IT is tree on main at 5m {{ {} }}",
-    "world": "world {{ {} }}",
-    "falsify": "falsify {{ {} }}",
     "require": "require r: always (centered and length(main) > 1m) {{ {} }}",
     "expect": "expect e: always (centered and length(main) > 1m) {{ {} }}",
 }
@@ -69,7 +67,11 @@ def test_the_example_of_an_option_is_valid(word: Any, option: Any, tmp_path: Pat
     example = option.constraints.example
     if not example:
         return
-    statement = PLACES[word].replace("IT", "it").format(f"{option.name}: {example}")
+    statement = (
+        PLACES.get(word, f"{word} {{{{ {{}} }}}}")
+        .replace("IT", "it")
+        .format(f"{option.name}: {example}")
+    )
     if option.name == "spacing":
         statement = statement.replace("spacing:", "count: 2, spacing:")
     if option.name == "moved_at":

@@ -77,7 +77,7 @@ class Channel:
         return min((f.resend_at for f in self._flying.values()), default=inf)
 
     def acknowledged(self, payload: bytes) -> None:
-        """Take an acknowledgement; anything else is ignored."""
+        """Take an acknowledgment; anything else is ignored."""
         if len(payload) != _ACK.size:
             return
         upto, mask = _ACK.unpack(payload)
@@ -108,7 +108,7 @@ class Channel:
         return True
 
     def take_ack(self) -> bytes:
-        """The acknowledgement to send, empty if there is none."""
+        """The acknowledgment to send, empty if there is none."""
         if not self._ack_at_next:
             return b""
         self._ack_at_next = False

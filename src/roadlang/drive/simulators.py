@@ -10,7 +10,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.readings import SensorRecord
 from ..ir.scene import Call, Scene
 from ..ir.trace import Trace
-from ..judging.drives import Judgement, judge
+from ..judging.drives import Judgment, judge
 from ..plugins.configured import configured
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
@@ -28,7 +28,7 @@ class Driven:
 
     scene: Scene
     trace: Trace
-    judgement: Judgement
+    judgment: Judgment
     readings: tuple[SensorRecord, ...] = ()
     """of the sensors, where they were to be recorded"""
 

@@ -140,10 +140,10 @@ class Evaluator:
     def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
         """What came of a drive. Raises DiagnosticError where an expectation has no verdict."""
         task, scene = self.task, driven.scene
-        faults = [driven.judgement.faults.get(name, ()) for name in task.expects]
+        faults = [driven.judgment.faults.get(name, ()) for name in task.expects]
         if any(faults):
             raise DiagnosticError(*(fault for part in faults for fault in part))
-        verdicts = {verdict.name: verdict for verdict in driven.judgement.verdicts}
+        verdicts = {verdict.name: verdict for verdict in driven.judgment.verdicts}
         violated = tuple(name for name in task.expects if verdicts[name].satisfied is False)
         moment = None
         if violated:

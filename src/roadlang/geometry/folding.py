@@ -1,6 +1,6 @@
 """Whether a displaced road runs backwards, or bends more sharply than its stations can show.
 
-A displacement of a bend towards its inside shortens it; at the center of the bend it has no length,
+A displacement of a bend toward its inside shortens it; at the center of the bend it has no length,
 and beyond it runs backwards. A road is *folded* where
 
 - `1 - k e` is less than `LEAST_ADVANCE` at a station (curvature k, displacement e), or a step

@@ -27,7 +27,7 @@ from .verdicts import decided
 
 
 @dataclass(frozen=True)
-class Judgement:
+class Judgment:
     """The verdicts on a drive. An expectation that cannot be evaluated has no robustness there, and
     its diagnostics are in `faults`, by its name."""
 
@@ -35,7 +35,7 @@ class Judgement:
     faults: Mapping[str, tuple[Diagnostic, ...]]
 
 
-def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgement:
+def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:
     """The expectations with robustness; those over roads were judged when the scene was made.
 
     A member signal of a group (`walkers.speed`) makes the formula hold for each of its members;
@@ -50,7 +50,7 @@ def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgement:
         except DiagnosticError as error:  # the other expectations and the trace are as good
             verdicts.append(verdict)
             faults[verdict.name] = error.diagnostics
-    return Judgement(tuple(verdicts), faults)
+    return Judgment(tuple(verdicts), faults)
 
 
 def _judged(verdict: Verdict, trace: Trace, registry: Registry) -> Verdict:

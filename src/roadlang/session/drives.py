@@ -75,8 +75,8 @@ class Drive:
         self.trace: Trace = driven.trace
         self.readings: tuple[SensorRecord, ...] = driven.readings
         """what the sensors of the agents measured; none of a drive of a search"""
-        self._verdicts = driven.judgement.verdicts
-        self._faults = driven.judgement.faults
+        self._verdicts = driven.judgment.verdicts
+        self._faults = driven.judgment.faults
         self._places = places
 
     def __repr__(self) -> str:

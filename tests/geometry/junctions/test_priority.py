@@ -24,7 +24,7 @@ EAST, NORTH, WEST, SOUTH = 1, 2, 3, 4
     ("first", "second"),
     [
         ((SOUTH, NORTH), (EAST, WEST)),  # from the right
-        ((SOUTH, WEST), (NORTH, SOUTH)),  # a left turn and who comes towards it
+        ((SOUTH, WEST), (NORTH, SOUTH)),  # a left turn and who comes toward it
         ((SOUTH, WEST), (EAST, WEST)),  # into one lane
     ],
 )

@@ -91,10 +91,10 @@ def test_a_route_passes_its_points_in_order() -> None:
 def test_a_one_way_road_is_driven_in_its_direction_only() -> None:
     network = star(0.0, 120.0, 240.0)
     graph = graph_of(network, one_way=(1,))
-    away, towards = (1, False), (1, True)
+    away, toward = (1, False), (1, True)
     ways = {(lane.edge, lane.backward) for lane in graph.lanes}
     assert away in ways
-    assert towards not in ways
+    assert toward not in ways
     near = near_roads(graph, np.array([[80.0, 0.0], [-40.0, 69.0]]))
     stages = [near.options(graph, number, lambda _: True) for number in range(2)]
     assert shortest_route(graph, stages) == 1

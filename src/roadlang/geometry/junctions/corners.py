@@ -51,7 +51,7 @@ def corner_between(
     size: CurbSize,
 ) -> Corner:
     """The corner of two arms that leave with `headings`."""
-    # Arms of different nodes may lean towards each other.
+    # Arms of different nodes may lean toward each other.
     least = 0.25 * math.pi if arms[0].node == arms[1].node else 0.75 * math.pi
     angle = (headings[1] - headings[0] + least) % (2.0 * math.pi) - least
     inner = _curb_to_lane(arms)

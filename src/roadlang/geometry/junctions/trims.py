@@ -185,7 +185,7 @@ def _clear_of(arm: ArmLine, other: ArmLine) -> float:
 def _first_clear(arm: ArmLine, other: ArmLine, strict: Floats, gap: Floats) -> float:
     """The least trim that keeps two arms apart.
 
-    Arms of different nodes, which may lean towards each other and cross where no node is, must be
+    Arms of different nodes, which may lean toward each other and cross where no node is, must be
     clear as far as trims go; if they are not, and for all others, for a few meters. The two ends of
     one road come together anyway.
     """

@@ -19,6 +19,12 @@ class StatementSpec:
     scenario_field: str
     lower: Callable[[Checker, StatementSpec, Any], Any]
     """From a `PlacedStatement` or `Declaration` to what it becomes; None, reported, if wrong."""
+    form: str
+    """How it is written, as the reference and `roadlang explain` show it."""
+    help: str
+    """What it means."""
+    example: str
+    """A scene file with it."""
     options: type | None = None
     verbs: Mapping[str, type | None] = field(default_factory=dict)
     """The verbs of the passes in its block, and the options that every kind of one has here."""
