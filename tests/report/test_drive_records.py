@@ -1,0 +1,81 @@
+"""What the viewer of the page is given of a drive."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+import roadlang
+from roadlang.report.drive_records import DriveView, drive_record, view
+from roadlang.report.results import ShownDrive
+from roadlang.session.scene import installed
+
+TEXT = """
+road main { draw with waypoints { points: [(0m, 0m), (60m, 0m)] } }
+agent ego is car on main at 10m { start_speed: 10m/s, drive with pure_pursuit { speed: 10m/s } }
+object box is barrier on main at 50m { offset: 5m }
+expect moves: always (ego.speed > 1m/s)
+expect is_slow: always (ego.speed < 8m/s)
+expect is_near: always (ego.x < 32m)
+"""
+
+
+@cache
+def driven() -> tuple[DriveView, Any]:
+    scene = roadlang.loads(TEXT).sample(1, seed=0)[0]
+    drive = scene.run(duration=3.0)
+    verdicts = tuple(drive.verdicts.values())
+    shown = ShownDrive("one", "1", 4, scene.record, drive.trace, verdicts, True)
+    seen = view(shown, installed())
+    return seen, drive_record(seen, {}, 20)
+
+
+def test_the_worst_expectation_is_the_one_that_is_violated_most() -> None:
+    seen, record = driven()
+    assert [judged.verdict.satisfied for judged in seen.judged] == [True, False, False]
+    assert record["worst"] == "is_near"
+    assert seen.worst is not None
+    assert seen.worst.verdict.robustness == pytest.approx(-8.0, abs=0.5)
+
+
+def test_the_moment_is_that_of_the_first_violation() -> None:
+    _, record = driven()
+    time, x = np.cumsum(record["time"]) / 1000, np.cumsum(record["agents"][0]["x"]) / 100
+    at = record["moment"]
+    assert x[at - 1] < 32.0 <= x[at] < 33.1
+    assert record["place"].startswith(f"{time[at]:.1f}\N{NO-BREAK SPACE}s, s")
+
+
+def test_numbers_are_those_of_the_trace_rounded() -> None:
+    seen, record = driven()
+    trace = seen.drive.trace
+    time = np.cumsum(record["time"]) / 1000
+    assert time[0] == 0.0
+    assert time[-1] == pytest.approx(trace.time[-1], abs=1e-3)
+    ego = trace.agents["ego"]
+    for name, values, unit in (
+        ("speed", ego.speed, 100), ("station", ego.station, 100), ("x", ego.x, 100),
+        ("y", ego.y, 100), ("heading", ego.heading, 1000),
+    ):  # fmt: skip
+        found = record if name in record else record["agents"][0]
+        expected = np.interp(time, trace.time, values)
+        np.testing.assert_allclose(np.cumsum(found[name]) / unit, expected, atol=0.02)
+    assert record["agents"][0]["size"] == [ego.length, ego.width]
+    assert record["agents"][0]["until"] == len(time)
+    assert [(o[:2], o[2:4]) for o in record["objects"]] == [(["box", "barrier"], [50.0, 5.0])]
+    assert [agent["name"] for agent in record["agents"]] == ["ego"]
+
+
+def test_the_color_of_the_path_is_the_sign_of_the_worst_expectation() -> None:
+    seen, record = driven()
+    (series,) = [v["series"] for v in record["verdicts"] if v["name"] == record["worst"]]
+    for shade, value in zip(record["shades"], series, strict=True):
+        assert (shade > 8) == (value > 0.5) or abs(value) < 1.0
+        assert 0 <= shade <= 16
+    assert record["shades"][0] > 8 > record["shades"][-1]
+    assert [v["robustness"] for v in record["verdicts"]] == [
+        j.verdict.robustness for j in seen.judged
+    ]
