@@ -38,6 +38,12 @@ def test_an_interruption_ends_quietly(
     assert capsys.readouterr().err.strip() == "interrupted"
 
 
+def test_a_bug_that_was_never_raised_has_no_place() -> None:
+    from roadlang.cli.bug import describe_bug
+
+    assert "an unknown place" in str(describe_bug(ValueError("one\ntwo")))
+
+
 def test_a_bug_is_a_short_report_and_exit_70(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
