@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from roadlang import testing
+from roadlang_formats.osm_map.lane_arrows import written_arrows
 from tests.formats.test_read_osm import osm, read, way
 
 
@@ -35,6 +36,22 @@ def crossing(west: str, **tags: str) -> list[str]:
         way(3, "33 34 35", name="east", **out),
         way(4, "33 23 13", name="south", **out),
     ]
+
+
+@pytest.mark.parametrize(
+    ("tags", "written"),
+    [
+        ({"turn:lanes": "left|right"}, ("", "")),
+        ({"turn:lanes": "left|right", "oneway": "yes"}, ("", "left|right")),
+        ({"turn:lanes": "left|right", "oneway": "-1"}, ("left|right", "")),
+        ({"turn:lanes:forward": "left", "turn:lanes:backward": "right"}, ("right", "left")),
+        ({"turn:lanes": "through", "turn:lanes:forward": "left", "oneway": "yes"}, ("", "left")),
+    ],
+)
+def test_the_direction_of_a_way_says_for_whom_arrows_are(
+    tags: dict[str, str], written: tuple[str, str]
+) -> None:
+    assert written_arrows(tags) == written
 
 
 def test_lanes_lead_where_their_arrows_point(tmp_path: Path) -> None:

@@ -66,6 +66,18 @@ def test_parts_of_one_street_are_one_road(tmp_path: Path) -> None:
     assert [edge.name for edge in network.edges] == ["Main", ""]
 
 
+@pytest.mark.parametrize("first", ["31 32 33", "33 32 31"])
+@pytest.mark.parametrize("second", ["33 34 35", "35 34 33"])
+def test_ways_of_a_street_are_joined_however_each_was_drawn(
+    tmp_path: Path, first: str, second: str
+) -> None:
+    text = osm(way(1, first, name="Main"), way(2, second, name="Main"))
+    (edge,) = read(tmp_path, text).network.edges
+    steps = np.diff(edge.curve.points[:, 0])
+    assert edge.curve.length == pytest.approx(4 * 74.4, rel=0.01)
+    assert (steps > 0.0).all() or (steps < 0.0).all()
+
+
 def test_a_one_way_street_goes_on_only_in_its_direction(tmp_path: Path) -> None:
     against = osm(way(1, "31 32", oneway="yes"), way(2, "33 32", oneway="yes"))
     along = osm(way(1, "31 32", oneway="yes"), way(2, "32 33", oneway="yes"))

@@ -31,6 +31,7 @@ from roadlang.api import (
     option,
     quantity,
 )
+from roadlang.ir.dimension import Dimension
 from roadlang.plugins.annotations import Annotation, read_annotation, type_of
 from roadlang.plugins.option_types import (
     CallType,
@@ -38,6 +39,7 @@ from roadlang.plugins.option_types import (
     FlagType,
     KindNameType,
     ListType,
+    PointType,
     QuantityType,
     TextType,
     WordType,
@@ -259,3 +261,17 @@ def test_a_typed_plugin_needs_no_ignores(tmp_path: Path, wrong: str) -> None:
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode == 0) == (not wrong), done.stdout + done.stderr
     assert not wrong or '"RoadBatch" has no attribute "x_curvature"' in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("point", "dimensions"),
+    [
+        (PointType(LENGTH.dimension), [LENGTH.dimension] * 2),
+        (PointType(LENGTH.dimension, ANGLE.dimension), [LENGTH.dimension, ANGLE.dimension]),
+        (PointType(LENGTH.dimension, in_space=True), [LENGTH.dimension] * 3),
+    ],
+)
+def test_the_parts_of_a_point_have_its_dimensions(
+    point: PointType, dimensions: list[Dimension]
+) -> None:
+    assert [part.dimension for part in point.parts] == dimensions

@@ -7,7 +7,7 @@ from roadlang.report.elements import drawing, element, text
 
 def test_attributes_are_named_as_in_html_and_left_out_where_they_are_none() -> None:
     made = element("td", "x", class_="a", aria_label='"<', title=None, hidden=True, colspan=0)
-    assert made == "<td class=\"a\" aria-label='\"&lt;' hidden colspan=\"0\">x</td>"
+    assert made == '<td class="a" aria-label=\'"&lt;\' hidden colspan="0">x</td>'
 
 
 def test_some_elements_have_no_end() -> None:

@@ -26,7 +26,7 @@ def model(speeds: tuple[float, ...], **changed: float) -> Following:
 def free(speed: float) -> float:
     if speed <= TARGET:
         return MOST * (1.0 - (max(speed, 0.1) / TARGET) ** 4)
-    return -BRAKING * (1.0 - (TARGET / speed) ** (4.0 * MOST / BRAKING))
+    return float(-BRAKING * (1.0 - (TARGET / speed) ** (4.0 * MOST / BRAKING)))
 
 
 def behind(speed: float, gap: float, ahead: float) -> float:
@@ -36,7 +36,7 @@ def behind(speed: float, gap: float, ahead: float) -> float:
     if need >= 1.0:
         close = MOST * (1.0 - need**2)
         return close + (alone if speed > TARGET else 0.0)
-    return alone * (1.0 - need ** (2.0 * MOST / alone)) if alone > 0.0 else alone
+    return float(alone * (1.0 - need ** (2.0 * MOST / alone)) if alone > 0.0 else alone)
 
 
 def test_a_free_road_lets_cars_reach_their_target() -> None:
