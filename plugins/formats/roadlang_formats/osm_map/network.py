@@ -171,8 +171,8 @@ def _goes_on(one: Street, other: Street) -> bool:
 
 
 def _joined(one: Street, other: Street, node: str) -> Street | None:
-    """Both in the direction of one of them; None where they run against each other one way, or would
-    close a ring."""
+    """Both in the direction of one of them; None where they run against each other one way, or
+    would close a ring."""
     if {one.nodes[0], one.nodes[-1]} == {other.nodes[0], other.nodes[-1]}:
         return None
     if one.nodes[0] == node and other.nodes[-1] == node:
