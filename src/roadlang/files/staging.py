@@ -35,7 +35,7 @@ class StagedFiles:
         if not is_plain(name):
             raise ValueError(f"`{name}` is not the name of a file in a folder")
         with reported(self._folder):
-            write_new(self._room / name, content)
+            write_new(os.path.join(self._room, name), content)
         self._names.append(name)
 
     def paths(self) -> dict[str, Path]:

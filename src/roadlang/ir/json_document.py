@@ -15,7 +15,7 @@ from operator import attrgetter
 from typing import Any
 
 from .number_text import floats_text, is_floats
-from .read_only import FrozenDict, FrozenList, is_unchangeable
+from .read_only import Floats, FrozenDict, FrozenList, is_unchangeable
 from .scene import SceneNetwork, SceneRoad, Verdict
 from .scene_actor import Call
 
@@ -67,6 +67,8 @@ class _Writer:
         leaf = _LEAVES.get(kind)
         if leaf is not None:
             return leaf(value)
+        if kind is Floats:
+            return self._numbers(value)
         if kind in _SEQUENCES:
             return self._sequence(value, depth)
         if kind in _SHARED:
@@ -111,16 +113,15 @@ class _Writer:
             + (leaf(value) if (leaf := leaves.get(type(value))) else written(value, depth + 1))
             for prefix, value in zip(prefixes, values, strict=True)
         ]
-        return "{\n" + ",\n".join(lines) + "\n" + "  " * depth + "}"
+        inside = ",\n".join(lines)
+        return f"{{\n{inside}\n{'  ' * depth}}}"
 
     def _sequence(self, value: Any, depth: int) -> str:
         if not value:
             return "[]"
         kind = type(value)
         if _FLOATS.issuperset(map(type, value)):
-            if len(value) <= _FEW or kind is list:
-                return _floats(value, 0)
-            return self._known(value, 0, _floats, certain=True)
+            return _floats(value, 0) if kind is list else self._numbers(value)
         kinds = set(map(type, value))
         if kinds <= _PLAIN:
             return _other(value)
@@ -138,10 +139,16 @@ class _Writer:
             else _other(converted)
         )
 
+    def _numbers(self, value: tuple[float, ...]) -> str:
+        if len(value) <= _FEW:
+            return _floats(value, 0)
+        return self._known(value, 0, _floats, certain=True)
+
     def _lines(self, values: Any, depth: int) -> str:
         inner = "  " * (depth + 1)
         lines = [inner + self.written(item, depth + 1) for item in values]
-        return "[\n" + ",\n".join(lines) + "\n" + "  " * depth + "]"
+        inside = ",\n".join(lines)
+        return f"[\n{inside}\n{'  ' * depth}]"
 
 
 def plain(value: Any) -> Any:
@@ -186,7 +193,7 @@ def _is_spread(kind: Any) -> bool:
 
 def _floats(values: Any, depth: int) -> str:
     text = floats_text(values)
-    if "null" in text:
+    if "n" in text:  # null
         raise ValueError("a number is not finite")
     return f"[{text}]"
 

@@ -9,27 +9,44 @@ from typing import Any
 
 def floats_text(values: Sequence[float], separator: str = ", ") -> str:
     """Floating point numbers as the items of a JSON list; `null` where one is not finite."""
-    content: bytes = _encoder().encode(values)
-    if b"e" in content or _SMALL.encode() in content:
-        return _as_python_writes(content[1:-1].decode()).replace(",", separator)
-    return content[1:-1].replace(b",", separator.encode()).decode()
+    content: bytes = _encoder().encode(values)[1:-1]
+    small = content.find(_SMALL)
+    if small >= 0:
+        content = _with_exponents(content, small)
+    if b"e" in content:
+        content = _with_long_exponents(content)
+    return content.replace(b",", separator.encode()).decode()
 
 
-def _as_python_writes(text: str) -> str:
-    """The same numbers; those with an exponent, or so small that Python would write one, anew."""
-    text = f",{text},"
-    places: set[int] = set()
-    for sign in ("e", f",{_SMALL}", f",-{_SMALL}"):
-        at = text.find(sign)
-        while at >= 0:
-            places.add(text.rfind(",", 0, at + 1))
-            at = text.find(sign, at + 1)
+def _with_exponents(content: bytes, at: int) -> bytes:
+    """Python writes 1.25e-05 where msgspec writes 0.0000125. `at`: where that may first be."""
     parts, last = [], 0
-    for place in sorted(places):
-        end = text.index(",", place + 1)
-        parts += [text[last : place + 1], repr(float(text[place + 1 : end]))]
-        last = end
-    return "".join([*parts, text[last:]])[1:-1]
+    while at >= 0:
+        start = at + len(_SMALL)
+        if at == 0 or content[at - 1] in b",-":  # not the end of 10.00005
+            end = content.find(b",", start)
+            end = len(content) if end < 0 else end
+            digits = content[start:end]
+            point = b"." if len(digits) > 1 else b""
+            parts += [content[last:at], digits[:1], point, digits[1:], b"e-05"]
+            start = last = end
+        at = content.find(_SMALL, start)
+    return b"".join([*parts, content[last:]])
+
+
+def _with_long_exponents(content: bytes) -> bytes:
+    """Python writes e-08 and e+16 where msgspec writes e-8 and e16."""
+    parts, last, at = [], 0, content.find(b"e")
+    while at >= 0:
+        at += 1
+        if content[at : at + 1] != b"-":
+            parts += [content[last:at], b"+"]
+            last = at
+        elif content[at + 2 : at + 3] in (b"", b","):
+            parts += [content[last : at + 1], b"0"]
+            last = at + 1
+        at = content.find(b"e", at)
+    return b"".join([*parts, content[last:]])
 
 
 def is_floats(values: Sequence[Any]) -> bool:
@@ -37,8 +54,8 @@ def is_floats(values: Sequence[Any]) -> bool:
     return set(map(type, values)) == {float}
 
 
-_SMALL = "0.0000"
-"""How msgspec writes some numbers that Python writes with an exponent."""
+_SMALL = b"0.0000"
+"""How msgspec begins numbers from 0.00001 on that Python writes with an exponent."""
 
 
 @cache

@@ -52,8 +52,15 @@ class ReadOnlyMapping(Mapping[K, V]):
     __slots__ = ()
 
 
+class Floats(tuple[float, ...]):
+    """Numbers that are known to be floating point numbers: nobody has to look at each."""
+
+    __slots__ = ()
+
+
 _LEAVES = frozenset((float, int, str, bool, type(None)))
-_READ_ONLY = _LEAVES | {FrozenDict, FrozenList}
+_FIXED = _LEAVES | {Floats}
+_READ_ONLY = _FIXED | {FrozenDict, FrozenList}
 
 
 _FROZEN_RECORDS: set[type] = set()
@@ -69,6 +76,8 @@ def frozen(value: Any) -> Any:
         return value
     if type(value) in _FROZEN_RECORDS:
         return value
+    if type(value) is list or type(value) is tuple:
+        return _frozen_items(value)
     flags = getattr(value, "flags", None)
     if flags is not None:
         return _read_only()(value) if flags.writeable else value
@@ -78,25 +87,27 @@ def frozen(value: Any) -> Any:
         if _READ_ONLY.issuperset(map(type, value.values())):
             return FrozenDict(value)
         return FrozenDict({key: frozen(item) for key, item in value.items()})
-    if type(value) is list or type(value) is tuple:
-        kinds = set(map(type, value))
-        plain = kinds <= _READ_ONLY or kinds <= _FROZEN_RECORDS
-        if type(value) is list:
-            return FrozenList(value if plain else [frozen(item) for item in value])
-        items = value if plain else tuple([frozen(item) for item in value])
-        is_same = plain or all(map(operator.is_, items, value))
-        return value if is_same else items
     parameters = getattr(type(value), "__dataclass_params__", None)
     if parameters is not None and parameters.frozen:
         _FROZEN_RECORDS.add(type(value))
     return value
 
 
+def _frozen_items(value: list[Any] | tuple[Any, ...]) -> Any:
+    kinds = set(map(type, value))
+    plain = kinds <= _READ_ONLY or kinds <= _FROZEN_RECORDS
+    if type(value) is list:
+        return FrozenList(value if plain else [frozen(item) for item in value])
+    items = value if plain else tuple([frozen(item) for item in value])
+    is_same = plain or all(map(operator.is_, items, value))
+    return value if is_same else items
+
+
 def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
     """Whether nothing in a value can be changed, however deep. False also of types that nothing is
     known of. `known`: the identities of objects of which it is known already."""
     kind: Any = type(value)
-    if kind in _LEAVES or id(value) in known:
+    if kind in _FIXED or id(value) in known:
         return True
     if kind is tuple or kind is FrozenList:
         return _LEAVES.issuperset(map(type, value)) or _are_unchangeable(value, known)
@@ -113,7 +124,12 @@ def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
 
 
 def _are_unchangeable(values: Iterable[Any], known: Container[int]) -> bool:
-    return all(is_unchangeable(value, known) for value in values)
+    for value in values:
+        if type(value) in _FIXED or id(value) in known:
+            continue
+        if not is_unchangeable(value, known):
+            return False
+    return True
 
 
 @cache

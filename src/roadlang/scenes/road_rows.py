@@ -12,6 +12,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import GeometryError
 from ..geometry.arrays import Booleans, Floats
 from ..ir.batch import RoadBatch
+from ..ir.read_only import Floats as FloatNumbers
 from ..ir.scene_lane import SceneLane
 from ..ir.scene_road import SceneRoad
 from ..world.cross_sections import LaneBatch
@@ -115,5 +116,12 @@ def _fewest(numbers: list[float]) -> Numbers:
 
 
 def _numbers(rows: Floats) -> list[Numbers]:
-    """(V, S) as a tuple for each row."""
-    return list(map(tuple, rows.tolist()))
+    """(V, S) as a tuple for each row; one where all are equal, to the sign of a 0."""
+    if len(rows) > 1 and _are_equal(rows):
+        rows = rows[:1]
+    return list(map(FloatNumbers, rows.tolist()))
+
+
+def _are_equal(rows: Floats) -> bool:
+    first = rows[0]
+    return bool((rows == first).all() and (np.signbit(rows) == np.signbit(first)).all())

@@ -22,6 +22,9 @@ CROWDED = 40
 given up: each has been arranged many times. Counted attempt by attempt, so that the size of batches
 does not decide it."""
 
+MANY = 16
+"""Scenes of which the first attempt alone is judged at first: it is all that many of them need."""
+
 
 def accepted_attempts(
     acceptance: Acceptance,
@@ -46,7 +49,8 @@ def accepted_attempts(
     pending, start = [s for s in scenes if crowded.get(s, 0) < CROWDED], first
     while pending and start < end:
         width = max(1, together // len(pending))
-        width = min(width, end - start, 4 * start + 4)
+        one_each = start == 0 and len(pending) >= MANY
+        width = min(width, end - start, 1 if one_each else 4 * start + 4)
         tries = np.arange(start, start + width)
         candidates = _candidates(acceptance, seed, pending, tries, propose)
         left = np.array([CROWDED - crowded.get(scene, 0) for scene in pending])

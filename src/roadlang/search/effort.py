@@ -113,6 +113,10 @@ def _stations_of(acceptance: Acceptance) -> int:
 
 def _stations(names: frozenset[str], scenario: IndexedScenario) -> int:
     """Of all the roads that are looked at."""
+    return scenario.once(("stations of", names), lambda: _counted(names, scenario))
+
+
+def _counted(names: frozenset[str], scenario: IndexedScenario) -> int:
     fixed = fixed_candidate(scenario)
     count = 1
     for name in names:

@@ -12,7 +12,7 @@ from .scene_search import SceneSearch
 from .streams import accepted_of_stream
 from .worker_pool import ALONE, WorkerPool, Workers
 
-BLOCKS = ((64, 16), (1024, 64))
+BLOCKS = ((64, 16), (256, 64))
 """Up to how many scenes how many of them are searched for together: a batch of candidates costs as
 much as hundreds of them. No scene depends on it."""
 LARGEST_BLOCK, SENT_BLOCK = 256, 64
