@@ -32,7 +32,8 @@ def test_the_table_says_what_decides(trace: Any, capsys: pytest.CaptureFixture[s
     ("formula", "code", "verdict"),
     [
         ("always[0, 2] (e < 8)", 0, "satisfied"),
-        ("always (e < 8)", 0, "unknown"),
+        ("always (e < 8)", 0, "satisfied"),
+        ("eventually (e > 8)", 4, "violated"),
         ("eventually[0, 1] (v > 5)", 4, "violated"),
     ],
 )
@@ -53,7 +54,7 @@ def test_several_traces(trace: Any, tmp_path: Path, capsys: pytest.CaptureFixtur
     other.write_text('{"t": [0, 1], "e": [0, 1]}')
     assert run(["monitor", "always (e < 6)", trace, str(other), "--json"]) == 4
     assert [found["verdict"] for found in json.loads(capsys.readouterr().out)] == [
-        "violated", "unknown",
+        "violated", "satisfied",
     ]  # fmt: skip
 
 
@@ -100,3 +101,14 @@ def test_files_are_judged_between_samples(
     assert found["verdict"] == "violated"
     assert found["robustness"] == pytest.approx(-2.2)
     assert run(["monitor", formula, str(trace), "--semantics", "held", "--wrap", "3"]) == 2
+
+
+@pytest.mark.parametrize("semantics", ["sampled", "linear"])
+def test_an_open_trace_may_go_on(
+    trace: Any, capsys: pytest.CaptureFixture[str], semantics: str
+) -> None:
+    command = ["monitor", "always (e < 8)", trace, "--semantics", semantics]
+    assert run([*command, "--open"]) == 0
+    assert "unknown  1           [-inf, 1]" in capsys.readouterr().out
+    assert run(command) == 0
+    assert "range" not in capsys.readouterr().out

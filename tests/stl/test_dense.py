@@ -270,3 +270,11 @@ def test_signals_that_are_never_known_together_are_refused() -> None:
     signals = {"x": stl.OwnGrid([0, 1], [1, 2]), "y": stl.OwnGrid([2, 3], [1, 2])}
     with pytest.raises(DiagnosticError, match="RL301"):
         stl.parse("x < y").rho([0], signals, semantics="held")
+
+
+def test_the_bound_and_the_function_need_semantics_between_samples() -> None:
+    phi, x = stl.parse("always (x < 5)"), {"x": [0.0, 1.0]}
+    with pytest.raises(DiagnosticError, match="none of `held`, `linear`"):
+        stl.sampling_error(phi, [0, 1], x, {"x": 1.0}, "lineer")  # type: ignore[arg-type]
+    with pytest.raises(DiagnosticError, match="RL342"):
+        stl.dense_function(phi, [0, 1], x, "sampled")

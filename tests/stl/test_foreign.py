@@ -98,6 +98,7 @@ def test_a_formula_of_staliro_is_recognized() -> None:
         (stl.read_breach, "alw (x[t+1] > 0)", "RL331"),
         (stl.read_breach, "alw_[0, 5 (x[t] > 0)", "RL0"),
         (stl.read_latex, r"\mathbf{F}_{(0,3]} (\mu > 0)", "RL026"),
+        (stl.read_staliro, "<>_(0,inf) (x > 0)", "RL026"),
         (stl.read_latex, r"\frac{", "RL0"),
         (stl.read_latex, "", "RL0"),
     ],

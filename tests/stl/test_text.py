@@ -156,6 +156,8 @@ def test_formulas_of_breach_are_recognized(text: str) -> None:
         ("always]0s, 5s[ (x < 1)", "RL026", "intervals include both ends: write `[0s, 5s]`"),
         ("(x < 1) since[1, 5[ (x > 1)", "RL026", "intervals include both ends: write `[1, 5]`"),
         ("(x < 1) until(0, 5) (x > 1)", "RL026", "write `[0, 5]`"),
+        ("count(0, 5] (x < 1) >= 2", "RL026", "intervals include both ends: write `[0, 5]`"),
+        ("duration[0, 5) (x < 1) > 2", "RL026", "intervals include both ends: close it with `]`"),
         ("next[0, 1] (x > 1)", "RL001", "`next` counts samples, not time: leave the interval out"),
         ("always (lateral error < 1)", "RL001", "in back quotes: `` `lateral error` ``"),
         ("always (l\u00fccke < 1)", "RL007", "in back quotes: `` `l\u00fccke` ``"),

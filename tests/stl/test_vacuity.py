@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -111,3 +112,68 @@ def _widened(formula: stl.Formula, least: float) -> stl.Formula:
         return replace(formula, operand=operand, interval=window)
     widened: stl.Formula = type(formula).of(parts, window)
     return widened
+
+
+@pytest.mark.parametrize(
+    ("text", "open_", "finished"),
+    [
+        ("always (x < 10)", "unknown", "satisfied"),
+        ("eventually (x > 10)", "unknown", "violated"),
+        ("always (x > 5 implies eventually[1, 2] (x < 10))", "unknown", "violated"),
+        ("next next next next next (x > 0)", "unknown", "violated"),
+        ("always (x < 9)", "violated", "violated"),
+        # Where no sample is looked at:
+        ("always[7, 7.5] (x < 0)", "unknown", "vacuous"),
+        ("not eventually[7, 9] (x < 0)", "unknown", "vacuous"),
+        ("eventually[3.2, 4] always[0.5, 1] (x < 0)", "unknown", "vacuous"),
+        ("count[10, 20] (x > 0) < 1", "unknown", "vacuous"),
+        ("x < 1 or always[7, 8] (x < 0)", "satisfied", "satisfied"),
+        ("(x < 0) until[10, 20] (x > 0)", "violated", "violated"),
+        ("(x > 10) release[10, 20] (x > 0)", "unknown", "vacuous"),
+        ("always[0.2, 0.8] (x < 0)", "vacuous", "vacuous"),
+        ("always[0.2, 0.8] (x < 0) and always[7, 8] (x < 0)", "unknown", "vacuous"),
+        ("eventually[0, 0] once[1, 2] (x < 10)", "violated", "violated"),
+    ],
+)
+def test_a_finished_trace_has_a_verdict(text: str, open_: str, finished: str) -> None:
+    formula = stl.parse(text)
+
+    assert formula.verdict(SECONDS, X) == open_
+    assert formula.verdict(SECONDS, X, finished=True) == finished
+    assert formula.explain(SECONDS, X, finished=True).verdict == finished
+
+
+@pytest.mark.parametrize("semantics", ["held", "linear"])
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        ("always (x <= 9)", "satisfied"),
+        ("eventually (x > 9)", "violated"),
+        ("always[0.2, 0.8] (x < 10)", "satisfied"),
+        ("always[7, 8] (x < 0)", "vacuous"),
+        ("x < 0 and always[7, 8] (x < 0)", "violated"),
+    ],
+)
+def test_a_finished_trace_that_is_known_between_samples(
+    text: str, verdict: str, semantics: Any
+) -> None:
+    formula = stl.parse(text)
+    found = formula.explain(SECONDS, X, semantics=semantics, finished=True)
+    assert formula.verdict(SECONDS, X, semantics=semantics, finished=True) == verdict
+    assert (found.verdict, bool(found.beyond_end)) == (verdict, "[7, 8]" in text)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_what_no_continuation_changes_is_the_verdict_of_the_finished_trace(seed: int) -> None:
+    formula = FormulaDraw(seed, corners=seed % 2 == 0).formula(1 + seed % 3)
+    positions, signals = draw_trace(seed, 7, 3, even=seed % 3 == 0)
+
+    found = np.atleast_1d(formula.verdict(positions, signals, finished=True))
+    truth = np.atleast_1d(formula.satisfied(positions, signals))
+    open_ = np.atleast_1d(formula.verdict(positions, signals))
+
+    decided = found != "vacuous"
+    assert (found != "unknown").all()
+    assert ((found == "satisfied") == truth)[decided].all()
+    certain = np.isin(open_, ("satisfied", "violated"))
+    assert (found == open_)[certain].all()

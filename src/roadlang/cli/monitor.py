@@ -38,6 +38,13 @@ if TYPE_CHECKING:
     help="Length of the closed road that the traces go around.",
 )
 @click.option(
+    "--open",
+    "is_open",
+    is_flag=True,
+    help="The traces may go on: show the range over all continuations; the verdict is `unknown` "
+    "where these decide. Otherwise a trace is judged as it ended.",
+)
+@click.option(
     "--strict", is_flag=True, help="Count a vacuous verdict as a violation (exit code 4)."
 )
 @click.option(
@@ -78,7 +85,8 @@ def command(
     In traces of `roadlang run` the signals are `ego.speed` and so on; those of --agent, or of the
     only agent, are also called `speed`. Numbers are in the units of the trace unless they have a
     unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula. A verdict is
-    vacuous if it depends on a window that holds no sample.
+    vacuous if it depends on a window that holds no sample. A trace counts as finished: `always`
+    holds if it does to the end. See --open.
 
     The JSON of one TRACE is an object with formula, robustness (at the start), range, verdict,
     positions, trace (the robustness at each position) and explanation; of several it is a list of
@@ -96,7 +104,7 @@ def command(
         click.get_current_context().exit(code)
     columns = [(path, read_trace(path, how["agent"])) for path in traces]
     findings = [_judged(parsed, trace, path, plot, how) for path, trace in columns]
-    _show(parsed, findings, as_json)
+    _show(parsed, findings, as_json, how["is_open"])
     failing = ("violated", "vacuous") if how["strict"] else ("violated",)
     broken = any(finding["verdict"] in failing for finding in findings)
     click.get_current_context().exit(exit_codes.EXPECTATION_VIOLATED if broken else exit_codes.DONE)
@@ -116,7 +124,7 @@ def _refuse_combinations(
     if measure != "space" and (dense != "sampled" or plot or following or how["wrap"]):
         problem = "goes without --semantics, --plot, --wrap and --follow"
         raise click.UsageError(f"--robustness {measure} {problem}")
-    others = (how["agent"], how["wrap"], how["strict"], plot, as_json)
+    others = (how["agent"], how["wrap"], how["strict"], how["is_open"], plot, as_json)
     if following and (len(traces) > 1 or any(others)):
         raise click.UsageError("--follow goes with one TRACE and no other option")
 
@@ -125,28 +133,29 @@ def _judged(
     formula: Formula, columns: Columns, path: str, plot: str | None, how: dict[str, Any]
 ) -> dict[str, Any]:
     if how["semantics"] != "sampled":
-        return _dense_finding(formula, columns, path, how["semantics"])
-    finding = _finding(formula, columns, path, how["wrap"], plot)
+        return _dense_finding(formula, columns, path, how)
+    finding = _finding(formula, columns, path, plot, how)
     if how["measure"] != "space":
         finding |= _measured(formula, columns, how["measure"])
     return finding
 
 
-def _show(formula: Formula, findings: list[dict[str, Any]], as_json: bool) -> None:
+def _show(formula: Formula, findings: list[dict[str, Any]], as_json: bool, is_open: bool) -> None:
     if as_json:
         echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
     else:
         echo(str(formula))
-        echo(_table(findings))
+        echo(_table(findings, is_open))
     for finding in findings:
         _warn_of_empty_windows(finding)
 
 
 def _finding(
-    formula: Formula, columns: Columns, path: str, wrap: float | None, plot: str | None
+    formula: Formula, columns: Columns, path: str, plot: str | None, how: dict[str, Any]
 ) -> dict[str, Any]:
     axis, positions, signals = columns
-    why = formula.explain(positions, signals, wrap=wrap)
+    wrap: float | None = how["wrap"]
+    why = formula.explain(positions, signals, wrap=wrap, finished=not how["is_open"])
     explanation = why.to_json()
     if plot:
         from ..files.writing import write_file
@@ -185,14 +194,16 @@ def _shown(values: list[float]) -> list[float | str]:
 
 
 def _dense_finding(
-    formula: Formula, columns: Columns, path: str, semantics: Semantics
+    formula: Formula, columns: Columns, path: str, how: dict[str, Any]
 ) -> dict[str, Any]:
     """No window falls between two samples."""
     from ..stl.dense.observed_rates import observed_sampling_error
 
     _, positions, signals = columns
+    semantics: Semantics = how["semantics"]
     trace = formula.robustness(positions, signals, semantics=semantics)
-    why = formula.explain(positions, signals, semantics=semantics)
+    finished = not how["is_open"]
+    why = formula.explain(positions, signals, semantics=semantics, finished=finished)
     explanation = why.to_json()
     error = observed_sampling_error(formula, positions, signals, semantics)
     shown = _shown(trace.tolist())
@@ -218,23 +229,24 @@ _ASSUMPTION = "if no signal changes faster than from one sample to the next"
 def _warn_of_empty_windows(finding: dict[str, Any]) -> None:
     from ..diagnostics import Code, diagnose
 
-    name = Path(finding["file"]).name
-    report(
-        diagnose(Code.WINDOW_BETWEEN_SAMPLES, None, formula=formula, trace=f"`{name}`")
-        for formula in finding["explanation"]["between_samples"]
+    name, why = f"`{Path(finding['file']).name}`", finding["explanation"]
+    kinds = (
+        (Code.WINDOW_BETWEEN_SAMPLES, why["between_samples"]),
+        (Code.WINDOWS_BEYOND_END, why["beyond_end"]),
     )
+    report(diagnose(code, None, formula=f, trace=name) for code, found in kinds for f in found)
 
 
-def _table(findings: list[dict[str, Any]]) -> str:
+def _table(findings: list[dict[str, Any]], is_open: bool) -> str:
     """One row per trace, and under each what decides and where the formula fails."""
-    head = ("trace", "verdict", "robustness", "range")
+    head = ("trace", "verdict", "robustness", "range")[: 4 if is_open else 3]
     rows = [
         (
             Path(finding["file"]).name,
             finding["verdict"],
             _short(finding["robustness"]),
             "[{}, {}]".format(*map(_short, finding["range"])),
-        )
+        )[: len(head)]
         for finding in findings
     ]
     widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]

@@ -210,7 +210,7 @@ class RunBatch:
                 for drive in () if self._as_json else drives:
                     print_drive(drive, run.get("run", ""), in_full=len(scenes) == 1)
                 progress(len(folder.finished), len(scenes))
-        report(found)
+        report(dict.fromkeys(found))
         numbers = [scene.index for scene in scenes]
         records = folder.records(numbers)
         self._rows += [{**run, **row} for row in folder.rows(numbers)]

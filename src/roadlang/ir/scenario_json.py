@@ -69,6 +69,7 @@ _SPECIAL: dict[str, Any] = {
             "semantics": {"enum": list(get_args(Semantics))},
             "robustness": {"enum": list(get_args(Measure))},
             "weights": array(array({"anyOf": [FORMULA, {"type": "number"}]}, 2, 2)),
+            "strict": {"const": True},
         },
     },
     "Dimension": {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
 from typing import Any
 
@@ -24,15 +25,17 @@ from ..stl.evaluate.satisfaction import zero_satisfies
 from ..stl.formats.evaluation_json import evaluation_from_json
 from ..stl.formula.evaluation_options import EvaluationOptions
 from .verdicts import decided
+from .window_warnings import JudgedAxis, window_warnings
 
 
 @dataclass(frozen=True)
 class Judgment:
     """The verdicts on a drive. An expectation that cannot be evaluated has no robustness there, and
-    its diagnostics are in `faults`, by its name."""
+    its diagnostics are in `faults`, by its name; `warnings`, by name: windows without samples."""
 
     verdicts: tuple[Verdict, ...]
     faults: Mapping[str, tuple[Diagnostic, ...]]
+    warnings: Mapping[str, tuple[Diagnostic, ...]]
 
 
 def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:
@@ -43,23 +46,31 @@ def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:
     """
     verdicts: list[Verdict] = []
     faults: dict[str, tuple[Diagnostic, ...]] = {}
+    warnings: dict[str, tuple[Diagnostic, ...]] = {}
     for verdict in scene.expectations:
         try:
-            drive = verdict.domain == "drive"
-            verdicts.append(_judged(verdict, trace, registry) if drive else verdict)
+            if verdict.domain == "drive" and verdict.formula is not None:
+                found, warned = _judged(verdict, verdict.formula, trace, registry)
+                verdicts.append(found)
+                if warned:
+                    warnings[verdict.name] = warned
+            else:
+                verdicts.append(verdict)
         except DiagnosticError as error:  # the other expectations and the trace are as good
             verdicts.append(verdict)
             faults[verdict.name] = error.diagnostics
-    return Judgment(tuple(verdicts), faults)
+    return Judgment(tuple(verdicts), faults, warnings)
 
 
-def _judged(verdict: Verdict, trace: Trace, registry: Registry) -> Verdict:
-    if verdict.formula is None:
-        return verdict
-    if "monitor" in verdict.formula:
-        return decided(verdict, _monitored(verdict.formula, trace, registry), zero_satisfies)
-    condition = DriveCondition(verdict.formula, trace, registry)
-    return decided(verdict, condition.rho, lambda rows: condition.truth)
+def _judged(
+    verdict: Verdict, test: Mapping[str, Any], trace: Trace, registry: Registry
+) -> tuple[Verdict, tuple[Diagnostic, ...]]:
+    if "monitor" in test:
+        return decided(verdict, _monitored(test, trace, registry), zero_satisfies), ()
+    condition = DriveCondition(test, trace, registry)
+    found = decided(verdict, condition.rho, lambda rows: condition.truth)
+    axis = JudgedAxis("the drive", trace.time)
+    return found, tuple(window_warnings(condition.formula, condition.evaluation, [axis]))
 
 
 @dataclass(frozen=True)
@@ -86,12 +97,12 @@ class DriveCondition:
         """Robustness for the values of one choice of members."""
         return float(measured_rho(self.formula, self.trace.time, values, self.evaluation))
 
-    @property
+    @cached_property
     def formula(self) -> Formula:
         """The formula by itself."""
         return from_json(self.condition["formula"])
 
-    @property
+    @cached_property
     def evaluation(self) -> EvaluationOptions:
         """How it is evaluated."""
         return evaluation_from_json(self.condition.get("evaluation", {}))

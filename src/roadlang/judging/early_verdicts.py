@@ -18,6 +18,8 @@ def settled_rows(requirement: Requirement, candidates: CandidateBatch) -> Boolea
     condition = requirement.test
     if not isinstance(condition, Condition) or condition.domain != "road":
         return np.zeros(candidates.count, dtype=bool)
+    if condition.evaluation.strict:  # which windows hold a sample is not known here
+        return np.zeros(candidates.count, dtype=bool)
     variables = CandidateBounds(candidates).variables(condition)
     certain = static_truth(condition.formula, variables).certain
     return np.broadcast_to(certain, (candidates.count,))

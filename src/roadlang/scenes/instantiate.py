@@ -23,6 +23,7 @@ from ..ir.scene import Call, Provenance, Scene, SceneSignal, Verdict
 from ..ir.values import Condition, PassCall, Value
 from ..judging.profiles import scene_signals, with_profiles
 from ..judging.verdicts import verdict, verdicts
+from ..judging.window_warnings import road_window_warnings
 from ..world.aliasing import aliasing_remarks, has_silent_passes
 from ..world.copies import is_group
 from ..world.networks import network_root
@@ -68,11 +69,11 @@ def concrete_scenes(
         singles = (candidates.take(np.array([row])) for row in range(rows.count))
         aliased = [aliasing_remarks(single) for single in singles]
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
-    warnings = rows.same(network_warnings(source.networks, candidates))
+    warned = network_warnings(source.networks, candidates) + road_window_warnings(candidates)
     scenes = _finished(members, rows)
     return [
         ConcreteScene(scene, tuple(found), warned)
-        for scene, found, warned in zip(scenes, remarks, warnings, strict=True)
+        for scene, found in zip(scenes, remarks, strict=True)
     ]
 
 
@@ -204,8 +205,7 @@ def _names_group(value: Value, scenario: IndexedScenario) -> bool:
 
 
 def _signals(rows: SceneRows) -> list[tuple[SceneSignal, ...]]:
-    conditions = (signal.condition for signal in rows.scenario.source.signals)
-    if any(_names_group(condition, rows.scenario) for condition in conditions):
+    if any(_names_group(each.condition, rows.scenario) for each in rows.scenario.source.signals):
         return rows.each(lambda candidate: scene_signals(candidate)[0])
     return scene_signals(rows.candidates)
 

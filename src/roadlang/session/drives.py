@@ -77,6 +77,7 @@ class Drive:
         """what the sensors of the agents measured; none of a drive of a search"""
         self._verdicts = driven.judgment.verdicts
         self._faults = driven.judgment.faults
+        self._warnings = driven.judgment.warnings
         self._places = places
 
     def __repr__(self) -> str:
@@ -99,8 +100,9 @@ class Drive:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Why expectations could not be evaluated on this drive; each names its expectation."""
-        return tuple(
+        """Why expectations could not be evaluated on this drive; each names its expectation. Then
+        warnings of windows that hold no sample of the drive."""
+        faults = (
             replace(
                 fault,
                 span=fault.span or self._places.get(name),
@@ -109,6 +111,12 @@ class Drive:
             for name, faults in self._faults.items()
             for fault in faults
         )
+        warnings = (
+            replace(warning, span=self._places.get(name))
+            for name, found in self._warnings.items()
+            for warning in found
+        )
+        return (*faults, *warnings)
 
     @property
     def satisfied(self) -> bool:
@@ -209,8 +217,9 @@ class DriveSet(Sequence[Drive]):
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Why expectations could not be evaluated, of all drives."""
-        return tuple(diagnostic for drive in self for diagnostic in drive.diagnostics)
+        """Those of all drives; a warning of several drives is there once."""
+        found = (diagnostic for drive in self for diagnostic in drive.diagnostics)
+        return tuple(dict.fromkeys(found))
 
     @property
     def satisfied(self) -> bool:

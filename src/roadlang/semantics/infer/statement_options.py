@@ -97,6 +97,12 @@ class FormulaOptions:
         "or on the line between both",
         example="linear",
     )
+    strict: Flag = option(
+        False,
+        help="whether a vacuous verdict, which depends on windows without samples, counts as "
+        "violated",
+        example="true",
+    )
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from typing import cast
 
 from ...diagnostics import Code
 from ...ir.values import ConstantValue, Entries, TextValue, Value
+from ...ir.values import Flag as FlagValue
 from ...stl.formula.between_samples import unknown_between_samples
 from ...stl.formula.evaluation_options import PLAIN, EvaluationOptions, Measure, Semantics
 from ...stl.formula.formulas import Formula
@@ -45,7 +46,9 @@ def lower_evaluation(
         return None
     semantics = cast(Semantics, words.get("semantics", PLAIN.semantics))
     robustness = cast(Measure, words.get("robustness", PLAIN.robustness))
-    found = EvaluationOptions(semantics, robustness, weights)
+    strict = bound.stated.get("strict")
+    is_strict = strict is not None and strict.value == FlagValue(True)
+    found = EvaluationOptions(semantics, robustness, weights, is_strict)
     fits = _go_together(checker, found, bound.stated)
     return found if fits and _is_known(checker, found, typed, bound.stated) else None
 
@@ -70,7 +73,7 @@ def _is_fixed(checker: Checker, name: str, option: TypedExpression) -> bool:
 def _is_plain(value: Value) -> bool:
     if isinstance(value, Entries):
         return all(isinstance(item, ConstantValue) for item in value.entries.values())
-    return isinstance(value, TextValue)
+    return isinstance(value, TextValue | FlagValue)
 
 
 def _weights(

@@ -24,6 +24,8 @@ from .grids import GridSignals, GridsOrSignals
 from .piecewise import PiecewiseLinear, constant, extreme_of, holding, joined, together
 from .windows import reaching, sliding
 
+_BETWEEN_SAMPLES = tuple(word for word in get_args(Semantics) if word != "sampled")
+
 
 def dense_rho(
     formula: f.Formula,
@@ -66,7 +68,11 @@ def dense_function(
     semantics: Semantics,
     variant: int = 0,
 ) -> PiecewiseLinear:
-    """The robustness of one variant as a function of time, counted from the start."""
+    """The robustness of one variant as a function of time, counted from the start.
+
+    Raises DiagnosticError RL342 for semantics that are neither held nor linear.
+    """
+    check_word("semantics", semantics, _BETWEEN_SAMPLES)
     grids = GridSignals.of(positions, signals, formula.variables)
     return DenseEvaluation(grids, semantics, variant).formula(normal_form(formula))
 
@@ -225,8 +231,9 @@ def sampling_error(
     A signal that is held is off by its rate times the longest step at most, an interpolated one by
     half of that, and robustness by no more than the comparison that is off most. Raises
     DiagnosticError RL304 for a signal without a rate, RL311 for terms that are no sums, multiples
-    or extremes of signals.
+    or extremes of signals, RL342 for semantics that are neither held nor linear.
     """
+    check_word("semantics", semantics, _BETWEEN_SAMPLES)
     grids = GridSignals.of(positions, signals, formula.variables)
     share = 0.5 if semantics == "linear" else 1.0
 

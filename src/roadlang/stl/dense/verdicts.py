@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..evaluate.beyond_end import TraceEnd
 from ..evaluate.satisfaction import is_satisfied
 from ..evaluate.trace import FloatArray, Positions
 from ..formula import formulas as f
@@ -18,6 +20,8 @@ from .bounds import DenseBounds
 from .evaluation import DenseEvaluation, refuse_laps
 from .grids import GridSignals, GridsOrSignals
 from .piecewise import PiecewiseLinear
+
+Ends: TypeAlias = Callable[..., tuple[FloatArray, FloatArray]]
 
 
 def dense_truth(
@@ -86,28 +90,58 @@ def dense_verdict(
     signals: GridsOrSignals,
     semantics: Semantics,
     wrap: float | None = None,
+    finished: bool = False,
 ) -> NDArray[np.str_]:
     """Satisfied, violated or unknown: (V,) words, or one; at exactly 0 Boolean evaluation decides.
 
-    No verdict is vacuous: no window falls between two samples.
+    No window falls between two samples. If the trace is `finished`, none is unknown, and one is
+    vacuous that depends on operators whose windows all begin after the end.
     """
     refuse_laps(wrap, semantics)
     grids = GridSignals.of(positions, signals, formula.variables)
-    lo, hi = _ends(formula, grids, semantics, boolean=False)
+    found = _verdicts(formula, grids, semantics, _ends)
+    if finished:
+        now = _verdicts(formula, grids, semantics, _values)
+        other = operators_end(grids).reversed(formula)
+        differs = now != _verdicts(other, grids, semantics, _values)
+        found = np.where(found == "unknown", np.where(differs, "vacuous", now), found)
+    return found if grids.batched else found[0]
+
+
+def operators_end(grids: GridSignals) -> TraceEnd:
+    """The end of the time for which all signals are known."""
+    return TraceEnd(float(grids.span[-1]), grids.tolerance)
+
+
+def _verdicts(
+    formula: f.Formula, grids: GridSignals, semantics: Semantics, ends: Ends
+) -> NDArray[np.str_]:
+    """(V,) words by the least and the greatest robustness."""
+    lo, hi = ends(formula, grids, semantics, boolean=False)
 
     @cache
     def boolean() -> tuple[FloatArray, FloatArray]:
-        return _ends(formula, grids, semantics, boolean=True)
+        return ends(formula, grids, semantics, boolean=True)
 
     always = is_satisfied(_settled(lo, grids), lambda rows: boolean()[0][rows] > 0)
     ever = is_satisfied(_settled(hi, grids), lambda rows: boolean()[1][rows] > 0)
-    found = np.where(always, "satisfied", np.where(ever, "unknown", "violated"))
-    return found if grids.batched else found[0]
+    return np.where(always, "satisfied", np.where(ever, "unknown", "violated"))
 
 
 def _settled(rho: FloatArray, grids: GridSignals) -> FloatArray:
     """Robustness that differs from 0 by rounding alone is 0."""
     return np.where(np.abs(rho) <= grids.rounding(), 0.0, rho)
+
+
+def _values(
+    formula: f.Formula, grids: GridSignals, semantics: Semantics, *, boolean: bool
+) -> tuple[FloatArray, FloatArray]:
+    """The robustness (V,), as both ends of a range."""
+    plain = normal_form(formula)
+    variants = range(grids.variants)
+    evaluations = (DenseEvaluation(grids, semantics, v, boolean=boolean) for v in variants)
+    found = np.array([evaluation.formula(plain).at[0] for evaluation in evaluations])
+    return found, found
 
 
 def _ends(

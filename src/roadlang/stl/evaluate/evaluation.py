@@ -129,6 +129,19 @@ def run_at_start(
     return _run(EvaluationPlan.of(graph, axis, span, reverse_empty=reverse_empty), trace)
 
 
+def reversed_at_start(
+    formula: f.Formula, trace: SampledSignals, leaves: Mapping[str, Function] = ROBUST
+) -> FloatArray:
+    """As `at_start`, with windows between two samples counted the other way, (V,)."""
+    axis = SamplePositions.of(trace.positions, trace.wrap)
+
+    def value(infinite: bool) -> FloatArray:
+        graph = FormulaGraph.of(formula, leaves, infinite)
+        return run_at_start(graph, trace, axis, reverse_empty=True)
+
+    return finite_first(value)
+
+
 def _run(plan: EvaluationPlan, trace: SampledSignals) -> FloatArray:
     result = np.empty(trace.variants)
     for first, last in _chunks(trace, plan):

@@ -26,9 +26,12 @@ def measured_rho(
     options: EvaluationOptions,
     wrap: float | None = None,
 ) -> FloatArray:
-    """The robustness at the first sample, (V,) or a scalar."""
+    """The robustness at the first sample, (V,) or a scalar; -inf where `strict` fails it."""
     at_start, _ = _measure(options)
-    return at_start(formula, positions, signals, wrap=wrap)
+    rho = at_start(formula, positions, signals, wrap=wrap)
+    if not options.strict:
+        return rho
+    return np.where(_is_vacuous(formula, positions, signals, options, wrap), -np.inf, rho)
 
 
 def measured_robustness(
@@ -51,7 +54,24 @@ def satisfied_by(
     wrap: float | None = None,
 ) -> NDArray[np.bool_]:
     """Boolean satisfaction at the first sample, (V,) or a scalar: no measure changes it."""
-    return formula.satisfied(positions, signals, wrap=wrap, semantics=options.semantics)
+    holds = formula.satisfied(positions, signals, wrap=wrap, semantics=options.semantics)
+    if not options.strict:
+        return holds
+    return holds & ~_is_vacuous(formula, positions, signals, options, wrap)
+
+
+def _is_vacuous(
+    formula: Formula,
+    positions: Positions,
+    signals: Signals,
+    options: EvaluationOptions,
+    wrap: float | None,
+) -> NDArray[np.bool_]:
+    """(V,) or a scalar: whether the verdict depends on windows without samples."""
+    verdicts = formula.verdict(
+        positions, signals, wrap=wrap, semantics=options.semantics, finished=True
+    )
+    return np.asarray(np.equal(verdicts, "vacuous"))
 
 
 def _measure(options: EvaluationOptions) -> tuple[Measure, Measure]:

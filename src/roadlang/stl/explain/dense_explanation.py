@@ -10,7 +10,7 @@ import numpy as np
 from ..dense.evaluation import DenseEvaluation, refuse_laps
 from ..dense.grids import GridSignals, GridsOrSignals
 from ..dense.piecewise import PiecewiseLinear, constant, together
-from ..dense.verdicts import dense_range, dense_verdict
+from ..dense.verdicts import dense_range, dense_verdict, operators_end
 from ..evaluate.trace import Positions
 from ..formula import formulas as f
 from ..formula.evaluation_options import Semantics
@@ -37,6 +37,7 @@ def explain_between_samples(
     *,
     variant: int = 0,
     wrap: float | None = None,
+    finished: bool = False,
 ) -> Explanation:
     """Explain the robustness at the start of one variant.
 
@@ -49,7 +50,8 @@ def explain_between_samples(
     chain, empty = finder.chain(normal_form(formula))
     last, moment = chain[-1]
     lo, hi = (np.atleast_1d(end) for end in dense_range(formula, positions, signals, semantics))
-    verdicts = np.atleast_1d(dense_verdict(formula, positions, signals, semantics))
+    found = dense_verdict(formula, positions, signals, semantics, finished=finished)
+    verdicts = np.atleast_1d(found)
     names = sorted(last.variables) if isinstance(last, f.Comparison) else []
     links = [(formula, chain[0][1]), *chain[1:]]
     return Explanation(
@@ -65,6 +67,7 @@ def explain_between_samples(
         predicate=str(last),
         values={name: finder.signal(name, moment) for name in names},
         window_empty=empty,
+        beyond_end=tuple(map(str, operators_end(grids).operators_beyond(formula))) * finished,
         stretches=finder.stretches(chain, grids.origin) if verdicts[variant] == "violated" else (),
     )
 

@@ -13,8 +13,8 @@ from ..evaluate.evaluation import everywhere
 from ..evaluate.position_text import position_text
 from ..evaluate.ranges import range_at_start
 from ..evaluate.trace import FloatArray, Positions, SampledSignals, Signals
-from ..evaluate.vacuity import operators_between_samples
-from ..evaluate.verdicts import Verdict, verdicts_of
+from ..evaluate.vacuity import empty_operators
+from ..evaluate.verdicts import Verdict, finished_verdicts, verdicts_of
 from ..formula import formulas as f
 from .causes import ViolationInterval, violated_stretches
 
@@ -36,7 +36,8 @@ class Explanation:
     stretches where a comparison fails that the formula would have needed; `values` are the
     signals of the deciding comparison at `position`. `window_empty`: what decides is that an
     operator has no sample to look at. `between_samples` are the operators with a window that
-    falls between two samples; a verdict that depends on them is vacuous.
+    falls between two samples, `beyond_end` those whose windows all begin after the end of a trace
+    that is finished; a verdict that depends on them is vacuous.
     """
 
     formula: str
@@ -50,6 +51,7 @@ class Explanation:
     window_empty: bool
     stretches: tuple[ViolationInterval, ...]
     between_samples: tuple[str, ...] = ()
+    beyond_end: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """Plain dicts, lists and numbers; infinities as the texts "inf" and "-inf"."""
@@ -90,10 +92,13 @@ def explain(
     *,
     variant: int = 0,
     wrap: float | None = None,
+    finished: bool = False,
 ) -> Explanation:
     """Explain the robustness at the first sample of one variant."""
     trace = SampledSignals.of(positions, signals, formula.variables, wrap).alone(variant)
     lo, hi = ends = range_at_start(formula, trace)
+    verdicts = finished_verdicts(formula, trace) if finished else verdicts_of(formula, trace, ends)
+    between, beyond = empty_operators(formula, trace.positions, wrap)
     finder = _Finder(trace)
     chain, empty = finder.chain(formula)
     last, sample = chain[-1]
@@ -106,7 +111,7 @@ def explain(
         formula=str(formula),
         rho=finder.value(formula, 0),
         range=(float(lo[0]), float(hi[0])),
-        verdict=verdicts_of(formula, trace, ends)[0].item(),
+        verdict=verdicts[0].item(),
         chain=tuple(
             Link(str(part), float(trace.positions[at]), finder.value(part, at))
             for part, at in chain
@@ -116,7 +121,8 @@ def explain(
         values=values,
         window_empty=empty,
         stretches=violated_stretches(formula, trace),
-        between_samples=tuple(map(str, operators_between_samples(formula, trace))),
+        between_samples=tuple(map(str, between)),
+        beyond_end=tuple(map(str, beyond)) * finished,
     )
 
 

@@ -10,8 +10,8 @@ from .json_form import from_json, to_json
 
 
 def evaluation_to_json(options: EvaluationOptions) -> dict[str, Any]:
-    """What differs from the default: `semantics`, `robustness`, and `weights` as pairs of an
-    operand and its weight."""
+    """What differs from the default: `semantics`, `robustness`, `weights` as pairs of an operand
+    and its weight, and `strict`."""
     found: dict[str, Any] = {}
     if options.semantics != PLAIN.semantics:
         found["semantics"] = options.semantics
@@ -19,6 +19,8 @@ def evaluation_to_json(options: EvaluationOptions) -> dict[str, Any]:
         found["robustness"] = options.robustness
     if options.weights:
         found["weights"] = [[to_json(operand), weight] for operand, weight in options.weights]
+    if options.strict:
+        found["strict"] = True
     return found
 
 
@@ -29,4 +31,5 @@ def evaluation_from_json(record: Mapping[str, Any]) -> EvaluationOptions:
         record.get("semantics", PLAIN.semantics),
         record.get("robustness", PLAIN.robustness),
         weights,
+        bool(record.get("strict", False)),
     )

@@ -34,5 +34,6 @@ def read_staliro(text: str) -> f.Formula:
 def _interval(match: re.Match[str]) -> str:
     """Infinity may stand on the open side."""
     opening, low, high, closing = match.groups()
-    closing = "]" if high.strip() in ("inf", "Inf", "infinity") else closing
+    if opening == "[" and high.strip() in ("inf", "Inf", "infinity"):
+        closing = "]"
     return f"{opening}{low.strip()}, {high.strip().replace('Inf', 'inf')}{closing}"

@@ -134,15 +134,19 @@ class Evaluable:
         *,
         wrap: float | None = None,
         semantics: Semantics = "sampled",
+        finished: bool = False,
     ) -> NDArray[np.str_] | Verdict:
-        """Satisfied, violated, unknown or vacuous: a word, or an array (V,) of them for a batch."""
+        """Satisfied, violated, unknown or vacuous: a word, or an array (V,) of them for a batch.
+
+        A trace that is `finished` does not continue, and no verdict is unknown.
+        """
         if semantics != "sampled":
             from ..dense.verdicts import dense_verdict
 
-            return dense_verdict(self._formula, positions, signals, semantics, wrap)
+            return dense_verdict(self._formula, positions, signals, semantics, wrap, finished)
         from ..evaluate.verdicts import verdict
 
-        return verdict(self._formula, positions, signals, wrap=wrap)
+        return verdict(self._formula, positions, signals, wrap=wrap, finished=finished)
 
     def explain(
         self,
@@ -152,17 +156,24 @@ class Evaluable:
         variant: int = 0,
         wrap: float | None = None,
         semantics: Semantics = "sampled",
+        finished: bool = False,
     ) -> Explanation:
-        """What decides the robustness at the start of one variant, and where the formula fails."""
+        """What decides the robustness at the start of one variant, and where the formula fails.
+
+        `finished` is that of `verdict`; the range is over continuations all the same.
+        """
         if semantics != "sampled":
             from ..explain.dense_explanation import explain_between_samples
 
             return explain_between_samples(
-                self._formula, positions, signals, semantics, variant=variant, wrap=wrap
-            )
+                self._formula, positions, signals, semantics,
+                variant=variant, wrap=wrap, finished=finished,
+            )  # fmt: skip
         from ..explain.explanation import explain
 
-        return explain(self._formula, positions, signals, variant=variant, wrap=wrap)
+        return explain(
+            self._formula, positions, signals, variant=variant, wrap=wrap, finished=finished
+        )
 
     def __str__(self) -> str:
         from .printing import formula_text

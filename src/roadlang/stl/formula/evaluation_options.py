@@ -18,14 +18,16 @@ later or earlier times, or their margins averaged over windows."""
 @dataclass(frozen=True, slots=True)
 class EvaluationOptions:
     """`weights`: operands of `and` and `or` with what each of them weighs, 1 for the others.
+    `strict`: a vacuous verdict, which depends on windows without samples, counts as violated.
 
-    Whether a formula is satisfied depends on `semantics` alone: the robustness of every measure is
-    positive only where the formula holds, and negative only where it does not.
+    Whether a formula is satisfied depends on `semantics` and `strict` alone: the robustness of
+    every measure is positive only where the formula holds, and negative only where it does not.
     """
 
     semantics: Semantics = "sampled"
     robustness: Measure = "space"
     weights: tuple[tuple[Formula, float], ...] = ()
+    strict: bool = False
 
     @property
     def is_plain(self) -> bool:

@@ -13,6 +13,7 @@ from .error_position import looks_like_item
 
 _OPEN_INTERVALS = {("LPAR", "RSQB"), ("LPAR", "LSQB"), ("LSQB", "LSQB"),
                    ("RSQB", "RPAR"), ("RSQB", "LSQB"), ("RSQB", "RSQB")}  # fmt: skip
+_OVER_INTERVALS = token_kinds("temporal", "binding", "measure")
 
 
 def close_brackets(source: Source, tokens: list[Token]) -> tuple[list[Token], list[Diagnostic]]:
@@ -41,7 +42,7 @@ def _closed_intervals(source: Source, tokens: list[Token], found: list[Diagnosti
         first, *bounds, last = tokens[index : index + 5]
         forms = first[0], last[0]
         if (
-            tokens[index - 1][0] not in token_kinds("temporal", "binding")
+            tokens[index - 1][0] not in _OVER_INTERVALS
             or forms not in _OPEN_INTERVALS
             or [kind for kind, *_ in bounds[::2]] != ["NUMBER"] * 2
             or bounds[1][0] != "COMMA"
@@ -66,7 +67,7 @@ def _exchange(
     there = source.span(wrong[2], wrong[3])
     line = source.span(start, end).line
     fixes = [Fix(there, closer)]
-    if kind == "LSQB" and tokens[opener - 1][0] in token_kinds("temporal", "binding"):
+    if kind == "LSQB" and tokens[opener - 1][0] in _OVER_INTERVALS:
         help = f"intervals include both ends: close it with `{closer}`"
         fault = diagnose(
             Code.MALFORMED_INTERVAL, source.span(start, wrong[3]), help=help, fixes=fixes

@@ -1,0 +1,76 @@
+"""Formulas of scene files whose windows hold no sample: warned of, and failed if strict."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import roadlang
+from roadlang.diagnostics import Diagnostic
+from roadlang.session.scene_set import NoSceneError
+
+ROAD = """
+road main { draw with segments { pieces: [straight(100m)] } }
+road bent from main { perturb with sine { amplitude: 0m..3m, wavelength: 60m..200m } }
+"""
+DRIVE = """
+agent ego is car on main at 5m { drive with pure_pursuit { speed: 12m/s } }
+simulate with builtin { duration: 1s }
+"""
+BETWEEN = "[0.2m, 0.8m] (deviation(bent, main) > 50m)"
+BEYOND = "[200m, 300m] (deviation(bent, main) > 50m)"
+
+
+def loaded(tmp_path: Path, *statements: str) -> roadlang.LoadedScenario:
+    file = tmp_path / "scene.rl"
+    file.write_text(ROAD + DRIVE + "\n".join(statements))
+    return roadlang.load(file)
+
+
+def told(diagnostics: tuple[Diagnostic, ...]) -> list[tuple[str, int]]:
+    """Codes and lines of what is said of windows."""
+    windows = [found for found in diagnostics if found.code.startswith("RL3")]
+    return [(found.code, found.span.line if found.span else 0) for found in windows]
+
+
+def test_windows_over_roads_are_warned_of_once_with_their_place(tmp_path: Path) -> None:
+    scenes = loaded(
+        tmp_path,
+        f"require a: always{BETWEEN}",
+        f"expect b: not eventually{BEYOND}",
+        "require c: always[0m, 1m] (deviation(bent, main) < 50m)",
+    ).sample(3, seed=1)
+    assert told(scenes.diagnostics) == [("RL308", 7), ("RL313", 8)]
+    assert any("road `bent`" in found.message for found in scenes.diagnostics)
+
+
+def test_a_strict_requirement_rejects_what_is_vacuous(tmp_path: Path) -> None:
+    kept = loaded(tmp_path, f"require a: always{BETWEEN}").sample(2, seed=1)
+    assert all(scene.requirements["a"].satisfied for scene in kept)
+    strict = loaded(tmp_path, f"require a: always{BETWEEN} {{ strict: true }}")
+    with pytest.raises(NoSceneError):
+        strict.sample(1, seed=1)
+    # The bounds of a signal alone do not show that a window holds a sample.
+    certain = "require a: always[0.2m, 0.8m] (deviation(bent, main) < 50m) { strict: true }"
+    with pytest.raises(NoSceneError):
+        loaded(tmp_path, certain).sample(1, seed=1)
+    wide = "require a: always[0m, 0.8m] (deviation(bent, main) < 50m) { strict: true }"
+    assert len(loaded(tmp_path, wide).sample(2, seed=1)) == 2
+
+
+@pytest.mark.parametrize(("strict", "satisfied"), [("false", True), ("true", False)])
+def test_windows_over_drives_are_warned_of_and_fail_if_strict(
+    tmp_path: Path, strict: str, satisfied: bool
+) -> None:
+    scenes = loaded(
+        tmp_path,
+        f"expect far: always[5s, 6s] (ego.speed > 99m/s) {{ strict: {strict} }}",
+        f"expect narrow: always[0.012s, 0.02s] (ego.speed > 99m/s) {{ strict: {strict} }}",
+        "expect fair: always (ego.speed > 1m/s) { strict: true }",
+    ).sample(2, seed=1)
+    drives = scenes.run()
+    assert told(drives.diagnostics) == [("RL313", 7), ("RL308", 8)]
+    for drive in drives:
+        found = [drive.verdicts[name].satisfied for name in ("far", "narrow", "fair")]
+        assert found == [satisfied, satisfied, True]
