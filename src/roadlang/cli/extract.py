@@ -14,6 +14,7 @@ from .console import echo, report
 from .finite_range import FiniteRange
 
 if TYPE_CHECKING:
+    from ..images.image_file import OpenedImage
     from ..ir.picture import Extraction, Picture
     from ..plugins.registry import KindEntry
 
@@ -34,10 +35,23 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
         return numbers
 
 
+class _Place(_Numbers):
+    """Degrees of a place on Earth: `48.137,11.575`."""
+
+    def convert(self, value: Any, parameter: Any, context: Any) -> tuple[float, ...]:
+        latitude, longitude = super().convert(value, parameter, context)
+        if not (abs(latitude) <= 90.0 and abs(longitude) <= 180.0):
+            self.fail(f"{value!r} is not a place on Earth", parameter, context)
+        return latitude, longitude
+
+
 @click.command("extract")
 @click.argument("image", type=click.Path(dir_okay=False))
 @click.option(
-    "-o", "--output", type=click.Path(dir_okay=False), help="JSON file to write the roads to."
+    "-o",
+    "--output",
+    type=click.Path(dir_okay=False),
+    help="File to write the roads to: JSON in pixels or, ending in .geojson, lines on Earth.",
 )
 @click.option(
     "--overlay",
@@ -49,6 +63,12 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
     "--with", "kind", default="auto", metavar="KIND", help="Extractor: a kind of `extract`."
 )
 @click.option("--scale", type=FiniteRange(1e-4, 1e4), help="Ground resolution in meters per pixel.")
+@click.option(
+    "--origin",
+    type=_Place(2, "LATITUDE,LONGITUDE"),
+    metavar="LAT,LON",
+    help="Place of the lower left corner in degrees, for GeoJSON; by default that in the file.",
+)
 @click.option(
     "--threshold",
     type=FiniteRange(0, 1, min_open=True, max_open=True),
@@ -74,7 +94,12 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
 )
 @click.option("--model", type=click.Path(dir_okay=False), help="Model file for `--with onnx`.")
 def command(
-    image: str, output: str | None, overlay: str | None, mask: str | None, **settings: Any
+    image: str,
+    output: str | None,
+    overlay: str | None,
+    mask: str | None,
+    origin: tuple[float, float] | None,
+    **settings: Any,
 ) -> None:
     """Extract the roads of IMAGE.
 
@@ -82,11 +107,20 @@ def command(
     down. Without `-o` the JSON goes to standard output.
     """
     from ..files.writing import write_file
+    from ..ir.picture import Picture
     from .extraction_files import as_json, as_mask, as_overlay
+    from .extraction_geojson import as_geojson
 
-    picture, scale = _opened(Path(image), settings["scale"])
+    opened = _opened(Path(image))
+    scale = settings["scale"] if settings["scale"] is not None else opened.scale
+    picture = Picture(opened.pixels, scale or 1.0, path=image)
+    on_earth = output is not None and Path(output).suffix.lower() == ".geojson"
+    place = _place(opened, origin, scale) if on_earth else None
     found, seconds = _extracted(picture, scale, settings)
-    document = as_json(picture, found, scale, seconds, _beside(mask, output))
+    if place is None:
+        document = as_json(picture, found, scale, seconds, _beside(mask, output))
+    else:
+        document = as_geojson(picture, found, place)
     files: dict[str | None, str | bytes | None] = {output: document, overlay: None, mask: None}
     if overlay is not None:
         files[overlay] = as_overlay(picture, found)
@@ -123,13 +157,31 @@ def _beside(mask: str | None, output: str | None) -> str | None:
     return os.path.relpath(mask, Path(output).parent if output else ".").replace(os.sep, "/")
 
 
-def _opened(path: Path, scale: float | None) -> tuple[Picture, float | None]:
+def _opened(path: Path) -> OpenedImage:
     from ..images.image_file import open_image
-    from ..ir.picture import Picture
 
     opened = open_image(path, str(path), None)
-    known = scale if scale is not None else opened.scale
-    return Picture(opened.pixels, known or 1.0, path=str(path)), known
+    if opened.shown.warning is not None:
+        report([opened.shown.warning])
+    return opened
+
+
+def _place(
+    opened: OpenedImage, stated: tuple[float, float] | None, scale: float | None
+) -> tuple[float, float]:
+    """Latitude and longitude of the lower left corner. Raises DiagnosticError RL433."""
+    from ..diagnostics import DiagnosticError, diagnose
+
+    place = stated if stated is not None else opened.shown.origin
+    if place is None:
+        missing = "neither the image nor `--origin` says where on Earth it is"
+        help = "give its lower left corner: `--origin 48.137,11.575`, latitude first"
+    elif scale is None:
+        missing = "the size of its pixels on the ground is not known"
+        help = "give it in meters: `--scale 0.5`"
+    else:
+        return place
+    raise DiagnosticError(diagnose(Code.IMAGE_WITHOUT_PLACE, reason=missing, help=(help,)))
 
 
 def _extracted(

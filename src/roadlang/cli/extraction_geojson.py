@@ -1,0 +1,55 @@
+"""The roads of a picture as GeoJSON: lines in longitude and latitude (RFC 7946)."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from ..geometry.local_projection import LocalProjection
+from ..ir.picture import Extraction, Picture
+from .extraction_files import polyline
+
+_DIGITS = 8
+"""Decimals of degrees: a millimeter."""
+
+
+def as_geojson(picture: Picture, found: Extraction, origin: tuple[float, float]) -> str:
+    """One feature a road, one a line of the file.
+
+    `origin`: latitude and longitude in degrees of the lower left corner of the picture. Properties
+    are named as in OpenStreetMap, so that maps show the lines as roads: `width` in meters;
+    `confidence` is ours, 0 to 1.
+    """
+    projection = LocalProjection(*origin)
+    features = [
+        json.dumps(_feature(picture, edge, projection), allow_nan=False)
+        for edge in found.network.edges
+    ]
+    inside = ",\n".join(features)
+    return f'{{"type": "FeatureCollection", "features": [\n{inside}\n]}}\n'
+
+
+def _feature(picture: Picture, edge: Any, projection: LocalProjection) -> dict[str, object]:
+    points, widths = polyline(picture, edge)
+    return {
+        "type": "Feature",
+        "id": f"road {edge.id}",
+        "properties": {
+            "highway": "road",
+            "width": round(float(np.median(widths)) * picture.scale, 2),
+            "length": round(edge.length, 2),
+            "confidence": round(float(edge.confidence), 4),
+        },
+        "geometry": {
+            "type": "LineString",
+            "coordinates": [_place(x, y, projection) for x, y in picture.to_world(points).tolist()],
+        },
+    }
+
+
+def _place(x: float, y: float, projection: LocalProjection) -> tuple[float, float]:
+    """Longitude, from -180 to 180, and latitude."""
+    latitude, longitude = projection.place(x, y)
+    return round((longitude + 180.0) % 360.0 - 180.0, _DIGITS), round(latitude, _DIGITS)
