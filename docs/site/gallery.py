@@ -123,7 +123,7 @@ PICTURES = (
     GodotPicture(
         "tiles", "godot_tiles", "--view free --road tiles --at 3", "A map of pixels, built of tiles"
     ),
-    GodotPicture("hairpin", "hairpin", "--at 6", "A bend read from an aerial photo"),
+    GodotPicture("hairpin", "hairpin", "--view free --at 16", "A bend read from an aerial photo"),
 )
 
 

@@ -22,7 +22,20 @@ var _parts: Array[Condition] = []
 var _low := 0.0
 var _high := INF
 var _latched := false
-var _history: Array[Array] = []
+var _history: Array[Moment] = []
+
+
+## What the first and the last part of a window were at a time.
+class Moment:
+	extends RefCounted
+	var time: float
+	var first: bool
+	var last: bool
+
+	func _init(at: float, first_part: bool, last_part: bool) -> void:
+		time = at
+		first = first_part
+		last = last_part
 
 
 func _init(of: Variant, depth: int = 0) -> void:
@@ -114,13 +127,13 @@ func _logic(signals: Callable, time: float) -> float:
 func _window(signals: Callable, time: float) -> float:
 	var last := _parts[_parts.size() - 1].value(signals, time) > 0.5
 	var first := _parts[0].value(signals, time) > 0.5 if _parts.size() > 1 else true
-	_history.append([time, first, last])
-	while not _history.is_empty() and float(_history[0][0]) < time - _high - 1e-9:
+	_history.append(Moment.new(time, first, last))
+	while not _history.is_empty() and _history[0].time < time - _high - 1e-9:
 		_history.pop_front()
 	if _head == "since":
 		return float(_since(time))
 	for moment in _history:
-		if float(moment[0]) <= time - _low + 1e-9 and bool(moment[2]) == (_head == "any"):
+		if moment.time <= time - _low + 1e-9 and moment.last == (_head == "any"):
 			return float(_head == "any")
 	return float(_head == "all")
 
@@ -128,9 +141,9 @@ func _window(signals: Callable, time: float) -> float:
 func _since(time: float) -> bool:
 	for i in range(_history.size() - 1, -1, -1):
 		var moment := _history[i]
-		if bool(moment[2]) and float(moment[0]) <= time - _low + 1e-9:
+		if moment.last and moment.time <= time - _low + 1e-9:
 			return true
-		if not bool(moment[1]):
+		if not moment.first:
 			return false
 	return false
 

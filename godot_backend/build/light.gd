@@ -11,8 +11,8 @@ const DAY := 0.2
 const SUNSET := -0.1
 ## Of the moon, which shines from one place all night.
 const MOON := Vector3(0.45, 0.75, 0.5)
-const MOONLIGHT := Color(0.62, 0.72, 1.0)
-const NIGHT_AMBIENT := Color(0.3, 0.36, 0.52)
+const MOONLIGHT := Color(0.74, 0.8, 0.98)
+const NIGHT_AMBIENT := Color(0.36, 0.38, 0.45)
 
 ## A copy without a file, so that it becomes part of a scene that is exported.
 static var _own_shader: Shader

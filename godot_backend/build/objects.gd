@@ -12,6 +12,11 @@ const MAX_SIZE := 1000.0
 const TRUNK_RADIUS := 0.25
 ## Kilograms of what is pushed away, by sort.
 const LIGHT := {"cone": 3.0}
+## Of the light of a lamp: meters, degrees from its axis to its rim, energy.
+const LAMP_REACH := 30.0
+const LAMP_ANGLE := 72.0
+const LAMP_ENERGY := 10.0
+const LAMP_COLOR := Color(1.0, 0.92, 0.8)
 const GROUND_LAYER := 1
 const BODY_LAYER := 2
 
@@ -129,7 +134,7 @@ func _variant(origin: Vector3) -> int:
 func _add_lamp(place: Transform3D) -> void:
 	var lamp := Lamp.new()
 	lamp.position = place.origin + Vector3.UP * (place.basis.get_scale().y - 0.3)
-	lamp.aim(Vector3.DOWN, 30.0, 76.0, 30.0, Color(1.0, 0.84, 0.6))
+	lamp.aim(Vector3.DOWN, LAMP_REACH, LAMP_ANGLE, LAMP_ENERGY, LAMP_COLOR)
 	add_child(lamp)
 
 

@@ -26,7 +26,9 @@ const CABIN: Array[Vector2] = [
 	Vector2(0.55, 0.95),
 	Vector2(0.745, 0.62),
 ]
+## Shares of the height: the floor, and how much it rises toward the rear bumper.
 const FLOOR := 0.13
+const RISE := 0.14
 
 
 ## Driving along +z, centered amid the axles, on wheels of this radius.
@@ -34,7 +36,8 @@ static func hull(size: Vector3, wheelbase: float, radius: float, paint: Color) -
 	var out := Solid.new()
 	var body := Paints.body(paint)
 	var deck := _scaled(DECK, size)
-	deck.append_array(WheelArch.underside(size, wheelbase, radius, FLOOR * size.y))
+	var below := WheelArch.underside(size, wheelbase, radius, FLOOR * size.y, RISE * size.y)
+	deck.append_array(below)
 	out.loft(deck, 0.96 * size.z, size.z * 0.93, body)
 	var cabin := _scaled(CABIN, size)
 	out.loft(cabin, 0.86 * size.z, 0.66 * size.z, Paints.glass())
@@ -103,7 +106,7 @@ static func _add_details(out: Solid, size: Vector3) -> void:
 	for end: float in [-1.0, 1.0]:
 		out.box(
 			Vector3(0.86 * size.z, 0.1 * size.y, 0.1),
-			Vector3(0, 0.19 * size.y, end * (front - 0.045)),
+			Vector3(0, (0.19 if end > 0.0 else 0.33) * size.y, end * (front - 0.045)),
 			trim
 		)
 	var plate := Vector3(0.3, 0.08, 0.02)

@@ -1,6 +1,6 @@
 extends Node3D
-## A light that shines when it is dark. A renderer takes few lights at once: `view/lamps.gd` chooses
-## those that do.
+## A light that shines when it is dark. A renderer takes few lights at once:
+## `build/surroundings.gd` chooses those that do.
 
 const GROUP := "lamps"
 

@@ -1,7 +1,16 @@
 extends RefCounted
 ## One mesh made of simple solids; those of one material become one surface.
 
+## By material.
 var _surfaces: Dictionary = {}
+
+
+## What has one material.
+class Surface:
+	extends RefCounted
+	var corners := PackedVector3Array()
+	var normals := PackedVector3Array()
+	var indices := PackedInt32Array()
 
 
 ## A box of this size (x, y, z) around a point.
@@ -88,14 +97,14 @@ func loft(outline: PackedVector2Array, low: float, high: float, look: Material) 
 func add(part: PrimitiveMesh, place: Transform3D, look: Material) -> void:
 	var arrays := part.get_mesh_arrays()
 	var surface := _surface(look)
-	var first: int = surface[0].size()
+	var first := surface.corners.size()
 	var normals := place.basis.inverse().transposed()
 	for vertex: Vector3 in arrays[Mesh.ARRAY_VERTEX]:
-		surface[0].append(place * vertex)
+		surface.corners.append(place * vertex)
 	for normal: Vector3 in arrays[Mesh.ARRAY_NORMAL]:
-		surface[1].append((normals * normal).normalized())
+		surface.normals.append((normals * normal).normalized())
 	for index: int in arrays[Mesh.ARRAY_INDEX]:
-		surface[2].append(first + index)
+		surface.indices.append(first + index)
 
 
 ## Adds all of a mesh, moved; `look` instead of its own materials, if there is one.
@@ -103,28 +112,26 @@ func merge(other: ArrayMesh, at: Vector3, look: Material = null) -> void:
 	for i in other.get_surface_count():
 		var arrays := other.surface_get_arrays(i)
 		var surface := _surface(other.surface_get_material(i) if look == null else look)
-		var first: int = surface[0].size()
-		surface[0].append_array(
+		var first := surface.corners.size()
+		surface.corners.append_array(
 			Transform3D(Basis.IDENTITY, at) * (arrays[Mesh.ARRAY_VERTEX] as PackedVector3Array)
 		)
-		surface[1].append_array(arrays[Mesh.ARRAY_NORMAL])
+		surface.normals.append_array(arrays[Mesh.ARRAY_NORMAL])
 		for index: int in arrays[Mesh.ARRAY_INDEX]:
-			surface[2].append(first + index)
+			surface.indices.append(first + index)
 
 
 ## The mesh of all parts, turned.
 func mesh(turned := Basis.IDENTITY) -> ArrayMesh:
 	var out := ArrayMesh.new()
 	for look: Material in _surfaces:
-		var surface: Array = _surfaces[look]
+		var surface: Surface = _surfaces[look]
 		var arrays := []
 		arrays.resize(Mesh.ARRAY_MAX)
-		var corners: PackedVector3Array = surface[0]
-		var normals: PackedVector3Array = surface[1]
 		var place := Transform3D(turned, Vector3.ZERO)
-		arrays[Mesh.ARRAY_VERTEX] = place * corners
-		arrays[Mesh.ARRAY_NORMAL] = place * normals
-		arrays[Mesh.ARRAY_INDEX] = surface[2]
+		arrays[Mesh.ARRAY_VERTEX] = place * surface.corners
+		arrays[Mesh.ARRAY_NORMAL] = place * surface.normals
+		arrays[Mesh.ARRAY_INDEX] = surface.indices
 		out.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
 		out.surface_set_material(out.get_surface_count() - 1, look)
 	return out
@@ -133,21 +140,21 @@ func mesh(turned := Basis.IDENTITY) -> ArrayMesh:
 ## A flat convex face that looks `out`, roughly.
 func pane(corners: Array, out: Vector3, look: Material) -> void:
 	var surface := _surface(look)
-	var first: int = surface[0].size()
+	var first := surface.corners.size()
 	var normal := ((corners[1] - corners[0]) as Vector3).cross(corners[2] - corners[0]).normalized()
 	var is_front := normal.dot(out) < 0.0
 	for corner: Vector3 in corners:
-		surface[0].append(corner)
-		surface[1].append(-normal if is_front else normal)
+		surface.corners.append(corner)
+		surface.normals.append(-normal if is_front else normal)
 	for i in range(1, corners.size() - 1):
-		surface[2].append(first)
-		surface[2].append(first + (i if is_front else i + 1))
-		surface[2].append(first + (i + 1 if is_front else i))
+		surface.indices.append(first)
+		surface.indices.append(first + (i if is_front else i + 1))
+		surface.indices.append(first + (i + 1 if is_front else i))
 
 
-func _surface(look: Material) -> Array:
+func _surface(look: Material) -> Surface:
 	if not _surfaces.has(look):
-		_surfaces[look] = [PackedVector3Array(), PackedVector3Array(), PackedInt32Array()]
+		_surfaces[look] = Surface.new()
 	return _surfaces[look]
 
 

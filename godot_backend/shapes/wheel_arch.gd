@@ -5,9 +5,10 @@ const ROOM := 0.06
 const STEPS := 7
 
 
-## Points from front to rear at the height of the floor, cut out around both axles.
+## Points from front to rear at the height of the floor, cut out around both axles. Behind the rear
+## wheels the floor rises by some meters, so that they are seen from behind.
 static func underside(
-	size: Vector3, wheelbase: float, radius: float, floor_height: float
+	size: Vector3, wheelbase: float, radius: float, floor_height: float, rise := 0.0
 ) -> PackedVector2Array:
 	var out := PackedVector2Array()
 	var reach := radius + ROOM
@@ -21,5 +22,5 @@ static func underside(
 			if i == 0 or i == STEPS:
 				up = floor_height
 			out.append(Vector2(axle + across, up))
-	out.append(Vector2(-0.49 * size.x, floor_height))
+	out.append(Vector2(-0.49 * size.x, floor_height + rise))
 	return out

@@ -9,7 +9,7 @@ const Agent := preload("../agents/agent.gd")
 const Surroundings := preload("../build/surroundings.gd")
 
 const CHASE_BACK := 7.5
-const CHASE_UP := 2.6
+const CHASE_UP := 2.2
 const TOP_HEIGHT := 400.0
 const FLY_SPEED := 25.0
 ## Meters of flat ground around what is built.

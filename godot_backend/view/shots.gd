@@ -18,7 +18,18 @@ var _cameras: Cameras
 var _server: Server
 var _viewport := SubViewport.new()
 var _camera := Camera3D.new()
-var _queue: Array[Array] = []
+var _queue: Array[Wish] = []
+
+
+## A picture that is wished for since a frame.
+class Wish:
+	extends RefCounted
+	var settings: Dictionary
+	var frame: int
+
+	func _init(wanted: Dictionary, since: int) -> void:
+		settings = wanted
+		frame = since
 
 
 func _init(cameras: Cameras, server: Server) -> void:
@@ -34,7 +45,7 @@ func _init(cameras: Cameras, server: Server) -> void:
 func take(wish: Dictionary) -> String:
 	if _queue.size() >= MOST_WAITING:
 		return "too many pictures at once: wait for them"
-	_queue.append([wish, Engine.get_process_frames()])
+	_queue.append(Wish.new(wish, Engine.get_process_frames()))
 	return ""
 
 
@@ -47,12 +58,12 @@ func forget() -> void:
 ## the simulation calls this while it waits.
 func draw_waiting() -> void:
 	while not _queue.is_empty() and not _server.is_behind():
-		_picture(_queue.pop_front()[0])
+		_picture((_queue.pop_front() as Wish).settings)
 
 
 func _process(_dt: float) -> void:
 	# What was built in this frame is in its place from the next one on.
-	if not _queue.is_empty() and Engine.get_process_frames() > int(_queue[0][1]) + 1:
+	if not _queue.is_empty() and Engine.get_process_frames() > _queue[0].frame + 1:
 		draw_waiting()
 
 
