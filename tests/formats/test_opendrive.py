@@ -212,6 +212,8 @@ def test_lights_are_switched_together_and_stand_beside_their_lanes() -> None:
     scene, file = exported(ROADS["avenues"])
     lights = [signal for signal in file.root.iter("signal") if signal.attrib["dynamic"] == "yes"]
     assert {signal.attrib["type"] for signal in lights} == {"1000001"}
+    # With a value, esmini does not know them.
+    assert not any("value" in signal.attrib for signal in lights)
     controlled = [
         control.attrib["signalId"] for control in file.root.iterfind("controller/control")
     ]

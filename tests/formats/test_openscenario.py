@@ -184,6 +184,19 @@ def test_routes_are_waypoints_on_lanes() -> None:
         assert all(int(at["laneId"]) in file.roads[int(at["roadId"])].lane_ids() for at in lanes)
 
 
+def test_a_route_is_on_one_lane_of_each_road() -> None:
+    """esmini finds no way between places on two lanes of a road, and leaves out what follows."""
+    text = TOWN.replace("lanes: 2", "lanes: 6").replace("count: 3", "count: 12")
+    scene, root, _ = written(text)
+    steps = [itertools.pairwise(agent.route.steps) for agent in scene.agents if agent.route]
+    assert any(a.road == b.road and a.lane != b.lane for found in steps for a, b in found)
+    routes = list(root.iter("Route"))
+    assert len(routes) >= 10
+    for route in routes:
+        lanes = [(at.attrib["roadId"], at.attrib["laneId"]) for at in route.iter("LanePosition")]
+        assert all(one == other or one[0] != other[0] for one, other in itertools.pairwise(lanes))
+
+
 def test_signals_have_the_phases_of_the_scene() -> None:
     """After 10 s of 8 s green, 3 s yellow and 1 s (or more) red, it is yellow."""
     scene, root, file = written(TOWN)

@@ -96,7 +96,6 @@ def put_signals(
             type="1000001" if light else _SIGNS[signal.kind],
             country="OpenDRIVE" if light else "DE",
             subtype="-1",
-            value=-1.0,
             height=1.0,
             width=0.4,
         )

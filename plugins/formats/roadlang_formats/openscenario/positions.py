@@ -139,7 +139,7 @@ def _arc_length(part: OpenDriveRoad, station: float) -> float:
 
 def route_places(roads: Roads, actor: SceneActor) -> Sequence[Place]:
     """Waypoints of the route of an agent; none without one: its start, the middle of each road in
-    the lane that it leaves by, and its end."""
+    the lane that it leaves by, and its end. Of places on several lanes of a road the last."""
     if actor.route is None:
         return ()
     steps = actor.route.steps
@@ -152,4 +152,17 @@ def route_places(roads: Roads, actor: SceneActor) -> Sequence[Place]:
     ]
     places = [place for place in found if place is not None]
     different = [p for p, q in zip(places, [None, *places], strict=False) if p != q]
-    return different if len(different) > 1 else ()
+    # esmini finds no way from one lane of a road to another.
+    kept = [
+        place
+        for place, after in zip(different, [*different[1:], None], strict=True)
+        if not _changes_lane(place, after)
+    ]
+    return kept if len(kept) > 1 else ()
+
+
+def _changes_lane(place: Place, after: Place | None) -> bool:
+    """Whether the place after this one is on another lane of the same road."""
+    if after is None or place.lane is None or after.lane is None:
+        return False
+    return place.lane.road == after.lane.road and place.lane.lane != after.lane.lane
