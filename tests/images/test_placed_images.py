@@ -151,6 +151,20 @@ def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:
     assert away(place_of_spot(opened(path)), (46.951083, 7.438632)) < 1.0
 
 
+@pytest.mark.parametrize(("corner", "warns"), [(691_000.0, True), (0.0, False)])
+def test_a_world_file_in_meters_alone_is_no_place(
+    tmp_path: Path, corner: float, warns: bool
+) -> None:
+    """That of a plan which is in no grid is there for its scale."""
+    cv2.imwrite(str(tmp_path / "town.png"), shown())
+    (tmp_path / "town.pgw").write_text(f"0.5\n0\n0\n-0.5\n{corner}\n{corner}\n")
+    found = opened(tmp_path / "town.png")
+    assert found.scale == 0.5
+    assert found.shown.origin is None
+    codes = [found.shown.warning.code] if found.shown.warning else []
+    assert codes == ["RL439"] * warns
+
+
 def test_coordinates_that_are_not_on_earth_are_no_place(tmp_path: Path) -> None:
     numbers = {33550: (2.0, 2.0, 0.0), 33922: (0.0, 0.0, 0.0, 5e5, 1e9, 0.0)}
     path = written_geotiff(tmp_path / "a.tif", shown(), ((1024, 1), (3072, 32632)), numbers)

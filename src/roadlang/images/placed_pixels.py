@@ -21,6 +21,9 @@ Pixels = NDArray[np.uint8]
 _LEAST_TURN = 0.5
 """Pixels by which a picture may be off north or off square before it is drawn anew."""
 _MOST_PIXELS = 100_000_000
+_NEAR = 10_000.0
+"""Meters from (0, 0) up to which a plan may be of no grid at all."""
+_NO_GRID = "nothing says in which grid its coordinates are; write a `.prj` file, or `origin`"
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +49,8 @@ def placed(
         return PlacedPixels(pixels, None if found is None else found.meters)
     reference = found.reference
     if not reference.grid:
-        return PlacedPixels(pixels, found.meters)
+        warning = _unknown(written, span, _NO_GRID) if _is_far(reference) else None
+        return PlacedPixels(pixels, found.meters, None, warning)
     degrees, reason = _to_degrees(reference.grid)
     if degrees is None:
         return PlacedPixels(pixels, found.meters, None, _unknown(written, span, reason))
@@ -56,6 +60,11 @@ def placed(
     except (ArithmeticError, ValueError):
         warning = _unknown(written, span, "its coordinates are not on Earth")
         return PlacedPixels(pixels, found.meters, None, warning)
+
+
+def _is_far(reference: Georeference) -> bool:
+    """Whether it is of some grid. Plans whose scale alone is known have their corner near 0."""
+    return max(map(abs, reference.at(0.0, 0.0))) > _NEAR
 
 
 def _unknown(written: str, span: Span | None, reason: str) -> Diagnostic:

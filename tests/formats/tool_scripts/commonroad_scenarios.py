@@ -24,7 +24,7 @@ from commonroad_dc.pycrcc import CollisionChecker
 from lxml import etree
 
 _LONG = 6.0
-"""Meters: longer vehicles cut the inside of tight bends."""
+"""Meters: longer vehicles cut the inside of tight bends, wherever they are."""
 _SCHEMA = Path(commonroad.__file__).parent / (
     "scenario_definition/xml_definition_files/XML_commonRoad_XSD.xsd"
 )
@@ -47,11 +47,14 @@ def faults(file: str, schema: Any) -> list[str]:
     for obstacle in scenario.dynamic_obstacles:
         if obstacle.obstacle_type is ObstacleType.PEDESTRIAN:
             continue
-        begins = create_collision_object(obstacle.occupancy_at_time(0).shape)
         places = [state.position for state in obstacle.prediction.trajectory.state_list]
-        if off_road.collide(begins) or not all(network.find_lanelet_by_position(places)):
+        is_long = obstacle.obstacle_shape.length > _LONG
+        ends = [places[0], places[-1]]
+        begins = create_collision_object(obstacle.occupancy_at_time(0).shape)
+        is_on_lanes = all(network.find_lanelet_by_position(ends if is_long else places))
+        if not is_on_lanes or (not is_long and off_road.collide(begins)):
             found.append(f"dynamic obstacle {obstacle.obstacle_id} leaves the road")
-        elif obstacle.obstacle_shape.length <= _LONG and _sticks_out(obstacle, network, off_road):
+        elif not is_long and _sticks_out(obstacle, network, off_road):
             found.append(f"a part of dynamic obstacle {obstacle.obstacle_id} leaves the road")
     for problem in problems.planning_problem_dict.values():
         place = problem.initial_state.position
