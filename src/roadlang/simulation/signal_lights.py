@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -60,6 +61,14 @@ class Lights:
             begin, yellow, red, np.repeat(np.arange(len(counts)), counts),
         )  # fmt: skip
 
+    def shown(self, connections: Integers) -> ShownLights:
+        """What is shown to some connections, in an array of any shape."""
+        junction = self.junction[connections]
+        return ShownLights(
+            self.cycle[junction], self.offset[junction], self.has_signals[junction],
+            self.begin[connections], self.yellow[connections], self.red[connections],
+        )  # fmt: skip
+
     def at(self, connections: Integers, time: Floats) -> tuple[Booleans, Floats]:
         """Which of some connections have green, and the seconds until red: 0 at red, infinite where
         there are no signals.
@@ -67,14 +76,34 @@ class Lights:
         `time`: seconds into the drive, one for each of `connections`, or of a shape that numpy
         broadcasts to theirs.
         """
-        junction = self.junction[connections]
-        now = np.mod(time + self.offset[junction], self.cycle[junction])[..., None]
-        started, red = self.begin[connections] <= now, self.red[connections]
-        green = started & (now < self.yellow[connections])
-        left = np.where(started & (now < red), red - now, 0.0).max(axis=-1)
-        signals = self.has_signals[junction]
-        return green.any(axis=-1) | ~signals, np.where(signals, left, math.inf)
+        return self.shown(connections).at(time)
 
     def is_red(self, connections: Integers, time: Floats) -> Booleans:
         """Whether signals show them red; never where there are none."""
         return np.asarray(self.at(connections, time)[1] <= 0.0)
+
+
+@dataclass(frozen=True)
+class ShownLights:
+    """What signals show some connections, arrays of one shape; those of times have an axis more."""
+
+    cycle: Floats
+    offset: Floats
+    has_signals: Booleans
+    begin: Floats
+    yellow: Floats
+    red: Floats
+
+    @cached_property
+    def _any(self) -> bool:
+        return bool(self.has_signals.any())
+
+    def at(self, time: Floats) -> tuple[Booleans, Floats]:
+        """The same as `Lights.at`."""
+        if not self._any:
+            return np.ones(self.cycle.shape, dtype=bool), np.full(self.cycle.shape, math.inf)
+        now = np.mod(time + self.offset, self.cycle)[..., None]
+        started = self.begin <= now
+        green = (started & (now < self.yellow)).any(axis=-1)
+        left = np.where(started & (now < self.red), self.red - now, 0.0).max(axis=-1)
+        return green | ~self.has_signals, np.where(self.has_signals, left, math.inf)

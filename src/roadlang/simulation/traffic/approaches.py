@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..crossings import STOP_GAP, Crossings
-from ..signal_lights import Lights
+from ..crossings import STOP_GAP
 from ..world import World
-from .junction_tables import JunctionTables
+from .entrants import Ways
 
 COMFORTABLE = 3.2
 """m/s^2: who would have to brake harder for a yellow light may go on, ..."""
@@ -48,16 +47,12 @@ class Approaches:
     """it is over, or comes only in the next lap"""
 
     @classmethod
-    def of(
-        cls, world: World, rows: Integers, parts: tuple[Crossings, JunctionTables, Lights]
-    ) -> Approaches:
-        """Of the agents `rows`, whose crossings these are."""
-        crossings, tables, lights = parts
-        along, half = world.motion.along[rows, None], 0.5 * world.bodies.length[rows, None]
-        to_line = crossings.stop - along - half
-        to_leave = crossings.exit - along + half
-        junction = crossings.junction
-        none = junction < 0
+    def of(cls, world: World, ways: Ways) -> Approaches:
+        """Of the agents whose crossings these are."""
+        rows, none = ways.rows, ways.none
+        along = world.motion.along[rows, None]
+        to_line = ways.crossings.stop - along - ways.half
+        to_leave = ways.crossings.exit - along + ways.half
         is_over = none | (to_leave < 0.0)
         is_behind = is_over
         if world.track.has_closed:
@@ -67,9 +62,7 @@ class Approaches:
             to_line, to_leave = to_line - lap, to_leave - lap
             is_over = none | (is_over & ~closed)
             is_behind = is_over | (closed & (to_line > 0.5 * world.length[rows, None]))
-        number = tables.first[junction] + crossings.connection
-        number = np.where(none, 0, number)
-        green, to_red = lights.at(number, world.age[rows, None])
+        green, to_red = ways.lights.at(world.age[rows, None])
         speed = world.motion.speed[rows, None]
         needed = braking_to_stop(speed, to_line - STOP_GAP)
         left = np.minimum(to_red, FAR)
@@ -77,7 +70,7 @@ class Approaches:
         in_time = (needed > COMFORTABLE) & (to_line < IN_TIME * speed * left)
         may_go = ~ends | in_time
         must_stop = ~may_go & (needed < HARDEST) & (to_line >= 0.0)
-        return cls(to_line, to_leave, number, may_go, must_stop, is_over, is_behind)
+        return cls(to_line, to_leave, ways.number, may_go, must_stop, is_over, is_behind)
 
 
 def braking_to_stop(speed: Floats, distance: Floats) -> Floats:

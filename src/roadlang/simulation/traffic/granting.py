@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +15,6 @@ from . import rules
 from .approaches import COMFORTABLE, braking_to_stop, horizon
 from .crowd import Crowd
 from .grants import NEVER
-from .junction_tables import ALL_WAY_STOP
 from .meetings import Meetings
 
 BOOKING, SHORT_BOOKING = 4.0, 1.0
@@ -33,26 +33,28 @@ class Asking:
     slot: Integers
     distance: Floats
     """meters to the line"""
+    each: Integers
+    """their numbers"""
 
     @classmethod
     def of(cls, crowd: Crowd) -> Asking:
         """Of all agents. When one first asks is noted."""
-        near, grants, tables = crowd.near, crowd.grants, crowd.places.tables
-        distance = np.where(~near.is_over & ~crowd.held, near.to_line, math.inf)
-        slot = distance.argmin(axis=1)
-        each = np.arange(len(slot))
-        distance, number = distance[each, slot], near.number[each, slot]
-        short = tables.yields_any[number] | tables.must_stop[number]
+        near, grants, entrants = crowd.near, crowd.grants, crowd.entrants
+        distance = np.where(near.is_over | crowd.held, math.inf, near.to_line)
+        slot, each = distance.argmin(axis=1), entrants.each
+        distance = distance[each, slot]
+        short = entrants.is_short[each, slot]
         ahead = horizon(crowd.speed, np.where(short, SHORT_BOOKING, BOOKING))
         asks = crowd.is_moving & crowd.obeys & (distance < ahead)
         fresh = np.flatnonzero(asks & (grants.arrival[each, slot] == NEVER))
-        arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
-        grants.arrival[fresh, slot[fresh]] = arrival
-        return cls(asks, slot, distance)
+        if len(fresh):
+            arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
+            grants.arrival[fresh, slot[fresh]] = arrival
+        return cls(asks, slot, distance, each)
 
     def of_crossings(self, values: np.ndarray) -> np.ndarray:
         """(N,) of an array (N, X), at the crossing that each asks for."""
-        return np.asarray(values[np.arange(len(self.slot)), self.slot])
+        return np.asarray(values[self.each, self.slot])
 
 
 def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
@@ -61,28 +63,31 @@ def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
     _take_back(crowd)
     asking = Asking.of(crowd)
     wanted = np.zeros(crowd.held.shape, dtype=bool)
-    if not asking.asks.any():
-        return wanted
     askers = np.flatnonzero(asking.asks)
+    if not len(askers):
+        return wanted
     wanted[askers, asking.slot[askers]] = True
-    meetings = crowd.meetings(wanted | crowd.held)
+    meetings = crowd.entrants.meetings(wanted | crowd.held)
     wants = meetings.is_there & meetings.of_crossings(wanted)
     is_first = _is_first(crowd, asking)
     could = _could(crowd, asking, meetings, wants, is_first)
-    able = could & _is_free(crowd, asking, meetings, wants)
-    count = len(crowd.places.by_right)
+    if not could.any():
+        return wanted
+    able = _able(crowd, asking, meetings, wants, could)
+    if not able.any():
+        return wanted
+    places = crowd.entrants.places
+    count = len(places.by_right)
     scene, junction = meetings.key // count, meetings.key % count
-    # Who waits for somebody that comes toward it cannot be helped by others that wait too.
-    in_line = could & crowd.places.by_patience[junction][:, None]
-    in_line &= _meets_nobody(crowd, asking, meetings)
-    able &= ~rules.is_reserved(meetings, crowd.grants, in_line, able)
-    by_right = crowd.places.by_right[junction]
-    arriving = wants & meetings.of_agents(is_first)
-    right = rules.waits_for_right(meetings, crowd.near, arriving, crowd.speed)
-    passes = able & ~(by_right[:, None] & right)
-    stuck = by_right & ~passes.any(axis=1)
-    wave = stuck & (crowd.time - last_grant[scene, junction] > WAVED_THROUGH)
-    passes |= able & wave[:, None]
+    passes, wave = able, np.zeros(len(scene), dtype=bool)
+    by_right = places.by_right[junction]
+    if by_right.any():
+        arriving = wants & meetings.of_agents(is_first)
+        right = rules.waits_for_right(meetings, crowd.near, arriving, crowd.speed)
+        passes = able & ~(by_right[:, None] & right)
+        stuck = by_right & ~passes.any(axis=1)
+        wave = stuck & (crowd.time - last_grant[scene, junction] > WAVED_THROUGH)
+        passes |= able & wave[:, None]
     rank = np.where(passes, _rank(crowd, asking, meetings, wave), len(asking.slot))
     chosen = np.flatnonzero(passes.any(axis=1))
     best = rank[chosen].argmin(axis=1)
@@ -94,18 +99,19 @@ def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
 def _take_back(crowd: Crowd) -> None:
     """Somebody has come before one that was let go, and was not itself: it would wait for all who
     wait for the one behind it."""
-    near, ahead, slots = crowd.near, crowd.gaps.argmin(axis=1), crowd.gaps.shape[1]
-    each = np.arange(len(ahead))
-    leader = each // slots * slots + ahead
-    junction = crowd.crossings.junction
-    waits_too = np.zeros(crowd.held.shape, dtype=bool)
-    behind = crowd.held & (
-        near.to_line > crowd.gaps[each, ahead][:, None] + crowd.length[leader][:, None]
-    )
+    held = crowd.held
+    if not held.any():
+        return
+    near, (leader, gap) = crowd.near, crowd.ahead
+    behind = held & (near.to_line > (gap + crowd.entrants.length[leader])[:, None])
+    if not behind.any():
+        return
     behind &= braking_to_stop(crowd.speed[:, None], near.to_line - STOP_GAP) < COMFORTABLE
+    junction = crowd.entrants.ways.crossings.junction
+    waits_too = np.zeros(held.shape, dtype=bool)
     for row, slot in zip(*np.nonzero(behind & crowd.obeys[:, None]), strict=True):
         there = junction[leader[row]] == junction[row, slot]
-        waits_too[row, slot] = (there & ~crowd.held[leader[row]]).any()
+        waits_too[row, slot] = (there & ~held[leader[row]]).any()
     crowd.grants.order[waits_too] = NEVER
 
 
@@ -113,85 +119,86 @@ def _could(
     crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans, is_first: Booleans
 ) -> Booleans:
     """(G, P) who may go, but for others on the junction."""
-    near, grants, tables = crowd.near, crowd.grants, crowd.places.tables
-    number = asking.of_crossings(near.number)
-    stopped = asking.of_crossings(grants.has_stopped) | ~tables.must_stop[number]
-    may = asking.asks & asking.of_crossings(near.may_go) & stopped & is_first
-    may &= ~_ring_is_full(crowd, number)
+    near, grants, entrants = crowd.near, crowd.grants, crowd.entrants
+    stopped = grants.has_stopped | ~entrants.must_stop
+    may = asking.asks & asking.of_crossings(near.may_go & stopped) & is_first
+    may &= ~_ring_is_full(crowd, asking)
     may_go = rules.let_go(meetings, grants)
-    used = rules.space_for_others(meetings, may_go, crowd.length)
-    free = meetings.of_agents(_room(crowd, asking) - crowd.length) - used
+    used = rules.space_for_others(meetings, may_go, entrants.length)
+    free = meetings.of_agents(_room(crowd, asking) - entrants.length) - used
     return np.asarray(wants & meetings.of_agents(may) & (free >= STANDING_GAP))
 
 
-def _is_free(crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans) -> Booleans:
-    """(G, P) whose way is free of others, but for who comes from the right."""
-    near, grants = crowd.near, crowd.grants
-    free = _meets_nobody(crowd, asking, meetings)
-    free &= ~rules.is_occupied(meetings, near, grants, wants)
-    motion = crowd.speed, crowd.length, crowd.aggression
-    free &= ~rules.is_blocked(meetings, near, grants, *motion)
-    polite = rules.lets_in(meetings, near, grants, wants, crowd.speed, crowd.politeness)
-    return np.asarray(free & ~polite)
-
-
-def _meets_nobody(crowd: Crowd, asking: Asking, meetings: Meetings) -> Booleans:
-    """(G, P) who waits for nobody in a narrow place before it has left the junction."""
-    return meetings.of_agents(crowd.oncoming > asking.of_crossings(crowd.near.to_leave))
+def _able(
+    crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans, could: Booleans
+) -> Booleans:
+    """(G, P) who of those that could go has a free way, but for who comes from the right, and need
+    not let one go that has waited for long."""
+    near, grants, entrants = crowd.near, crowd.grants, crowd.entrants
+    # Who waits for somebody that comes toward it cannot be helped by others that wait too.
+    meets_nobody = meetings.of_agents(crowd.oncoming > asking.of_crossings(near.to_leave))
+    able = could & meets_nobody
+    if meetings.has_conflicts and able.any():
+        able &= ~rules.is_occupied(meetings, near, grants, wants)
+        motion = crowd.speed, entrants.length, crowd.aggression
+        able &= ~rules.is_blocked(meetings, near, grants, *motion)
+        able &= ~rules.lets_in(meetings, near, grants, wants, crowd.speed, crowd.politeness)
+    junction = meetings.key % len(entrants.places.by_right)
+    in_line = could & entrants.places.by_patience[junction][:, None] & meets_nobody
+    return np.asarray(able & ~rules.is_reserved(meetings, grants, in_line, able))
 
 
 def _is_first(crowd: Crowd, asking: Asking) -> Booleans:
     """(N,) whether nobody is ahead in the lane, or only who may go at the same junction."""
-    slots = crowd.gaps.shape[1]
-    ahead = crowd.gaps.argmin(axis=1)
-    each = np.arange(len(ahead))
-    gap = crowd.gaps[each, ahead]
-    leader = each // slots * slots + ahead
-    junction = asking.of_crossings(crowd.crossings.junction)
-    same = crowd.crossings.junction[leader] == junction[:, None]
+    leader, gap = crowd.ahead
+    crossed = crowd.entrants.ways.crossings.junction
+    same = crossed[leader] == asking.of_crossings(crossed)[:, None]
     leader_goes = (crowd.held[leader] & same).any(axis=1)
     return np.asarray((gap > asking.distance) | leader_goes)
 
 
 def _room(crowd: Crowd, asking: Asking) -> Floats:
     """(N,) free meters of the lane beyond the junction, up to the next agent there."""
-    beyond = asking.of_crossings(crowd.near.to_leave) - crowd.length
+    beyond = asking.of_crossings(crowd.near.to_leave) - crowd.entrants.length
     beyond = np.where(asking.asks, beyond, 0.0)[:, None]
     tail = crowd.gaps + TAIL_TIME * np.maximum(crowd.of_mates(crowd.speed), 0.0)
     tail = np.where(crowd.gaps > beyond - 0.5, tail, math.inf)
     return np.asarray(tail.min(axis=1) - beyond[:, 0])
 
 
-def _ring_is_full(crowd: Crowd, number: Integers) -> Booleans:
-    """(N,) whether the connection `number` leads into a ring that has no more room."""
-    rings = crowd.places.rings
+def _ring_is_full(crowd: Crowd, asking: Asking) -> Booleans:
+    """(N,) whether the connection asked for leads into a ring that has no more room."""
+    entrants = crowd.entrants
+    rings, number = entrants.places.rings, entrants.ways.number
     if not len(rings.capacity):
         return np.zeros(len(number), dtype=bool)
-    entered = (crowd.held | crowd.near.is_over) & (crowd.crossings.junction >= 0)
-    slots = np.arange(entered.shape[1])
-    last = np.where(entered, slots, -1).max(axis=1)
-    each = np.arange(len(last))
-    on = np.where(last >= 0, rings.onward[crowd.near.number[each, last]], -1)
-    first = int(crowd.scene.min(initial=0))
-    counts = np.zeros((int(crowd.scene.max(initial=0)) - first + 1, len(rings.capacity)))
+    entered = (crowd.held | crowd.near.is_over) & ~entrants.ways.none
+    last = np.where(entered, np.arange(entered.shape[1]), -1).max(axis=1)
+    on = np.where(last >= 0, rings.onward[number[entrants.each, last]], -1)
+    first = int(entrants.scene.min(initial=0))
+    counts = np.zeros((int(entrants.scene.max(initial=0)) - first + 1, len(rings.capacity)))
     inside = np.flatnonzero((on >= 0) & crowd.present)
-    np.add.at(counts, (crowd.scene[inside] - first, on[inside]), 1.0)
-    into = rings.into[number]
-    return np.asarray((into >= 0) & (counts[crowd.scene - first, into] >= rings.capacity[into]))
+    np.add.at(counts, (entrants.scene[inside] - first, on[inside]), 1.0)
+    into = rings.into[asking.of_crossings(number)]
+    full = counts[entrants.scene - first, into] >= rings.capacity[into]
+    return np.asarray((into >= 0) & full)
 
 
 def _rank(crowd: Crowd, asking: Asking, meetings: Meetings, wave: Booleans) -> Integers:
     """(G, P) the order in which agents are let go: who yields to nobody first, then by arrival;
     where all wait for each other (`wave`, (G,)) by arrival alone."""
-    tables = crowd.places.tables
-    number = asking.of_crossings(crowd.near.number)
-    in_turn = tables.rule[np.maximum(asking.of_crossings(crowd.crossings.junction), 0)]
-    yields = tables.yields_any[number] & (in_turn != ALL_WAY_STOP)
+    entrants = crowd.entrants
+    yields = asking.of_crossings(entrants.yields_any & ~entrants.in_turn)
     arrival = asking.of_crossings(crowd.grants.arrival)
-    each = np.arange(len(arrival))
-    ranks = []
-    for keys in ((each, arrival, yields), (each, arrival)):
-        rank = np.empty(len(each), dtype=np.int64)
-        rank[np.lexsort(keys)] = each
-        ranks.append(meetings.of_agents(rank))
-    return np.where(wave[:, None], ranks[1], ranks[0])
+    each = entrants.each
+    found = meetings.of_agents(_places((each, arrival, yields)))
+    if wave.any():
+        found = np.where(wave[:, None], meetings.of_agents(_places((each, arrival))), found)
+    return found
+
+
+def _places(keys: tuple[Any, ...]) -> Integers:
+    """(N,) the place of each in the order by some keys, the last first."""
+    rank = np.empty(len(keys[0]), dtype=np.int64)
+    rank[np.lexsort(keys)] = keys[0]
+    return rank

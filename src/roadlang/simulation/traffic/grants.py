@@ -36,12 +36,19 @@ class Grants:
 
     def take(self, rows: Any) -> Grants:
         """Those of some agents, in separate arrays."""
-        return Grants(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
+        return Grants(
+            self.order[rows], self.arrival[rows], self.has_stopped[rows], self.waiting[rows]
+        )
+
+    def part(self, rows: Any) -> Grants:
+        """Those of some agents, to change and to `put` back; `rows` is a slice for all of them."""
+        return self if isinstance(rows, slice) else self.take(rows)
 
     def put(self, rows: Any, some: Grants) -> None:
         """Change those of some agents."""
-        for field in fields(self):
-            getattr(self, field.name)[rows] = getattr(some, field.name)
+        if some is not self:
+            for field in fields(self):
+                getattr(self, field.name)[rows] = getattr(some, field.name)
 
     def forget(self, where: Booleans) -> None:
         """Crossings that are over, or that nobody waits at any more."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..sorted_groups import sorted_groups
-from .junction_tables import JunctionTables
+from .junction_tables import CROSS, MERGE, JunctionTables
 from .swept_conflicts import SweptConflicts
 
 
@@ -83,6 +83,36 @@ class Meetings:
         both = self.is_there[:, :, None] & self.is_there[:, None, :]
         both &= ~np.eye(self.row.shape[1], dtype=bool)
         return np.asarray(both & (self.target[:, :, None] == self.target[:, None, :]))
+
+    @cached_property
+    def shares_any(self) -> bool:
+        """Whether anybody enters the lane of another."""
+        return bool(self.share_exit.any())
+
+    @cached_property
+    def crosses(self) -> Booleans:
+        """(G, P, P) whose ways cross."""
+        return np.asarray(self.conflict == CROSS)
+
+    @cached_property
+    def merges(self) -> Booleans:
+        """(G, P, P) whose ways merge."""
+        return np.asarray(self.conflict == MERGE)
+
+    @cached_property
+    def has_conflicts(self) -> bool:
+        """Whether anybody meets another on its way."""
+        return bool(self.conflict.any())
+
+    @cached_property
+    def has_merges(self) -> bool:
+        """Whether the ways of any two merge."""
+        return bool(self.merges.any())
+
+    @cached_property
+    def there(self) -> tuple[Integers, Integers]:
+        """(K,) agents and slots of the crossings, without padding."""
+        return self.row[self.is_there], self.slot[self.is_there]
 
     def of_crossings(self, values: np.ndarray) -> np.ndarray:
         """(G, P) of an array (N, X)."""

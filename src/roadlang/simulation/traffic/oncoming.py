@@ -14,22 +14,15 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..leaders import Leaders
-from ..leaning import LONG
 from ..poses import frames_in
 from ..world import World
 from .approaches import braking_to_stop, seconds_for
+from .wide_places import MARGIN, VIEW, WidePlaces, is_wide
 
-VIEW = 40.0
-"""Meters ahead in which such places are looked for."""
 SPACING = 2.0
 """Meters between two samples of a line."""
 COARSE = 3
 """Of so many samples, one is looked at first."""
-LEAST_SWEPT = 0.2
-"""Meters: long vehicles that cover less beyond their width fit everywhere, others where they cover
-no more than their lane."""
-MARGIN = 0.3
-"""Meters between two that pass each other."""
 OPPOSED = -0.5
 """Cosine of the angle between the lines of two that come toward each other, at most."""
 WIDEST = 8.0
@@ -48,9 +41,10 @@ class Oncoming:
     """Who waits for whom in narrow places. Who was to go first stays so until both have passed,
     unless it does not come."""
 
-    def __init__(self, count: int, slots: int) -> None:
-        self._first = np.zeros((count, slots), dtype=bool)
+    def __init__(self, world: World) -> None:
+        self._first = np.zeros((len(world.present), world.slots), dtype=bool)
         """(N, A) who goes before which other of its scene"""
+        self._wide = WidePlaces.of(world)
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
@@ -72,7 +66,9 @@ class Oncoming:
         out = np.full(len(world.present), math.inf)
         before = self._first.copy()
         self._first[due] = False
-        pairs = None if world.sweeps.is_empty else _pairs(world)
+        if not self._wide.holds(world.sweeps):
+            self._wide = WidePlaces.of(world)
+        pairs = None if world.sweeps.is_empty else _pairs(world, self._wide)
         if pairs is None:
             return out
         pairs = _close(*pairs)
@@ -150,12 +146,10 @@ class _Samples:
         over = ~world.closed[agents] & (along > world.end[agents] + half)
         # Others that are longer have more samples, which may not change what this one sees.
         over |= s > VIEW + half
-        in_lane = world.has_route[agents] & (world.bodies.length[agents] <= LONG)
-        spare = np.where(in_lane, 0.5 * road_width - width - 0.5 * MARGIN, 0.0)
-        is_wide = (np.maximum(left, right) > np.maximum(spare, LEAST_SWEPT)) & ~over
+        wide = is_wide(world, agents, np.maximum(left, right), road_width) & ~over
         return cls(
             agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
-            cosine, sine, left + width, right + width, is_wide,
+            cosine, sine, left + width, right + width, wide,
         )  # fmt: skip
 
     def take(self, places: Integers) -> _Samples:
@@ -166,11 +160,11 @@ class _Samples:
         return _Samples(self.agents[places], s, x, y, cosine, sine, left, right, is_wide)
 
 
-def _pairs(world: World) -> tuple[_Samples, Integers, Integers] | None:
+def _pairs(world: World, wide: WidePlaces) -> tuple[_Samples, Integers, Integers] | None:
     """The lines of agents, and the places among these of pairs that may meet where the first, or
     both, cover more than their width; None for nobody."""
     moves = world.present & world.has_road & ~world.bodies.walks
-    long = np.flatnonzero(moves & (world.sweeps.table > 0))
+    long = np.flatnonzero(moves & wide.may_be_ahead(world))
     if not len(long):
         return None
     lines = _Samples.of(world, long)

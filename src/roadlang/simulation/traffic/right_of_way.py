@@ -27,12 +27,14 @@ from .approaches import (
     Approaches,
     braking_to_stop,
 )
-from .crowd import Crowd, Places
+from .crowd import Crowd
+from .entrants import Entrants, Ways
 from .granting import let_go
 from .grants import FIRST, NEVER, Grants
-from .junction_tables import ALL_WAY_STOP
+from .meetings import Meetings
 from .oncoming import Oncoming
 from .pedestrians import Pedestrians
+from .places import Places
 from .swept_paths import sizes_of
 
 INTERVAL = 0.1
@@ -66,19 +68,21 @@ class RightOfWayGrants:
         sizes, self._size = sizes_of(world.bodies)
         self._places = Places.of(crossings.junctions, world.scenes, sizes)
         count, scenes = len(world.present), len(world.scenes)
-        self._oncoming = Oncoming(count, world.slots)
+        self._oncoming = Oncoming(world)
         self._grants = Grants.none(crossings.stop.shape)
         self._last_grant = np.full((scenes, max(1, len(crossings.junctions))), -math.inf)
         self._looked = np.full(scenes, -math.inf)
         self._has_asked = np.zeros(count, dtype=bool)
         self._asking = np.zeros(count, dtype=bool)
         self._temper = np.full((2, count), MODERATE)
+        self._entrants: Entrants | None = None
         self._waits = Waits(
             np.full(count, math.inf), np.full(count, -1, dtype=np.int64), np.full(count, math.inf)
         )
 
     def take(self, agents: Integers, scenes: Integers) -> None:
         """From now on the world has these of its agents and scenes alone."""
+        self._entrants = None
         self._pedestrians.take(agents)
         self._oncoming.take(agents)
         place = np.full(len(self._has_asked) + 1, -1)
@@ -99,12 +103,12 @@ class RightOfWayGrants:
         """(n,) meters from the fronts of agents to the next junction that they cross, negative on
         it, infinite for none; from there to where its connection ends; and the seconds until their
         signal is red, infinite where there is none."""
-        crossings, places = self._crossings.take(rows), self._places
+        places = self._places
         each = np.arange(len(rows))
-        if not crossings.junctions:
+        if not self._crossings.junctions:
             never = np.full(len(rows), math.inf)
             return never, np.zeros(len(rows)), never.copy()
-        near = Approaches.of(world, rows, (crossings, places.tables, places.lights))
+        near = Approaches.of(world, self._ways(world, rows))
         distance = np.where(near.is_over, math.inf, near.to_line)
         slot = distance.argmin(axis=1)
         distance, number = distance[each, slot], near.number[each, slot]
@@ -159,46 +163,76 @@ class RightOfWayGrants:
         if not self._crossings.junctions:
             self._waits.stop[rows] = (world.traveled + oncoming)[rows]
             return
-        crossings, places = self._crossings.take(rows), self._places
+        entrants = self._entrants_of(world, rows)
+        every = entrants.ways.rows
         is_moving = world.present & ~world.halted & ~world.bodies.walks
         crowd = Crowd(
-            places, world.time, crossings,
-            Approaches.of(world, rows, (crossings, places.tables, places.lights)),
-            self._grants.take(rows), rows // world.slots, world.motion.speed[rows],
-            world.bodies.length[rows], self._size[rows], world.present[rows], is_moving[rows],
-            self._has_asked[rows],
-            self._temper[0, rows], self._temper[1, rows],
-            leaders.gaps.reshape(-1, world.slots)[rows], oncoming[rows],
+            entrants, world.time, Approaches.of(world, entrants.ways), self._grants.part(every),
+            world.motion.speed[every], world.present[every], is_moving[every],
+            self._has_asked[every], self._temper[0, every], self._temper[1, every],
+            leaders.gaps.reshape(-1, world.slots)[every], oncoming[every],
         )  # fmt: skip
         _remember(crowd)
         wanted = let_go(crowd, self._last_grant)
-        self._grants.put(rows, crowd.grants)
-        self._wait(crowd, wanted, world, rows)
+        self._grants.put(every, crowd.grants)
+        self._wait(crowd, wanted, world)
 
-    def _wait(self, crowd: Crowd, wanted: Booleans, world: World, rows: Integers) -> None:
+    def _ways(self, world: World, rows: Integers) -> Ways:
+        """Of some agents."""
+        everyone = len(rows) == len(world.present)
+        crossings = self._crossings if everyone else self._crossings.take(rows)
+        places, part = self._places, slice(None) if everyone else rows
+        return Ways.of(part, crossings, world.bodies, places.tables, places.lights)
+
+    def _entrants_of(self, world: World, rows: Integers) -> Entrants:
+        """The agents `rows`, all of some scenes: mostly those of the last time."""
+        known = self._entrants
+        if known is None or not known.holds(rows, world.bodies):
+            ways = self._ways(world, rows)
+            known = Entrants.of(self._places, rows, ways, world.slots, self._size)
+            self._entrants = known
+        return known
+
+    def _wait(self, crowd: Crowd, wanted: Booleans, world: World) -> None:
         """Where agents have to stop, and whom they follow. `wanted`: (N, X) requested crossings."""
-        near, held = crowd.near, crowd.held
+        near, held, entrants = crowd.near, crowd.held, crowd.entrants
         closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
         stop = np.minimum(closed.min(axis=1), crowd.oncoming)
-        gap = np.full(len(rows), math.inf)
-        leader = np.full(len(rows), -1)
+        gap = np.full(len(stop), math.inf)
+        leader = np.full(len(stop), -1)
         if held.any():
-            meetings = crowd.meetings(held | wanted)
-            stops, gaps = rules.zone_stops(meetings, near, crowd.grants, crowd.length)
-            there = meetings.is_there
-            np.minimum.at(stop, meetings.row[there], stops.min(axis=2)[there])
-            nearest = gaps.argmin(axis=2)
-            least = np.take_along_axis(gaps, nearest[:, :, None], axis=2)[:, :, 0]
-            np.minimum.at(gap, meetings.row[there], least[there])
-            follows = there & np.isfinite(least) & (least == gap[meetings.row])
-            other = np.take_along_axis(meetings.row, nearest, axis=1)
-            leader[meetings.row[follows]] = rows[other[follows]]
-        traveled = world.traveled
-        first = np.maximum(leader, 0)
+            meetings = entrants.meetings(held | wanted)
+            found = None
+            if meetings.has_conflicts:
+                found = rules.zone_stops(meetings, near, crowd.grants, entrants.length)
+            if found is not None:
+                stops, gaps = found
+                there, (row, _) = meetings.is_there, meetings.there
+                np.minimum.at(stop, row, stops.min(axis=2)[there])
+                if meetings.has_merges:
+                    _follow(meetings, gaps, gap, leader)
+        rows, traveled = entrants.ways.rows, world.traveled
+        leader = np.where(leader >= 0, entrants.agents[leader], -1)
         waits = self._waits
         waits.stop[rows] = traveled[rows] + stop
         waits.leader[rows] = leader
-        waits.distance[rows] = np.where(leader >= 0, gap + traveled[rows] - traveled[first], gap)
+        follows = leader >= 0
+        if follows.any():
+            first = np.maximum(leader, 0)
+            gap = np.where(follows, gap + traveled[rows] - traveled[first], gap)
+        waits.distance[rows] = gap
+
+
+def _follow(meetings: Meetings, gaps: Floats, gap: Floats, leader: Integers) -> None:
+    """Fill in whom each of the agents (N,) follows where lanes merge, and the gap to that one.
+    `gaps`: (G, P, P) of all that it might follow."""
+    there = meetings.is_there
+    nearest = gaps.argmin(axis=2)
+    least = np.take_along_axis(gaps, nearest[:, :, None], axis=2)[:, :, 0]
+    np.minimum.at(gap, meetings.row[there], least[there])
+    follows = there & np.isfinite(least) & (least == gap[meetings.row])
+    other = np.take_along_axis(meetings.row, nearest, axis=1)
+    leader[meetings.row[follows]] = other[follows]
 
 
 def _remember(crowd: Crowd) -> None:
@@ -218,5 +252,4 @@ def _remember(crowd: Crowd) -> None:
     grants.waiting[:] = np.where(close, grants.waiting + INTERVAL, 0.0)
     stops = close & (to_line < SIGN_DISTANCE) & (speed < SIGN_SPEED) & ~grants.has_stopped
     grants.has_stopped |= stops
-    in_turn = crowd.places.tables.rule[np.maximum(crowd.crossings.junction, 0)] == ALL_WAY_STOP
-    grants.arrival[stops & in_turn] = crowd.time
+    grants.arrival[stops & crowd.entrants.in_turn] = crowd.time

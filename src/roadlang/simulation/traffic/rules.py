@@ -10,7 +10,6 @@ from ...geometry.arrays import Booleans, Floats
 from ...plugins.kinds import STANDING_GAP
 from .approaches import Approaches, braking_to_stop, seconds_for
 from .grants import NEVER, Grants
-from .junction_tables import CROSS, MERGE
 from .meetings import Meetings
 from .swept_paths import SPACING
 
@@ -62,10 +61,12 @@ def is_blocked(
     end = np.swapaxes(meetings.end, 1, 2)
     leaves_in = other_line + end + other_length
     leaves = seconds_for(leaves_in, speed_b, SLUGGISH, SLUGGISH_SPEED)
-    crosses = (meetings.conflict == CROSS) & (leaves_in > 0.0) & (arrives <= leaves + apart)
+    crosses = meetings.crosses & (leaves_in > 0.0) & (arrives <= leaves + apart)
+    if not meetings.has_merges:
+        return np.asarray((other_goes & crosses).any(axis=2))
     gap = _behind(meetings, near, length)
     wanted = STANDING_GAP + HEADWAY * calm * speed_a + np.maximum(0.0, speed_a - speed_b)
-    merges = (meetings.conflict == MERGE) & (gap <= wanted)
+    merges = meetings.merges & (gap <= wanted)
     return np.asarray((other_goes & (crosses | merges)).any(axis=2))
 
 
@@ -75,7 +76,7 @@ def is_occupied(meetings: Meetings, near: Approaches, grants: Grants, asks: Bool
     _, other_waits = pairs(waits)
     _, other_line = pairs(meetings.of_crossings(near.to_line))
     into = -other_line - np.swapaxes(meetings.begin, 1, 2)
-    stands = (meetings.conflict == CROSS) & (into > SPACING)
+    stands = meetings.crosses & (into > SPACING)
     stands &= other_waits
     return np.asarray((stands & ~np.swapaxes(stands, 1, 2)).any(axis=2))
 
@@ -86,6 +87,8 @@ def is_reserved(
     """(G, P) who has to let one go that has waited for long, as nobody else, the longest of those
     who `could` go, but for others: if that one is not `able` to, everybody has to."""
     waited = np.where(could, meetings.of_crossings(grants.waiting), 0.0)
+    if not (waited > LONGEST_WAIT).any():
+        return np.zeros(waited.shape, dtype=bool)
     longest = waited.argmax(axis=1)[:, None]
     counts = np.take_along_axis(waited, longest, axis=1) > LONGEST_WAIT
     itself = np.arange(waited.shape[1]) == longest
@@ -109,9 +112,12 @@ def lets_in(
     politeness: Floats,
 ) -> Booleans:  # fmt: skip
     """(G, P) who brakes for one that has waited long where their lanes merge."""
-    _, waits = pairs(asks & (meetings.of_crossings(grants.waiting) > PATIENCE))
+    has_waited = asks & (meetings.of_crossings(grants.waiting) > PATIENCE)
+    if not has_waited.any():
+        return has_waited
+    _, waits = pairs(has_waited)
     yields = np.swapaxes(meetings.yields, 1, 2)
-    meets = ((meetings.conflict == MERGE) & yields & waits).any(axis=2)
+    meets = (meetings.merges & yields & waits).any(axis=2)
     braking = braking_to_stop(
         meetings.of_agents(speed), meetings.of_crossings(near.to_line) - BEFORE_ZONE
     )
@@ -120,6 +126,8 @@ def lets_in(
 
 def space_for_others(meetings: Meetings, may_go: Booleans, length: Floats) -> Floats:
     """(G, P) meters of the lane that each enters which those let go already will take."""
+    if not meetings.shares_any or not may_go.any():
+        return np.zeros(may_go.shape)
     _, other = pairs(meetings.of_agents(length) + STANDING_GAP)
     _, counts = pairs(may_go)
     used = np.where(meetings.share_exit & counts, other, 0.0)
@@ -143,18 +151,21 @@ def has_earlier_grant(meetings: Meetings, grants: Grants) -> Booleans:
 
 def zone_stops(
     meetings: Meetings, near: Approaches, grants: Grants, length: Floats
-) -> tuple[Floats, Floats]:
+) -> tuple[Floats, Floats] | None:
     """(G, P, P) meters from the front of the first to where it has to wait for the second to pass,
-    infinite for no need; and where lanes merge the gap at which it follows the second."""
-    earlier = has_earlier_grant(meetings, grants)
+    infinite for no need; and where lanes merge the gap at which it follows the second. None where
+    nobody meets one that was let go earlier."""
+    earlier = has_earlier_grant(meetings, grants) & (meetings.conflict > 0)
+    if not earlier.any():
+        return None
     to_line, other_line = pairs(meetings.of_crossings(near.to_line))
     other_length = meetings.of_agents(length)[:, None, :]
     to_zone = to_line + meetings.begin
     leaves_in = other_line + np.swapaxes(meetings.end, 1, 2) + other_length
-    crosses = earlier & (meetings.conflict == CROSS) & (leaves_in > 0.0) & (to_zone > -IN_ZONE)
+    crosses = earlier & meetings.crosses & (leaves_in > 0.0) & (to_zone > -IN_ZONE)
     stop = np.where(crosses, to_zone - BEFORE_ZONE, np.inf)
     goes, _ = pairs(let_go(meetings, grants))
-    merges = earlier & goes & (meetings.conflict == MERGE)
+    merges = earlier & goes & meetings.merges
     behind = _behind(meetings, near, length)
     late = merges & (behind < to_zone - BEFORE_ZONE)
     stop = np.where(late, np.minimum(stop, to_zone - BEFORE_ZONE), stop)
