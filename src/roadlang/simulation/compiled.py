@@ -53,6 +53,17 @@ def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> F
     return out
 
 
+def gaps_in_corridors(pairs: Any, window: Any, outlines: Any, limits: Any) -> Any:
+    """(P,) the gaps of `corridors.nearest_in_corridor`, to the last bit, and cosines and sines of
+    the lines there. `pairs`, `limits`: those of the kernel."""
+    out = np.empty((3, len(pairs[0])))
+    lines = (window.x, window.y, window.cosine, window.sine)
+    corridors_kernel()(
+        pairs, lines, window.swept, (window.s, window.view), outlines.columns, limits, out
+    )
+    return out
+
+
 LOADING = 0.5
 """Seconds of processor time that it takes about to load the compiled motion; to compile it, once
 after an installation, takes longer."""
@@ -103,6 +114,12 @@ def lookup_kernel() -> Any:
     return _compiled(kernels.looked_up)
 
 
+@cache
+def corridors_kernel() -> Any:
+    """The compiled loop over pairs of an agent and what may be in its way."""
+    return _compiled(kernels.gaps_in_corridors)
+
+
 _OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
 
 
@@ -151,7 +168,10 @@ def _register_formulas() -> None:
         vehicle.moved, lines.on_arc,
     ):  # fmt: skip
         register_jitable(**_OPTIONS)(formula)
-    for loop in (kernels.advanced, kernels.framed, kernels.looked_up):
+    for loop in (
+        kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
+        kernels.widest,
+    ):  # fmt: skip
         register_jitable(**_OPTIONS)(loop)
     for part in (kernels.fill, kernels.place_on_line, kernels.drive):
         # Into the loop itself: only there is it seen that agents do not depend on each other.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from operator import or_
 from typing import Any
 
 import numpy as np
@@ -39,6 +40,8 @@ class Group:
     """(5, N) what each decided then, in the order of `HELD`; NaN where it said nothing"""
     built: Controller | None = None
     """the controller with the options of all its agents, once there is one"""
+    said: Sequence[bool] = (True,) * len(HELD)
+    """whether anybody may have said something, in the order of `HELD`"""
 
     @property
     def of_all(self) -> Controller:
@@ -64,20 +67,28 @@ class Group:
         if self.singles and before.singles:
             self.singles[agent].carry_on(before.singles[place])
         self.since[agent], self.held[:, agent] = before.since[place], before.held[:, place]
+        self.said = [True] * len(HELD)
 
     def hold(self, agents: Integers, decided: ControlBatch, time: float) -> None:
         """What some of the agents have decided, at a time, holds until they decide again."""
         self.since[agents] = time
-        for row, name in enumerate(HELD):
-            column = getattr(decided, name)
-            self.held[row, agents] = math.nan if column is None else column
+        columns = [getattr(decided, name) for name in HELD]
+        says = [column is not None for column in columns]
+        for row, column in enumerate(columns):
+            if says[row] or self.said[row]:
+                self.held[row, agents] = column if says[row] else math.nan
+        everyone = len(agents) == len(self.rows)
+        self.said = says if everyone else [*map(or_, says, self.said)]
 
     def last_decided(self, agents: Integers) -> ControlBatch:
         """What some of the agents decided when they did last."""
-        steering, acceleration, *others = self.held[:, agents]
+        held = self.held if len(agents) == len(self.rows) else self.held[:, agents]
+        steering, acceleration, *others = held
         return ControlBatch(
-            steering, acceleration, *(None if np.isnan(one).all() else one for one in others)
-        )
+            steering, acceleration,
+            *(one if says and not np.isnan(one).all() else None
+              for says, one in zip(self.said[2:], others, strict=True)),
+        )  # fmt: skip
 
     def take(self, place: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
+from . import compiled
 from .outlines import Outlines
 from .poses import frames_in
 from .sorted_groups import sorted_groups
@@ -52,17 +53,18 @@ class Window:
     @classmethod
     def of(cls, world: World, agents: Integers) -> Window:
         """What these agents have ahead."""
-        view = looks_ahead(world)[agents]
+        rows: Any = slice(None) if len(agents) == len(world.present) else agents
+        view = looks_ahead(world)[rows]
         count = math.ceil(float(view.max(initial=0.0)) / SAMPLE_SPACING) + 1
         s: Floats = np.arange(count, dtype=np.float64) * SAMPLE_SPACING
-        track = world.track.of_rows(agents)
-        along = track.wrapped(world.motion.along[agents] + s[:, None])
+        track = world.track.of_rows(rows)
+        along = track.wrapped(world.motion.along[rows] + s[:, None])
         cell, rest = track.cell(along)
         x, y, heading, _, _ = frames_in(track, cell, rest)
         cosine, sine = np.cos(heading), np.sin(heading)
-        offset = world.line_offset[agents]
+        offset = world.line_offset[rows]
         x, y = x - sine * offset, y + cosine * offset
-        swept = world.sweeps.at(agents, cell - track.first)
+        swept = world.sweeps.at(rows, cell - track.first)
         return cls(agents, s, view, x, y, cosine, sine, swept)
 
 
@@ -84,6 +86,11 @@ def nearest_in_corridor(
     agents, _, column = sorted_groups(agent)
     window = Window.of(world, agents)
     half = 0.5 * world.bodies.width[agent] + outlines.half_width[target] + MARGIN
+    if compiled.is_loaded():
+        pairs = (column, target, half, 0.5 * world.bodies.length[agent])
+        limits = CIRCLES, SAMPLE_SPACING, AHEAD
+        gap, cosine, sine = compiled.gaps_in_corridors(pairs, window, outlines, limits)
+        return gap, np.arctan2(sine, cosine)
     close = np.flatnonzero(_may_overlap(window, column, target, outlines, half))
     if not len(close):
         return gap, heading

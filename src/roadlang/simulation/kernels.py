@@ -1,5 +1,6 @@
 """Loops over agents that numba compiles. Python never runs them; what they do to the last bit is
-said in numpy elsewhere: `motion.advance`, `poses.line_frames`, `BendSpeeds.at`."""
+said in numpy elsewhere: `motion.advance`, `poses.line_frames`, `BendSpeeds.at`,
+`corridors.nearest_in_corridor`."""
 
 from __future__ import annotations
 
@@ -115,3 +116,70 @@ def looked_up(values: Any, shift: Any, along: Any, first: Any, numbers: Any, out
         advance = along[i] - origin
         cell = int(vehicle.least(vehicle.greatest(advance * per_meter, 0.0), last))
         out[i] = values[shift[i] + first[i] + cell]
+
+
+def gaps_in_corridors(
+    pairs: Any, lines: Any, swept: Any, views: Any, outlines: Any, limits: Any, out: Any
+) -> None:
+    """Fill `out`, (3, P), with what `corridors.nearest_in_corridor` gives of pairs: the gaps, and
+    cosine and sine of the line there. `pairs`: columns (P,) of windows and of outlines, half the
+    width of the corridor and half the length of who drives in it; `lines`: x, y, cosine and sine
+    (M, I) of the windows; `swept`: to the left and right of them; `views`: meters ahead (M,) and
+    how far each looks (I,); `outlines`: six columns of them; `limits`: circles, the spacing of
+    samples, and from where on something is ahead."""
+    column, target, halves, own = pairs
+    s, view = views
+    x, y, cosine, sine, half_length, half_width = outlines
+    circles, spacing, begin = limits
+    shares = np.empty(circles)
+    along = np.empty((circles, 4))
+    for p in range(column.shape[0]):
+        i, t = column[p], target[p]
+        out[0, p], out[1, p], out[2, p] = np.inf, 1.0, 0.0
+        bar = vehicle.greatest(half_length[t] - half_width[t], 0.0)
+        wide = bar + halves[p] + spacing + widest(swept, i)
+        least = np.inf
+        for m in range(s.shape[0]):
+            if s[m] <= view[i]:
+                off_x, off_y = x[t] - lines[0][m, i], y[t] - lines[1][m, i]
+                least = vehicle.least(least, off_x * off_x + off_y * off_y)
+        if not least < wide * wide:
+            continue
+        for c in range(circles):
+            shares[c] = -1.0 + c * (2.0 / (circles - 1))
+            at_x = x[t] + shares[c] * bar * cosine[t]
+            at_y = y[t] + shares[c] * bar * sine[t]
+            place, least = 0, np.inf
+            for m in range(s.shape[0]):
+                if s[m] <= view[i]:
+                    off_x, off_y = at_x - lines[0][m, i], at_y - lines[1][m, i]
+                    square = off_x * off_x + off_y * off_y
+                    if square < least:
+                        place, least = m, square
+            dx, dy = at_x - lines[0][place, i], at_y - lines[1][place, i]
+            line = (lines[2][place, i], lines[3][place, i])
+            left = line[0] * dy - line[1] * dx
+            free = halves[p] + (swept[0][place, i] if left > 0.0 else swept[1][place, i])
+            if c == 0 or c == circles - 1:
+                ahead = abs(cosine[t] * line[0] + sine[t] * line[1])
+                across = abs(sine[t] * line[0] - cosine[t] * line[1])
+                free = free + half_width[t] * (ahead + across - 1.0)
+            along[c, 0] = s[place] + line[0] * dx + line[1] * dy
+            along[c, 1] = 1.0 if abs(left) < free else 0.0
+            along[c, 2], along[c, 3] = line
+        middle_is_ahead = along[circles // 2, 0] > 0.0
+        for c in range(circles):
+            begins = along[c, 0] - vehicle.least(half_width[t], half_length[t])
+            is_ahead = middle_is_ahead or begins > own[p] - begin
+            fits = is_ahead and along[c, 1] > 0.5 and along[c, 0] < view[i] + spacing
+            gap = begins - own[p] if fits else np.inf
+            if c == 0 or gap < out[0, p]:
+                out[0, p], out[1, p], out[2, p] = gap, along[c, 2], along[c, 3]
+
+
+def widest(swept: Any, i: Any) -> Any:
+    """The most that agent `i` covers beyond its width, anywhere in its window."""
+    most = vehicle.greatest(swept[0][0, i], swept[1][0, i])
+    for m in range(1, swept[0].shape[0]):
+        most = vehicle.greatest(most, vehicle.greatest(swept[0][m, i], swept[1][m, i]))
+    return most

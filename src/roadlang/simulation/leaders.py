@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats
+from ..geometry.arrays import Booleans, Floats, Integers
 from .corridors import looks_ahead, nearest_in_corridor
 from .outlines import Outlines
 from .poses import Poses
@@ -34,25 +35,54 @@ class Leaders:
     """(N,) of that one, along the lane"""
 
 
-def leaders(world: World, poses: Poses) -> Leaders:
+@dataclass(frozen=True)
+class Pairing:
+    """Who of a scene can be ahead of whom: what of it does not change."""
+
+    on_road: Booleans
+    """(S, A, A) of two on one road"""
+    elsewhere: Booleans
+    """(S, A, A) of all others with a road, but itself"""
+    radius: Floats
+    """(S, A) around a footprint"""
+    scene: Integers
+    """(S, 1)"""
+    agent: Integers
+    """(1, A)"""
+
+    @classmethod
+    def of(cls, world: World) -> Pairing:
+        """Of the agents of a world."""
+        shape = (len(world.scenes), world.slots)
+        pairs = world.has_road.reshape(shape)[:, :, None] & ~np.eye(shape[1], dtype=bool)[None]
+        road = np.where(world.has_route, -1, world.road).reshape(shape)
+        on_road = pairs & (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
+        radius = 0.5 * (world.bodies.length + world.bodies.width).reshape(shape)
+        scene, agent = np.ogrid[: shape[0], : shape[1]]
+        return cls(on_road, pairs & ~on_road, radius, scene, agent)
+
+    @cached_property
+    def exists(self) -> tuple[bool, bool]:
+        """Whether there are pairs on one road, and others."""
+        return bool(self.on_road.any()), bool(self.elsewhere.any())
+
+
+def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
     """Who is ahead in the lane of each agent. Of two on one road their stations say it; what else
     is near is looked for along the line."""
     shape = (len(world.scenes), world.slots)
     there = world.present.reshape(shape)
-    itself = np.eye(shape[1], dtype=bool)[None]
-    pairs = (there & world.has_road.reshape(shape))[:, :, None] & there[:, None, :] & ~itself
-    road = np.where(world.has_route, -1, world.road).reshape(shape)
-    together = pairs & (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
-    gap = np.full(pairs.shape, math.inf)
-    if together.any():
-        gap = np.where(together, _gaps_on_roads(world, shape), gap)
+    both = there[:, :, None] & there[:, None, :]
+    gap = np.full(both.shape, math.inf)
+    has_road_mates, has_others = pairing.exists
+    if has_road_mates:
+        gap = np.where(pairing.on_road & both, _gaps_on_roads(world, shape), gap)
     heading = poses.heading.reshape(shape)
     turned = heading[:, None, :] - heading[:, :, None]
-    apart = pairs & ~together
-    if apart.any():
-        _search(world, poses, apart, gap, turned)
+    if has_others:
+        _search(world, poses, (pairing.elsewhere & both, pairing.radius), gap, turned)
     first = gap.argmin(axis=2)
-    scene, agent = np.ogrid[: shape[0], : shape[1]]
+    scene, agent = pairing.scene, pairing.agent
     least, turn = gap[scene, agent, first], turned[scene, agent, first]
     speed = world.motion.speed.reshape(shape)[scene, first]
     along = np.where(np.isfinite(least), speed * np.cos(turn), 0.0)
@@ -90,16 +120,20 @@ def _in_the_way(world: World, shape: tuple[int, int]) -> Floats:
     return np.asarray(np.maximum(SAME_LANE, between))
 
 
-def _search(world: World, poses: Poses, apart: Booleans, gap: Floats, turned: Floats) -> None:
+def _search(
+    world: World, poses: Poses, apart: tuple[Booleans, Floats], gap: Floats, turned: Floats
+) -> None:
     """Fill in the gaps to agents that are not on the same road, and how these are turned from the
-    line of the first."""
-    shape = (len(world.scenes), world.slots)
+    line of the first. `apart`: such pairs, and the radius of each agent."""
+    pairs, radius = apart
+    shape = radius.shape
     x, y = poses.x.reshape(shape), poses.y.reshape(shape)
-    radius = 0.5 * (world.bodies.length + world.bodies.width).reshape(shape)
     view = looks_ahead(world).reshape(shape)[:, :, None] + radius[:, None, :]
-    near = apart & (np.abs(x[:, None, :] - x[:, :, None]) < view)
+    near = pairs & (np.abs(x[:, None, :] - x[:, :, None]) < view)
     near &= np.abs(y[:, None, :] - y[:, :, None]) < view
     scene, first, second = np.nonzero(near)
+    if not len(scene):
+        return
     follower, leader = scene * world.slots + first, scene * world.slots + second
     found, along = nearest_in_corridor(world, follower, leader, Outlines.moving(world, poses))
     gap[scene, first, second] = found

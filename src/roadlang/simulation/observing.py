@@ -17,7 +17,7 @@ from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
 from .lane_endings import has_lane_endings, lets_in
 from .lazy_observations import LazyObservations
-from .leaders import Leaders, leaders
+from .leaders import Leaders, Pairing, leaders
 from .neighbors import Nearby, StandingObjects
 from .obstacles import Obstacles
 from .poses import Poses, line_frames
@@ -49,12 +49,13 @@ class Surroundings:
         self._objects: StandingObjects | None = None
         self._obstacles: Obstacles | None = None
         self._right_of_way: RightOfWayGrants | None = None
+        self._pairing: Pairing | None = None
 
     def take(self, agents: Integers, count: int, slots: int) -> None:
         """From now on the world has these of its `count` agents alone."""
         self.bends.take(agents)
         scenes = agents[::slots] // slots
-        self._first = self._first[scenes]
+        self._first, self._pairing = self._first[scenes], None
         if self._obstacles is not None:
             self._obstacles = self._obstacles.take(agents, count)
         if self._right_of_way is not None:
@@ -69,6 +70,12 @@ class Surroundings:
         if self._obstacles is None:
             self._obstacles = Obstacles.of(world)
         return self._obstacles
+
+    def pairing(self, world: World) -> Pairing:
+        """Who of a scene can be ahead of whom."""
+        if self._pairing is None:
+            self._pairing = Pairing.of(world)
+        return self._pairing
 
     def right_of_way(self, world: World) -> RightOfWayGrants:
         """At the junctions."""
@@ -222,7 +229,8 @@ class View:
 
     def _leaders(self) -> Leaders:
         if self._ahead is None:
-            self._ahead = leaders(self.world, self.poses)
+            pairing = self.surroundings.pairing(self.world)
+            self._ahead = leaders(self.world, self.poses, pairing)
         return self._ahead
 
     def lane_place(self, rows: Integers) -> LanePlaces:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -41,9 +41,14 @@ class Outlines:
             0.5 * bodies.length, 0.5 * bodies.width,
         )  # fmt: skip
 
+    @property
+    def columns(self) -> tuple[Floats, ...]:
+        """All of them, in their order."""
+        return self.x, self.y, self.cosine, self.sine, self.half_length, self.half_width
+
     def take(self, rows: Any) -> Outlines:
         """Some of them."""
-        return Outlines(*(getattr(self, field.name)[rows] for field in fields(self)))
+        return Outlines(*(column[rows] for column in self.columns))
 
     def pieces(self, longest: float) -> Outlines:
         """Each cut across into pieces of the same length, at most `longest` meters."""

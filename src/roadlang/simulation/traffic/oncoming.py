@@ -72,7 +72,10 @@ class Oncoming:
         if pairs is None:
             return out
         pairs = _close(*pairs)
-        enter, leave = _places(*pairs)
+        found = _places(*pairs)
+        if found is None:
+            return out
+        enter, leave = found
         meets = np.isfinite(enter).all(axis=0) & np.tile(np.isin(pairs[0].agents[pairs[1]], due), 2)
         rows = np.stack([np.tile(pairs[0].agents[place], 2)[meets] for place in pairs[1:]])
         enter, leave = enter[:, meets], leave[:, meets]
@@ -213,10 +216,10 @@ def _close(
     return lines, first[close], second[close]
 
 
-def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats, Floats]:
+def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats, Floats] | None:
     """(2, 2 P) meters from the front of each of a pair to the first sample in a place where both do
     not fit side by side, infinite for none, and until its rear has left it: in the next such place
-    of the first, and in all others together."""
+    of the first, and in all others together. None where all pairs fit everywhere."""
     one, two = lines.take(first), lines.take(second)
     dx, dy = two.x[None] - one.x[:, None], two.y[None] - one.y[:, None]
     square = dx * dx + dy * dy
@@ -227,6 +230,8 @@ def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats,
     room = np.where(left > 0.0, one.to_left[:, None], one.to_right[:, None])
     room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + MARGIN
     meets = near & (square < room * room) & np.isfinite(one.s)[:, None] & np.isfinite(two.s)[None]
+    if not meets.any():
+        return None
     there: Booleans = np.asarray(meets.any(axis=1))
     begins = there.copy()
     begins[1:] &= ~there[:-1]
