@@ -77,10 +77,12 @@ class Traffic(Controller):
         most, braking = 1.6 + 2.0 * boldness, 2.0 + 2.0 * boldness
         target = self._target(seen, braking)
         follow = Following(seen.speed, target, most, braking, self.headway)
-        ahead = follow.behind(*seen.vehicle_ahead())
+        gap, pace = seen.vehicle_ahead()
         stop, merging, speed = seen.right_of_way(self.politeness, self.aggression)
-        ahead = np.minimum(ahead, np.maximum(follow.behind(merging, speed), -MERGING * braking))
-        ahead = np.minimum(ahead, follow.to_stop(stop))
+        gaps = np.stack((gap, merging, stop + STANDING_GAP))
+        ahead, merges, gentle = follow.behind(gaps, np.stack((pace, speed, np.zeros_like(stop))))
+        ahead = np.minimum(ahead, np.maximum(merges, -MERGING * braking))
+        ahead = np.minimum(ahead, follow.to_stop(stop, gentle))
         lateral = (2.0 + 3.0 * boldness) * np.minimum(1.0, CAR_BASE / seen.wheelbase)
         bends = bend_speed(seen, target, lateral, braking)
         slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)
@@ -142,7 +144,7 @@ class Following:
         return np.where(share <= 1.0, rises, falls)
 
     def behind(self, gap: Floats, ahead: Floats) -> Floats:
-        """With somebody at a gap ahead (infinite: nobody), at that speed."""
+        """(..., N) with somebody at a gap ahead (infinite: nobody), at that speed."""
         import numpy as np
 
         closing = self.speed * (self.speed - ahead)
@@ -158,11 +160,11 @@ class Following:
         over = self.speed > self.target
         return np.where(need >= 1.0, np.where(over, free + close, close), far)
 
-    def to_stop(self, distance: Floats) -> Floats:
-        """With a place ahead at which to stand, at a distance (infinite: none)."""
+    def to_stop(self, distance: Floats, gentle: Floats) -> Floats:
+        """With a place ahead at which to stand, at a distance (infinite: none). `gentle`: with
+        somebody who stands there."""
         import numpy as np
 
-        gentle = self.behind(distance + STANDING_GAP, np.zeros_like(distance))
         even = 0.5 * self.speed * self.speed / np.maximum(distance, 0.05)
         late = (even > LATE * self.braking) | (distance < 0.0)
         return np.where(late, np.minimum(gentle, -even), gentle)

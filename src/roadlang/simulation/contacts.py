@@ -104,8 +104,10 @@ class ContactDetector:
         first, second = self._pairs
         if not len(first):
             return []
-        off_x, off_y = poses.x[first] - poses.x[second], poses.y[first] - poses.y[second]
-        distance = (self._radius + shift[2])[first] + (self._radius + shift[2])[second]
+        off_x = poses.x.take(first) - poses.x.take(second)
+        off_y = poses.y.take(first) - poses.y.take(second)
+        around = self._radius + shift[2]
+        distance = around.take(first) + around.take(second)
         close = np.flatnonzero(off_x * off_x + off_y * off_y <= distance * distance)
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]

@@ -211,11 +211,12 @@ class View:
         world, surroundings = self.world, self.surroundings
         right_of_way = surroundings.right_of_way(world)
         stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, temper)
-        changes = zipper(world)
-        sooner = changes[0][rows] < gap
-        gap = np.where(sooner, changes[0][rows], gap)
-        speed = np.where(sooner, changes[1][rows], speed)
-        stop = np.minimum(stop, changes[2][rows])
+        if world.table.has_changes:
+            changes = zipper(world)
+            sooner = changes[0][rows] < gap
+            gap = np.where(sooner, changes[0][rows], gap)
+            speed = np.where(sooner, changes[1][rows], speed)
+            stop = np.minimum(stop, changes[2][rows])
         if surroundings.has_lane_endings and temper is not None:
             lanes, ahead = self._current_lanes(), self._leaders()
             merging, pace = lets_in(world, lanes, ahead, rows, temper[0])

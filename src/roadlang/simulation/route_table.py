@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -170,13 +171,21 @@ class RouteTable:
         kept with `braking`, m/s^2: `v^2 = limit^2 + 2 braking distance`."""
         there = along + on
         line = self.line[rows]
-        limit = self.limit[line]
-        distance = np.maximum(self.begin[line] - there[:, None], 0.0)
-        finite = np.where(np.isfinite(distance), distance, 0.0)
-        rate = np.broadcast_to(np.asarray(braking, dtype=np.float64), there.shape)
-        square = limit * limit + 2.0 * rate[:, None] * finite
-        ahead = np.arange(limit.shape[1]) >= self.leg(rows, there)[:, None]
-        return np.asarray(np.sqrt(np.where(ahead, square, math.inf).min(axis=1)))
+        square, begin, end = self._limits
+        rate = np.broadcast_to(np.asarray(2.0 * braking, dtype=np.float64), there.shape)
+        distance = np.maximum(begin[line] - there[:, None], 0.0)
+        squares = square[line] + rate[:, None] * distance
+        ahead = end[line] > there[:, None]
+        return np.asarray(np.sqrt(np.where(ahead, squares, math.inf).min(axis=1)))
+
+    @cached_property
+    def _limits(self) -> tuple[Floats, Floats, Floats]:
+        """(L, K) squares of the limits, and where these begin and end; those that a line does not
+        have are infinite and begin nowhere, so that no distance counts."""
+        end = np.full(self.begin.shape, math.inf)
+        end[:, :-1] = self.begin[:, 1:]
+        begin = np.where(np.isfinite(self.begin), self.begin, -math.inf)
+        return self.limit * self.limit, begin, end
 
     def lane_changes(
         self, rows: Any, along: Floats, first: Floats, last: Floats

@@ -48,6 +48,12 @@ class StopLines:
         """Those of some agents."""
         return replace(self, along=self.along[agents], connection=self.connection[agents])
 
+    def may_cross(self, front: Floats, moved: Floats) -> bool:
+        """Whether any of all agents, whose lines are open, has crossed one: `crossed_at_red` says
+        who did at red."""
+        ahead = self.along - front[:, None]
+        return bool(((ahead > 0.0) & (ahead <= moved[:, None])).any())
+
     def crossed_at_red(
         self,
         agents: Integers,

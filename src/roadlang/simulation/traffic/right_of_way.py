@@ -144,7 +144,8 @@ class RightOfWayGrants:
     def _look(self, world: World, leaders: Leaders, rows: Integers) -> None:
         """Bring the scenes of some agents up to date, where that is due. Who has asked since the
         last time obeys; at first everybody is taken to."""
-        scenes = sorted_groups(rows // world.slots)[0]
+        alone = len(self._looked) == 1
+        scenes = np.zeros(1, np.int64) if alone else sorted_groups(rows // world.slots)[0]
         scenes_to_update = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
         if len(scenes_to_update):
             agents = (scenes_to_update[:, None] * world.slots + np.arange(world.slots)).ravel()
