@@ -13,6 +13,8 @@ from roadlang.ir.scene import SceneActor
 from roadlang.simulation.leaning import leaned
 from roadlang.simulation.lines import LineSource
 from roadlang.simulation.route_lines import LineLeg, RouteLine
+from roadlang.simulation.traffic import oncoming
+from roadlang.simulation.traffic.wide_places import WidePlaces
 from roadlang.simulation.world_building import world_of
 
 from .crossing_traffic import contacts
@@ -111,6 +113,20 @@ def test_the_ground_that_a_bus_covers_is_that_of_its_corners() -> None:
             beyond = np.abs(across) - 1.275 - swept[side][foot]
             inner = (foot > 2) & (foot < 170)
             assert beyond[inner].max() < 0.45
+
+
+def test_no_wide_place_ahead_is_overlooked() -> None:
+    text = CORNER + "agent buses is bus on town at random { count: 4, drive with traffic }"
+    world = world_of([testing.sample(text, 1, seed=2)[0].record], {}, 0.02, 0.04)
+    found, agents = WidePlaces.of(world), np.arange(len(world.present))
+    told = []
+    for step in range(200):
+        world.motion.along = np.minimum(world.motion.along + 0.37 * (step > 0), world.end)
+        samples = oncoming._Samples.of(world, agents)
+        is_there, may_be = samples.is_wide.any(axis=0), found.may_be_ahead(world)
+        assert not (is_there & ~may_be).any()
+        told.append((is_there.sum(), (~may_be).sum()))
+    assert all(np.sum(told, axis=0) > 20), "some are wide, and of some that is ruled out"
 
 
 def buses(seed: int) -> Any:

@@ -14,7 +14,7 @@ from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.drive.trace_files import COLUMNS
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation import compiled, simulating
+from roadlang.simulation import compiled, leaders, simulating
 
 LOOP = """
 road loop {
@@ -67,6 +67,20 @@ agent lead is car on main at ahead_of(ego, 12m) {
 agent others is van on main at random { count: integer(0, 2), facing: back, drive with traffic }
 object crate is box on main at 80m { side: right, offset: 1m }
 """
+
+CROSSING = '''
+image plan from """
+.......#.......
+.......#.......
+.......#.......
+###############
+.......#.......
+.......#.......
+.......#.......
+""" { scale: 8m/px }
+network town from plan { lanes: 2 }
+agent cars is choice(car, bus) on town at random { count: 8, drive with traffic }
+'''
 
 
 def drives(scenes: Sequence[Scene], **options: Any) -> list[Trace]:
@@ -177,6 +191,30 @@ def test_compiled_it_drives_to_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -
     )
     assert [bytes_of(trace) for trace in drives(scenes)] == plain
     assert ran, "the compiled motion was used"
+
+
+def test_compiled_it_finds_the_same_gaps_to_who_comes_from_elsewhere(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pytest.importorskip("numba")
+    (scene,) = records(CROSSING, 1)
+    seen: list[tuple[Any, Any]] = []
+    looked: Any = leaders.nearest_in_corridor
+
+    def both_ways(*pairs: Any) -> Any:
+        monkeypatch.setattr(compiled, "is_loaded", lambda: False)
+        plain = looked(*pairs)
+        monkeypatch.setattr(compiled, "is_loaded", lambda: True)
+        seen.append((plain, looked(*pairs)))
+        return plain
+
+    compiled.kernel()
+    monkeypatch.setattr(leaders, "nearest_in_corridor", both_ways)
+    drives([scene], duration=12.0)
+    assert sum(np.isfinite(gap).sum() for (gap, _), _ in seen) > 50
+    for plain, fast in seen:
+        for one, other in zip(plain, fast, strict=True):
+            assert one.tobytes() == other.tobytes()
 
 
 def test_many_short_drives_load_the_compiled_motion_too(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,6 +16,7 @@ from roadlang.simulation.crossed_junctions import crossings_of
 from roadlang.simulation.signal_lights import Lights
 from roadlang.simulation.stop_lines import StopLines
 from roadlang.simulation.traffic.approaches import Approaches
+from roadlang.simulation.traffic.entrants import Ways
 from roadlang.simulation.traffic.junction_tables import JunctionTables
 from roadlang.simulation.world import World
 from roadlang.simulation.world_building import world_of
@@ -164,7 +165,8 @@ def test_a_car_leaves_the_junction_at_the_seam_of_its_lap_with_its_rear() -> Non
     half = 0.5 * world.bodies.length[0]
     for past in (-0.5, 0.5, half + 0.5):
         world.motion.along[0] = past % leave
-        near = Approaches.of(world, np.array([0]), (crossings, tables, lights))
+        ways = Ways.of(np.array([0]), crossings, world.bodies, tables, lights)
+        near = Approaches.of(world, ways)
         inside = past < half
         assert near.is_behind.tolist() == [[not inside]]
         to_stop = stop - past - half if not inside else stop - leave - past - half
