@@ -14,7 +14,7 @@ from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.drive.trace_files import COLUMNS
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation import compiled, leaders, simulating
+from roadlang.simulation import compiled, corridors, simulating
 
 LOOP = """
 road loop {
@@ -199,7 +199,7 @@ def test_compiled_it_finds_the_same_gaps_to_who_comes_from_elsewhere(
     pytest.importorskip("numba")
     (scene,) = records(CROSSING, 1)
     seen: list[tuple[Any, Any]] = []
-    looked: Any = leaders.nearest_in_corridor
+    looked: Any = corridors.nearest_in_corridor
 
     def both_ways(*pairs: Any) -> Any:
         monkeypatch.setattr(compiled, "is_loaded", lambda: False)
@@ -209,7 +209,7 @@ def test_compiled_it_finds_the_same_gaps_to_who_comes_from_elsewhere(
         return plain
 
     compiled.kernel()
-    monkeypatch.setattr(leaders, "nearest_in_corridor", both_ways)
+    monkeypatch.setattr("roadlang.simulation.leaders.nearest_in_corridor", both_ways)
     drives([scene], duration=12.0)
     assert sum(np.isfinite(gap).sum() for (gap, _), _ in seen) > 50
     for plain, fast in seen:

@@ -170,6 +170,7 @@ def _register_formulas() -> None:
         register_jitable(**_OPTIONS)(formula)
     for loop in (
         kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
+        kernels.nearest_sample,
         kernels.widest,
     ):  # fmt: skip
         register_jitable(**_OPTIONS)(loop)

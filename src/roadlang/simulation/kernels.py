@@ -131,50 +131,49 @@ def gaps_in_corridors(
     s, view = views
     x, y, cosine, sine, half_length, half_width = outlines
     circles, spacing, begin = limits
-    shares = np.empty(circles)
-    along = np.empty((circles, 4))
+    found = np.empty((circles, 4))
     for p in range(column.shape[0]):
         i, t = column[p], target[p]
         out[0, p], out[1, p], out[2, p] = np.inf, 1.0, 0.0
         bar = vehicle.greatest(half_length[t] - half_width[t], 0.0)
         wide = bar + halves[p] + spacing + widest(swept, i)
-        least = np.inf
-        for m in range(s.shape[0]):
-            if s[m] <= view[i]:
-                off_x, off_y = x[t] - lines[0][m, i], y[t] - lines[1][m, i]
-                least = vehicle.least(least, off_x * off_x + off_y * off_y)
-        if not least < wide * wide:
+        if not nearest_sample(lines, s, view[i], i, x[t], y[t])[1] < wide * wide:
             continue
         for c in range(circles):
-            shares[c] = -1.0 + c * (2.0 / (circles - 1))
-            at_x = x[t] + shares[c] * bar * cosine[t]
-            at_y = y[t] + shares[c] * bar * sine[t]
-            place, least = 0, np.inf
-            for m in range(s.shape[0]):
-                if s[m] <= view[i]:
-                    off_x, off_y = at_x - lines[0][m, i], at_y - lines[1][m, i]
-                    square = off_x * off_x + off_y * off_y
-                    if square < least:
-                        place, least = m, square
+            out_ = (-1.0 + c * (2.0 / (circles - 1))) * bar
+            at_x, at_y = x[t] + out_ * cosine[t], y[t] + out_ * sine[t]
+            place = nearest_sample(lines, s, view[i], i, at_x, at_y)[0]
             dx, dy = at_x - lines[0][place, i], at_y - lines[1][place, i]
-            line = (lines[2][place, i], lines[3][place, i])
-            left = line[0] * dy - line[1] * dx
+            along, across = lines[2][place, i], lines[3][place, i]
+            left = along * dy - across * dx
             free = halves[p] + (swept[0][place, i] if left > 0.0 else swept[1][place, i])
             if c == 0 or c == circles - 1:
-                ahead = abs(cosine[t] * line[0] + sine[t] * line[1])
-                across = abs(sine[t] * line[0] - cosine[t] * line[1])
-                free = free + half_width[t] * (ahead + across - 1.0)
-            along[c, 0] = s[place] + line[0] * dx + line[1] * dy
-            along[c, 1] = 1.0 if abs(left) < free else 0.0
-            along[c, 2], along[c, 3] = line
-        middle_is_ahead = along[circles // 2, 0] > 0.0
+                turned = abs(cosine[t] * along + sine[t] * across)
+                aside = abs(sine[t] * along - cosine[t] * across)
+                free = free + half_width[t] * (turned + aside - 1.0)
+            found[c, 0] = s[place] + along * dx + across * dy
+            found[c, 1] = 1.0 if abs(left) < free else 0.0
+            found[c, 2], found[c, 3] = along, across
         for c in range(circles):
-            begins = along[c, 0] - vehicle.least(half_width[t], half_length[t])
-            is_ahead = middle_is_ahead or begins > own[p] - begin
-            fits = is_ahead and along[c, 1] > 0.5 and along[c, 0] < view[i] + spacing
+            begins = found[c, 0] - vehicle.least(half_width[t], half_length[t])
+            is_ahead = found[circles // 2, 0] > 0.0 or begins > own[p] - begin
+            fits = is_ahead and found[c, 1] > 0.5 and found[c, 0] < view[i] + spacing
             gap = begins - own[p] if fits else np.inf
             if c == 0 or gap < out[0, p]:
-                out[0, p], out[1, p], out[2, p] = gap, along[c, 2], along[c, 3]
+                out[0, p], out[1, p], out[2, p] = gap, found[c, 2], found[c, 3]
+
+
+def nearest_sample(lines: Any, s: Any, view: Any, i: Any, x: Any, y: Any) -> Any:
+    """The sample of the line of agent `i` in its view that is nearest to a place, and the square of
+    its distance."""
+    place, least = 0, np.inf
+    for m in range(s.shape[0]):
+        if s[m] <= view:
+            off_x, off_y = x - lines[0][m, i], y - lines[1][m, i]
+            square = off_x * off_x + off_y * off_y
+            if square < least:
+                place, least = m, square
+    return place, least
 
 
 def widest(swept: Any, i: Any) -> Any:

@@ -198,12 +198,10 @@ class World:
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
         front = before + 0.5 * self.bodies.length
-        if not self.track.has_closed and not self.stop_lines.may_cross(front, moved):
-            return
-        lap = np.where(self.closed, self.length, math.inf)
-        everyone = np.arange(len(front))
-        crossed = self.stop_lines.crossed_at_red(everyone, front, moved, lap, (self.age, seconds))
-        self.red_lights = self.red_lights + crossed
+        if self.track.has_closed or self.stop_lines.may_cross(front, moved):
+            lap, rows = np.where(self.closed, self.length, math.inf), np.arange(len(front))
+            crossed = self.stop_lines.crossed_at_red(rows, front, moved, lap, (self.age, seconds))
+            self.red_lights = self.red_lights + crossed
 
     @property
     def line_offset(self) -> Floats:
