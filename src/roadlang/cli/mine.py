@@ -68,8 +68,10 @@ def command(
     if front and len(parameters) < 2:
         raise click.UsageError("--front needs two parameters or more")
     from ..stl.explain.mining import mine, mine_front
+    from ..stl.formats.column_units import check_units
     from ..stl.formats.trace_files import read_trace
 
+    check_units(formula, traces)
     recordings = [read_trace(path, agent)[1:] for path in traces]
     digits = how["digits"]
     if front:

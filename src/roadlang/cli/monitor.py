@@ -94,8 +94,10 @@ def command(
     """
     _refuse_combinations(traces, following, plot, as_json, how)
     from ..stl import parse, read_trace
+    from ..stl.formats.column_units import check_units
 
     parsed = parse(formula)
+    check_units(formula, [path for path in traces if path != "-"])
     if following:
         from .follow import follow
 

@@ -90,6 +90,18 @@ class DelimitedText:
             found.append((line, cells))
         return found
 
+    @property
+    def unit_row(self) -> tuple[str, ...] | None:
+        """The units of the columns, if the first line below the names has them: no number is in
+        it. None for a line of another width too."""
+        body = (line for line in self.body.splitlines() if line.strip())
+        line = next((line for line in body if not line.lstrip().startswith(COMMENT)), "")
+        cells = _cells(line, self.delimiter) if line else []
+        if len(cells) == len(self.names) + 1 and not cells[-1]:
+            cells = cells[:-1]
+        is_row = len(cells) == len(self.names) and not any(map(_is_value, cells)) and any(cells)
+        return tuple(cells) if is_row else None
+
     def numbers(self, file: Path | None = None) -> list[list[float]]:
         """The columns. Empty cells are NaN, true and false 1 and 0, time stamps of the first
         column seconds (since 1970 where they have a date). `file` is a file that holds the text as

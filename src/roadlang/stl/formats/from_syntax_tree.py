@@ -56,6 +56,10 @@ class FormulaReader:
 
     def __init__(self) -> None:
         self.faults: list[Diagnostic] = []
+        self.compared_with_units: dict[str, Span] = {}
+        """Signals that are compared with a number that has a unit, and where that is."""
+        self.interval_with_unit: Span | None = None
+        self._with_unit: Span | None = None
         self._axes: dict[str, Span] = {}
 
     def formula(self, node: ast.Expression) -> f.Formula:
@@ -135,7 +139,12 @@ class FormulaReader:
         """`a < b < c` says both, of the same `b`."""
         if any(measure_in(operand) for operand in node.operands):
             return self._measured(node)
+        self._with_unit = None
         terms = [self.term(operand) for operand in node.operands]
+        if self._with_unit is not None:
+            parts = (part for term in terms for part in term.walk())
+            names = sorted(part.name for part in parts if isinstance(part, t.Variable))
+            self.compared_with_units |= dict.fromkeys(names, self._with_unit)
         pairs = tuple(
             f.Comparison(cast(f.ComparisonOperator, operator), left, right)
             for operator, left, right in zip(node.operators, terms, terms[1:], strict=False)
@@ -196,10 +205,12 @@ class FormulaReader:
         self._fault(Code.UNKNOWN_FORMULA_FUNCTION, node.span, help=hints, fixes=fixes, name=name)
 
     def _number(self, node: ast.NumberLiteral) -> float:
+        if node.unit:
+            self._with_unit = node.span
         try:
             return node.value * units.factor(node.unit)
         except KeyError:
-            hints, fixes = _unit_help(node)
+            hints, fixes = units.unit_help(node)
             self._fault(
                 Code.UNKNOWN_FORMULA_UNIT, node.span, help=hints, fixes=fixes, unit=node.unit
             )
@@ -237,6 +248,7 @@ class FormulaReader:
         for bound in bounds:
             if not isinstance(bound, ast.NumberLiteral) or not bound.unit:
                 continue
+            self.interval_with_unit = bound.span
             axis = units.axis_of(bound.unit)
             if axis is None:
                 if units.is_unit(bound.unit):
@@ -269,21 +281,6 @@ class FormulaReader:
 
     def _fault(self, code: str, span: Span, **values: Any) -> None:
         self.faults.append(diagnose(code, span, **values))
-
-
-def _unit_help(node: ast.NumberLiteral) -> tuple[tuple[str, ...], tuple[Fix, ...]]:
-    """For a unit that is none; in `1/x` it is a division."""
-    above, slash, below = node.unit.rpartition("/")
-    if slash and below.isidentifier() and (not above or units.is_unit(above)):
-        meant = f"{node.digits}{above} / {below}"
-        return (f"to divide by a signal, put spaces around `/`: `{meant}`",), (
-            Fix(node.span, meant),
-        )
-    hints = (
-        *did_you_mean(node.unit, units.known_units()),
-        f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
-    )
-    return hints, (Fix(node.span, node.digits),)
 
 
 def _dotted(node: ast.Expression) -> str:

@@ -38,7 +38,7 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     path = Path(path)
     try:
         data = read_file(path)
-        text = _decoded(data)
+        text = decoded(data)
     except UnreadableFile as problem:
         raise _unreadable(path, problem.reason) from None
     except UnicodeDecodeError:
@@ -53,7 +53,7 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
         raise _unreadable(path, str(fault), fault.help) from None
 
 
-def _decoded(data: bytes) -> str:
+def decoded(data: bytes) -> str:
     """Text in UTF-8, in UTF-16 with its mark, or in Latin-1. Raises UnicodeDecodeError."""
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return data.decode("utf-16")

@@ -12,11 +12,12 @@ StreamedSample = tuple[float, dict[str, float]]
 def samples_of_lines(lines: Iterable[str]) -> Iterator[StreamedSample]:
     """(position, values by name) of each line below the one that names the columns.
 
-    Cells are as in `read_trace`; comments and empty lines are skipped. Raises DelimitedTextFault
-    for a line that is no sample.
+    Cells are as in `read_trace`; comments, empty lines and a line of units are skipped. Raises
+    DelimitedTextFault for a line that is no sample.
     """
     head: list[str] = []
     names: tuple[str, ...] | None = None
+    started = False
     for number, line in enumerate(lines, start=1):
         if names is None:
             head.append(line.rstrip("\r\n"))
@@ -25,10 +26,19 @@ def samples_of_lines(lines: Iterable[str]) -> Iterator[StreamedSample]:
                 names, delimiter = table.names, table.delimiter
                 first = table.body.strip()
                 if first:  # the names stood in a comment
+                    started = True
                     yield _sample(names, first, delimiter, number)
             continue
+        if not started and _units(names, line, delimiter):
+            started = True
+            continue
         if line.strip() and not line.lstrip().startswith(COMMENT):
+            started = True
             yield _sample(names, line.rstrip("\r\n"), delimiter, number)
+
+
+def _units(names: tuple[str, ...], line: str, delimiter: str | None) -> bool:
+    return DelimitedText(names, line.rstrip("\r\n"), 1, delimiter).unit_row is not None
 
 
 def _sample(

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import re
 
+from ...diagnostics import Fix, did_you_mean
+from ...syntax.tree import nodes as ast
 from ...syntax.units import UNITS as UNITS
 
 _PART = re.compile(r"([A-Za-z%]+)(?:\^(-?[0-9]+(?:\.[0-9]+)?))?\Z")
@@ -39,6 +41,21 @@ def axis_of(unit: str) -> str | None:
     """What positions an interval in this unit spans: "length", "time", or neither."""
     quantity = UNITS[unit].quantity if unit in UNITS else None
     return quantity if quantity in ("length", "time") else None
+
+
+def unit_help(node: ast.NumberLiteral) -> tuple[tuple[str, ...], tuple[Fix, ...]]:
+    """Lines of help, and fixes, for a unit that is none; in `1/x` it is a division."""
+    above, slash, below = node.unit.rpartition("/")
+    if slash and below.isidentifier() and (not above or is_unit(above)):
+        meant = f"{node.digits}{above} / {below}"
+        return (f"to divide by a signal, put spaces around `/`: `{meant}`",), (
+            Fix(node.span, meant),
+        )
+    hints = (
+        *did_you_mean(node.unit, known_units()),
+        f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",
+    )
+    return hints, (Fix(node.span, node.digits),)
 
 
 def _product(text: str) -> float:
