@@ -93,6 +93,18 @@ def test_a_formula_of_staliro_is_recognized() -> None:
 
 
 @pytest.mark.parametrize(
+    ("pasted", "expected"),
+    [
+        (r"x > 0\ \mathcal{U}_{[1,2]}\ y < 0", "(x > 0) until[1, 2] (y < 0)"),
+        (r"x > 0\,\mathbf{S}_{[1,2]}\;y < 0", "(x > 0) since[1, 2] (y < 0)"),
+        (r"\vert x \vert + \max\{x, y\} < 2", "abs(x) + max(x, y) < 2"),
+    ],
+)
+def test_spaces_and_brackets_of_latex(pasted: str, expected: str) -> None:
+    assert stl.read_latex(pasted) == stl.parse(expected)
+
+
+@pytest.mark.parametrize(
     ("reader", "pasted", "code"),
     [
         (stl.read_breach, "alw (x[t+1] > 0)", "RL331"),

@@ -148,3 +148,11 @@ def test_measures_of_time_go_without_other_options(
     with pytest.raises(SystemExit, match="2"):
         main(["monitor", "x > 0", str(trace), "--robustness", "time", "--wrap", "9"])
     assert "--robustness time goes without" in capfd.readouterr().err
+
+
+@pytest.mark.filterwarnings("error")
+def test_sums_of_huge_numbers_are_infinite_without_a_word() -> None:
+    phi, huge = stl.parse("always (x + x > 0)"), {"x": [1.7e308] * 4}
+    assert stl.average_robustness(phi, range(4), huge)[0] == np.inf
+    assert stl.smooth_rho(phi, range(4), huge, sharpness=10).rho == np.inf
+    assert stl.parse("always (x > 0)").rho(range(4), huge) == 1.7e308

@@ -53,7 +53,8 @@ def _averaged(
     formula: f.Formula, trace: SampledSignals, satisfied: BoolArray, span: Span
 ) -> FloatArray:
     plain = normal_form(formula)
-    parts = (_Averages(trace, sign).values(plain, span) for sign in (1, -1))
+    with np.errstate(over="ignore"):  # sums of huge margins are infinite
+        parts = [_Averages(trace, sign).values(plain, span) for sign in (1, -1)]
     values: FloatArray = np.where(satisfied, *parts)
     return values
 

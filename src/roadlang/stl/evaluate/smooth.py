@@ -159,7 +159,8 @@ class _Tape:
         rule = _DERIVATIVES.get(function)
         if rule is None:
             raise stl_error(Code.POWER_IN_SMOOTH_ROBUSTNESS)
-        value = function(*inputs)
+        with np.errstate(over="ignore"):
+            value = function(*inputs)
         return value, lambda g: tuple(g * slope for slope in rule(*inputs))
 
     def _soft(self, stack: FloatArray, sign: float) -> tuple[FloatArray, FloatArray]:

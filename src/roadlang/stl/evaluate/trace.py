@@ -89,7 +89,7 @@ class SampledSignals:
         array = self.signals[name]
         part = array if array.shape[0] == 1 else array[first:last]
         values = np.asarray(part, dtype=np.float64)
-        with np.errstate(invalid="ignore"):  # infinities of both signs
+        with np.errstate(invalid="ignore", over="ignore"):  # infinities of both signs
             has_finite_sum = math.isfinite(np.add.reduce(values, axis=None))
         if not has_finite_sum:
             _check_numbers(name, values, first, self.positions)

@@ -33,7 +33,10 @@ _SUBSCRIPTED_NAME = re.compile(r"([A-Za-z]\w*)_\{([A-Za-z0-9_]+)\}")
 _NOW = re.compile(r"(?<=[\w}])\s*\(\s*t\s*\)")
 _EARLIER = re.compile(r"\\mathbf\s*\{P\}|\\mathcal\s*\{P\}")
 _OPEN_INTERVAL = re.compile(r"_\s*\{?\s*([\[(])([^\[\](){}]*)([\])])\s*\}?")
-_MAGNITUDE = re.compile(r"\\lvert\s*(.*?)\s*\\rvert|\\\|\s*(.*?)\s*\\\||(?<!\|)\|([^|]+)\|(?!\|)")
+_MAGNITUDE = re.compile(
+    r"\\[lr]?vert(?![a-z])\s*(.*?)\s*\\[lr]?vert(?![a-z])"
+    r"|\\\|\s*(.*?)\s*\\\||(?<!\|)\|([^|]+)\|(?!\|)"
+)
 _DEFINITION = re.compile(
     r"^\s*\\?[A-Za-z_]+(?:_\{?\w+\}?)?\s*(?::=|\\coloneqq|=(?!=)|\\equiv|\\triangleq)"
 )
@@ -69,6 +72,7 @@ def read_latex(text: str) -> f.Formula:
 
     text = _DEFINITION.sub("", _MARKUP.sub(" ", text).strip(" $\n.,"))
     text = re.sub(r"\\(?:left|right|middle)(?![a-z])", "", text).replace("~", " ")
+    text = text.replace(r"\{", "(").replace(r"\}", ")")
     text = _EARLIER.sub(r"\\mathbf{O}", _without_binary(text))
     text = _SUBSCRIPT_FONT.sub(r"_{\1}", text)
     text = _SUBSCRIPTED_NAME.sub(r"\1_\2", text)

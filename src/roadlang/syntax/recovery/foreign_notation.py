@@ -62,7 +62,7 @@ _SIZE = re.compile(r"\\(?:left|right|big|Big|bigl|bigr|,|;|!|quad)\b ?|\\[,;! ]|
 
 def from_latex(text: str) -> str:
     """A formula in LaTeX, written in roadlang as far as that is clear."""
-    text = _SIZE.sub("", text)
+    text = _SIZE.sub(" ", text)
     text = _FONT.sub(lambda match: _LETTERS.get(match[1], match[1]), text)
     text = _COMMAND.sub(lambda match: _LATEX.get(match[1], match[1]), text)
     text = _SUBSCRIPT.sub(_interval, text)
