@@ -58,6 +58,8 @@ _FONT = re.compile(
 _COMMAND = re.compile(r"\\([A-Za-z]+)")
 _SUBSCRIPT = re.compile(r"\b([A-Za-z]+)\s*_\s*\{?\s*\[([^\]\n]*)\]\s*\}?")
 _SIZE = re.compile(r"\\(?:left|right|big|Big|bigl|bigr|,|;|!|quad)\b ?|\\[,;! ]|\$")
+_IN_BRACKETS = re.compile(r"(?<=[\[(]) | (?=[\]),])")
+"""Spaces that nobody needs."""
 
 
 def from_latex(text: str) -> str:
@@ -66,7 +68,7 @@ def from_latex(text: str) -> str:
     text = _FONT.sub(lambda match: _LETTERS.get(match[1], match[1]), text)
     text = _COMMAND.sub(lambda match: _LATEX.get(match[1], match[1]), text)
     text = _SUBSCRIPT.sub(_interval, text)
-    return re.sub(r"\s+", " ", text).strip()
+    return _IN_BRACKETS.sub("", re.sub(r"\s+", " ", text)).strip()
 
 
 def _interval(match: re.Match[str]) -> str:
