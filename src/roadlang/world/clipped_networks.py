@@ -39,7 +39,7 @@ def clipped_network(
     try:
         kept = clipped(found.network, contains)
     except GeometryError as error:
-        what = f"`within` of `{network.name}`"
+        what = f"{network.name}.within"
         raise DiagnosticError(
             diagnose(Code.IMPOSSIBLE_GEOMETRY, call.span, what=what, reason=str(error))
         ) from error

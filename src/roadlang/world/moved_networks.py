@@ -32,7 +32,7 @@ def moved_network(
         )
         return warp.network(found)
     except GeometryError as error:
-        what = f"`moved_by` of `{network.name}`"
+        what = f"{network.name}.moved_by"
         raise DiagnosticError(
             diagnose(Code.IMPOSSIBLE_GEOMETRY, network.span, what=what, reason=str(error))
         ) from error

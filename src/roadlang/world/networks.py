@@ -26,6 +26,7 @@ from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
 from .beside_arms import room_beside
 from .clipped_networks import clipped_network
+from .corrected_networks import corrected_extraction
 from .cross_sections import LaneBatch
 from .junctions import NetworkPlans, directed, network_plans
 from .lane_building import built_lanes
@@ -259,6 +260,7 @@ def _extracted(
     found = verified(call, network.name, found, candidates)
     if not found.has_widths:
         found = replace(found, network=as_wide_as_lanes(network, found.network, candidates))
+    found = corrected_extraction(network, found, loaded.picture, candidates)
     placed = replace(found.network, origin=loaded.origin)
     found = replace(found, network=placed, warnings=(*loaded.warnings, *found.warnings))
     spacing = station_spacing(network, candidates.scenario)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from ...ir.dimension import ANGLE, LENGTH, PURE
+from ...ir.dimension import ANGLE, LENGTH, PIXELS, PURE
 from ...plugins.annotations import Angle, Duration, Flag, Length, Number, Scale, Speed, Word
 from ...plugins.option_types import (
     CallType,
@@ -29,6 +29,9 @@ Selection = Annotated[Any, CallType("select")]
 _ROAD = EntityType(("road",))
 Within = Annotated[Any, CallType("region")]
 Places = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
+Pixels = Annotated[Any, ListType(PointType(PIXELS), at_least=1)]
+Strokes = Annotated[Any, ListType(ListType(PointType(PIXELS), at_least=2), at_least=1)]
+Stretches = Annotated[Any, ListType(ListType(PointType(PIXELS), at_least=1), at_least=1)]
 JoinedRoads = Annotated[Any, UnionType((_ROAD, ListType(_ROAD, at_least=1)))]
 
 
@@ -119,6 +122,21 @@ class NetworkOptions(SurfaceOptions, CrossSectionOptions):
         help="whether vehicles may turn around at junctions, where these have room for it; by "
         "default only a dead end of a map or a roundabout turns them around",
         example="true",
+    )
+    drawn: Strokes = option(
+        None,
+        help="roads of the picture that were not found, each through some of its pixels; they join "
+        "the roads near which they end, and those that they cross",
+        example="[[(20px, 40px), (90px, 60px)]]",
+    )
+    dismissed: Stretches = option(
+        None,
+        help="what was found but is no road: one pixel for the whole road there, from junction to "
+        "junction, two for the part between them",
+        example="[[(50px, 70px)]]",
+    )
+    confirmed: Pixels = option(
+        None, help="pixels of roads that are right: these are sure", example="[(30px, 70px)]"
     )
     moved_at: Places = option(
         None,

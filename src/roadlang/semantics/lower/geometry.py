@@ -76,7 +76,10 @@ def lower_geometry(
     return replace(lowered, option_spans=value_spans(statement.block))
 
 
-_SHARED_BY_ALL = ("station_spacing", "moved_at", "moved_by", "moved_radius", "u_turns")
+_SHARED_BY_ALL = (
+    *("station_spacing", "moved_at", "moved_by", "moved_radius", "u_turns"),
+    *("drawn", "dismissed", "confirmed"),
+)
 
 
 def _spacing_is_fixed(checker: Checker, statement: ast.Geometry, options: Options) -> bool:
@@ -205,6 +208,7 @@ def _options_belong(
     options = {option.key.text: option for option in statement.block.options}
     found = (role != "network", "an image or a file")
     needs = {"within": found, "moved_at": found, "moved_by": found}
+    needs |= dict.fromkeys(("drawn", "dismissed", "confirmed"), (role == "image", "an image"))
     if statement.word == "road":
         needs = {
             "select": (role == "network" or isinstance(source, ir.FileSource), "a network"),

@@ -1,0 +1,1 @@
+"""Roads that were found in a picture, corrected on a page in the browser."""
