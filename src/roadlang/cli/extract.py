@@ -93,12 +93,21 @@ class _Place(_Numbers):
     help="Box without roads, given by two opposite corners; repeatable.",
 )
 @click.option("--model", type=click.Path(dir_okay=False), help="Model file for `--with onnx`.")
+@click.option(
+    "--edit",
+    type=click.Path(dir_okay=False),
+    metavar="SCENE",
+    help="Correct the roads on a page in the browser, and save that in this scene file.",
+)
+@click.option("--no-browser", is_flag=True, help="With --edit: print the address, do not open it.")
 def command(
     image: str,
     output: str | None,
     overlay: str | None,
     mask: str | None,
     origin: tuple[float, float] | None,
+    edit: str | None,
+    no_browser: bool,
     **settings: Any,
 ) -> None:
     """Extract the roads of IMAGE.
@@ -106,7 +115,13 @@ def command(
     Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
     down. Without `-o` the JSON goes to standard output.
     """
-    from ..files.writing import write_file
+    if edit is not None:
+        from .extract_edit import edit_roads
+
+        _refuse_with_edit()
+        edit_roads(image, edit, settings["scale"], not no_browser)
+        return
+
     from ..ir.picture import Picture
     from .extraction_files import as_json, as_mask, as_overlay
     from .extraction_geojson import as_geojson
@@ -121,17 +136,34 @@ def command(
         document = as_json(picture, found, scale, seconds, _beside(mask, output))
     else:
         document = as_geojson(picture, found, place)
-    files: dict[str | None, str | bytes | None] = {output: document, overlay: None, mask: None}
-    if overlay is not None:
-        files[overlay] = as_overlay(picture, found)
-    if mask is not None:
-        files[mask] = as_mask(picture, found)
-    for name, content in files.items():
-        if name is not None and content is not None:
-            write_file(Path(name), content)
+    shown = None if overlay is None else as_overlay(picture, found)
+    covered = None if mask is None else as_mask(picture, found)
+    _write({output: document, overlay: shown, mask: covered})
     if output is None:
         click.echo(document)
     _report(found, output is not None)
+
+
+def _write(files: dict[str | None, str | bytes | None]) -> None:
+    """Those of the files that have a name, after all have their content."""
+    from ..files.writing import write_file
+
+    for name, content in files.items():
+        if name is not None and content is not None:
+            write_file(Path(name), content)
+
+
+def _refuse_with_edit() -> None:
+    """Only the scale of a new scene goes with `--edit`: all else is in the scene file."""
+    context = click.get_current_context()
+    for parameter in context.command.params:
+        source = context.get_parameter_source(parameter.name or "")
+        given = source is click.core.ParameterSource.COMMANDLINE
+        if given and parameter.name not in ("image", "edit", "no_browser", "scale"):
+            raise click.UsageError(
+                f"`{parameter.opts[0]}` does not go with `--edit`: options of the extractor are "
+                "written in the scene file."
+            )
 
 
 def _load() -> None:

@@ -5,7 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .text_edits import Place, declared, options_of, replaced, with_item
-from .tree.nodes import Expression, Geometry, ListValue, NegateExpression, NumberLiteral, Option, Point
+from .tree.nodes import (
+    Expression,
+    Geometry,
+    ListValue,
+    NegateExpression,
+    NumberLiteral,
+    Option,
+    Point,
+)
 
 Line = tuple[Place, ...]
 

@@ -34,7 +34,7 @@ from .lane_plan import lane_plan
 from .lane_widths import as_wide_as_lanes
 from .moved_networks import moved_network
 from .perturbation import perturbed
-from .pictures import load_picture
+from .pictures import LoadedPicture, load_picture
 from .reading import read_file
 from .root_roads import undisplaced_road
 from .stations import StationSpacing, station_spacing
@@ -181,9 +181,7 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     if isinstance(source, FileSource):
         found = _from_file(network, source, candidates)
     else:
-        image = candidates.scenario.source_of(network)
-        assert isinstance(image, ScenarioImage)
-        found = _extracted(network, image, candidates)
+        found = _extracted(network, candidates)
     if not found.network.edges:
         raise _empty(network, found.remarks or ("try `extract with contour { threshold: ... }`",))
     found = _within(network, found, candidates)
@@ -247,9 +245,12 @@ def _root_of(
     )
 
 
-def _extracted(
-    network: ScenarioNetwork, image: ScenarioImage, candidates: CandidateBatch
-) -> NetworkRoot:
+def found_in_picture(
+    network: ScenarioNetwork, candidates: CandidateBatch
+) -> tuple[Extraction, LoadedPicture]:
+    """What is extracted from the picture of a network, before anything is changed by hand."""
+    image = candidates.scenario.source_of(network)
+    assert isinstance(image, ScenarioImage)
     call = next(call for call in network.passes if call.verb == "extract")
     loaded = load_picture(image.name, candidates)
     built = build(call, candidates, single=True)
@@ -257,7 +258,11 @@ def _extracted(
     with plugin_guard(built.entry, span):
         found = built.kind.extract(loaded.picture)
     check_extraction(found, built.entry, span)
-    found = verified(call, network.name, found, candidates)
+    return verified(call, network.name, found, candidates), loaded
+
+
+def _extracted(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
+    found, loaded = found_in_picture(network, candidates)
     if not found.has_widths:
         found = replace(found, network=as_wide_as_lanes(network, found.network, candidates))
     found = corrected_extraction(network, found, loaded.picture, candidates)
