@@ -266,9 +266,9 @@ def test_a_typed_plugin_needs_no_ignores(tmp_path: Path, wrong: str) -> None:
 @pytest.mark.parametrize(
     ("point", "dimensions"),
     [
-        (PointType(LENGTH.dimension), [LENGTH.dimension] * 2),
-        (PointType(LENGTH.dimension, ANGLE.dimension), [LENGTH.dimension, ANGLE.dimension]),
-        (PointType(LENGTH.dimension, in_space=True), [LENGTH.dimension] * 3),
+        (PointType(FREQUENCY), [FREQUENCY] * 2),
+        (PointType(FREQUENCY, PURE), [FREQUENCY, PURE]),
+        (PointType(FREQUENCY, in_space=True), [FREQUENCY] * 3),
     ],
 )
 def test_the_parts_of_a_point_have_its_dimensions(
