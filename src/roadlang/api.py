@@ -159,6 +159,7 @@ if TYPE_CHECKING:
         SignalPhase,
     )
     from .ir.scene_lane import SceneLane
+    from .ir.scene_road import RoadPart
     from .ir.scene_route import RouteStep, RouteTurn, SceneRoute
     from .ir.scene_surface import SurfaceName, SurfacePatch
     from .ir.sensed_batch import SensedBatch, SolidThings
@@ -202,6 +203,7 @@ _LATER = {
         " SceneSignal Verdict ViolatedSegment"
     ),
     ".ir.scene_lane": "SceneLane",
+    ".ir.scene_road": "RoadPart",
     ".ir.scene_route": "RouteStep RouteTurn SceneRoute",
     ".ir.scene_junctions": (
         "SceneArm SceneConflict SceneConnection SceneControl SceneJunction SceneLaneEnd"
@@ -248,19 +250,20 @@ __all__ = [
     "Observation", "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape",
     "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace",
     "Position", "Profile", "Provenance", "Reader", "Reading", "ReadingArray", "Region",
-    "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork", "RoadPlace",
-    "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents", "Scene", "SceneActor",
-    "SceneArm", "SceneConflict", "SceneConnection", "SceneControl", "SceneJunction", "SceneLane",
-    "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal", "SceneRoad", "SceneRoute",
-    "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector", "SensedBatch", "Sensor",
-    "SensorRecord", "Signal", "SignalHead", "SignalPhase", "Simulator", "SolidThings", "Source",
-    "Span", "Speed", "Standing", "String", "SurfaceName", "SurfacePatch", "SurfaceStretch", "Trace",
-    "Verdict", "ViolatedSegment", "Word", "beside_curb", "body_of", "call_of", "diagnose",
-    "did_you_mean", "geometry", "hookimpl", "junction_curbs", "junction_paint", "junction_surface",
-    "kind_of", "line_steering", "list_of", "map_of", "one_of", "option", "paint_rings", "pair_of",
-    "quantity", "read_image", "read_input", "record_of", "road_surface", "route_points",
-    "scene_from_json", "signal_heads", "simulate_scenes", "surface_names", "surface_stretches",
-    "to_json", "vehicle_parameters",
+    "RightOfWay", "RoadBatch", "RoadBounds", "RoadName", "RoadNumber", "RoadOrNetwork",
+    "RoadPart", "RoadPlace", "RouteStep", "RouteTurn", "Sampler", "Scale", "ScenarioContents",
+    "Scene", "SceneActor", "SceneArm", "SceneConflict", "SceneConnection", "SceneControl",
+    "SceneJunction", "SceneLane", "SceneLaneEnd", "SceneNetwork", "SceneNode", "SceneRefusal",
+    "SceneRoad", "SceneRoute", "SceneSensor", "SceneSignal", "Search", "Searcher", "Selector",
+    "SensedBatch", "Sensor", "SensorRecord", "Signal", "SignalHead", "SignalPhase", "Simulator",
+    "SolidThings", "Source", "Span", "Speed", "Standing", "String", "SurfaceName",
+    "SurfacePatch", "SurfaceStretch", "Trace", "Verdict", "ViolatedSegment", "Word",
+    "beside_curb", "body_of", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl",
+    "junction_curbs", "junction_paint", "junction_surface", "kind_of", "line_steering",
+    "list_of", "map_of", "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image",
+    "read_input", "record_of", "road_surface", "route_points", "scene_from_json",
+    "signal_heads", "simulate_scenes", "surface_names", "surface_stretches", "to_json",
+    "vehicle_parameters",
 ]  # fmt: skip
 
 

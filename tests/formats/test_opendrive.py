@@ -256,6 +256,11 @@ def test_objects_stand_where_the_scene_has_them() -> None:
             u, v = (np.mean([number(corner, axis) for corner in corners]) for axis in "uv")
             where += (u * math.cos(turned) - v * math.sin(turned),
                       u * math.sin(turned) + v * math.cos(turned))  # fmt: skip
+            area = shapely.LinearRing(
+                [[number(corner, axis) for axis in "uv"] for corner in corners]
+            )
+            assert area.is_ccw
+            assert shapely.Polygon(area).area == pytest.approx(thing.length * thing.width, rel=1e-4)
         assert where == pytest.approx((thing.x, thing.y), abs=CLOSE)
         assert math.remainder(turned - thing.heading, math.tau) == pytest.approx(0.0, abs=1e-3)
         assert bool(corners) == (thing.name == "far")
