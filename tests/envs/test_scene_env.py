@@ -44,6 +44,17 @@ def test_rewards_and_ends_are_plain_finite_numbers() -> None:
         assert one.observation_space.contains(observed)
 
 
+def test_scenes_are_taken_as_sampled_and_as_read_from_files() -> None:
+    scenes = roadlang.loads(ALONE).sample(2, seed=4)
+    sampled, read = SceneEnv(list(scenes)), SceneEnv([scene.record for scene in scenes])
+    mixed = SceneEnv([scenes[0].record, scenes[1]])
+    for number in range(2):
+        at_start = [
+            one.reset(options={"scene": number})[0].tolist() for one in (sampled, read, mixed)
+        ]
+        assert at_start[0] == at_start[1] == at_start[2]
+
+
 def test_a_seed_decides_the_scenes_and_each_reset_draws_one() -> None:
     one, other = env(ALONE, scenes=20), env(ALONE, scenes=20)
     drawn = [one.reset(seed=3 if i == 0 else None)[1]["scene"] for i in range(10)]
