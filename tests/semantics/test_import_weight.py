@@ -1,4 +1,4 @@
-"""Checking a scene file imports nothing heavy."""
+"""Checking a scene file imports nothing heavy, and `--help` nothing that commands need to run."""
 
 from __future__ import annotations
 
@@ -31,3 +31,19 @@ assert not heavy, heavy
 def test_no_heavy_import() -> None:
     done = subprocess.run([sys.executable, "-c", _SCRIPT], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+_HELP = """
+import sys
+from roadlang.cli.main import run
+assert run(["--help"]) == 0
+needless = {"roadlang.api", "roadlang.plugins.kinds", "roadlang.geometry", "numpy",
+            "urllib.request", "concurrent.futures", "asyncio"} & set(sys.modules)
+assert not needless, needless
+"""
+
+
+def test_help_imports_no_kinds() -> None:
+    done = subprocess.run([sys.executable, "-c", _HELP], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "watch" in done.stdout

@@ -6,7 +6,6 @@ import json
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from xml.sax.saxutils import escape
 
 import click
 
@@ -85,6 +84,8 @@ def _stem(name: str, endings: list[str]) -> str:
 
 def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, bytes]:
     """Files that name each other, with the names that they get."""
+    from xml.sax.saxutils import escape
+
     if len(files) < 2:
         return dict(files)
     endings = sorted(files, key=len, reverse=True)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
@@ -13,11 +12,12 @@ import click
 from roadlang.commands import DiagnosticError, FiniteRange, echo, report
 from roadlang_godot.compiled_edit import CompiledEdit, compiled
 from roadlang_godot.edited_text import EditedText
-from roadlang_godot.faults import EngineError
 from roadlang_godot.held_agent import NOBODY, held_agent
 from roadlang_godot.protocol import USUAL_PORT
 
 if TYPE_CHECKING:
+    from concurrent.futures import Future
+
     from roadlang import LoadedScenario, SceneSet
     from roadlang.api import Scene as SceneRecord
     from roadlang_godot.live import HandEdit, LiveScene
@@ -95,6 +95,8 @@ class Watcher:
     """
 
     def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
+        from concurrent.futures import ThreadPoolExecutor
+
         self._loaded = loaded
         self._file = str(loaded.path)
         self._seed = seed
@@ -133,6 +135,8 @@ class Watcher:
 
     def listen(self, live: LiveScene) -> None:
         """Drive on for a moment, and do what a human did."""
+        from roadlang_godot.faults import EngineError
+
         try:
             for edit in _last_moves(live.listen(LISTEN if self._compiling is None else BRIEFLY)):
                 self.take(live, edit)
