@@ -143,8 +143,6 @@ def _operation(value: Operation, candidates: CandidateBatch, element: int) -> An
             return -operands[0]
         if value.operator == "abs":
             return np.abs(operands[0])
-        if len(operands) == 1 and value.operator == "-":
-            return -operands[0]
         return reduce(_BINARY[value.operator], operands)
 
 

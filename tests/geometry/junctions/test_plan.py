@@ -92,6 +92,20 @@ def test_a_dead_end_inside_a_junction_is_reported() -> None:
     assert only(plan).inside == (4,)
 
 
+@pytest.mark.parametrize("end", [[(200, 0), (200, -4)], [(200, -4), (200, 0)]])
+def test_a_dead_end_that_vanishes_names_the_junction_that_it_lies_in(
+    end: list[tuple[float, float]],
+) -> None:
+    first = [[(0, 0), (-90, 0)], [(0, 0), (0, 90)], [(0, 0), (200, 0)]]
+    network = network_of_polylines([*first, [(200, 0), (290, 0)], [(200, 0), (200, 90)], end])
+    plan = plan_of(network)
+    (problem,) = [p for p in plan.problems if p.kind == "vanished"]
+    (junction,) = [found for found in plan.junctions if found.inside == (6,)]
+    assert (problem.junction, problem.edges) == (junction.id, (6,))
+    assert problem.amount == pytest.approx(4.0)
+    assert len(plan.junctions) == 2
+
+
 def test_a_short_dead_end_gets_tighter_corners_before_it_vanishes() -> None:
     network = network_of_polylines(
         [[(0, 0), (90, 0)], [(0, 0), (-90, 0)], [(0, 0), (0, 90)], [(0, 0), (0, -8)]]
