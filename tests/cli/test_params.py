@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import roadlang
+from roadlang.cli.main import run
 from roadlang.session.param_files import read_params
 from roadlang.session.tables import columns_of, to_csv
 
@@ -206,3 +207,14 @@ def test_from_python(folder: Path) -> None:
 def test_a_table_has_a_cell_for_every_name() -> None:
     rows = [{"a": 1, "b": [1, 2]}, {"a": True, "c": 'say "x"'}]
     assert to_csv(columns_of(rows)) == 'a,b,c\n1,"[1, 2]",\ntrue,,"say ""x"""\n'
+
+
+def test_an_error_that_all_runs_share_is_said_once(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "scene.rl").write_text(SCENE + "require odd: always (bent < 3m)\n")
+    params = write(folder, "- reach: 4m\n- reach: 5m\n")
+    words = ["compile", str(folder / "scene.rl"), "--params", str(params)]
+    assert run([*words, "-o", str(folder / "out")]) == 1
+    assert capsys.readouterr().err.count("error[") == 1
+    assert not (folder / "out").exists()

@@ -9,6 +9,7 @@ import shlex
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from roadlang.cli.main import run
@@ -219,3 +220,11 @@ def test_nothing_found_is_done(capsys: pytest.CaptureFixture[str]) -> None:
     Path("bend.rl").write_text(TEXT.replace("16m/s", "9m/s"))
     assert run(["falsify", "bend.rl", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["failing"] == 0
+
+
+def test_readings_of_sensors_are_beside_the_trace() -> None:
+    Path("gps.rl").write_text(TEXT.replace("6m/s..16m/s } }", "8m/s }, sense with gps }"))
+    run(["run", "gps.rl", "-n", "2", "--duration", "1"])
+    for number in range(2):
+        with np.load(f"out/scene-000{number}.ego.gps.npz") as readings:
+            assert len(readings["time"]) >= 1
