@@ -2,7 +2,8 @@
 `python -m benchmarks.formats.osm_topology --netconvert .../netconvert FILE.osm ...`.
 
 A junction is a node at which three or more streets for cars end in either network. Its arms are
-equal if as many edges for cars lead in and out of it, in the same directions.
+equal if as many edges for cars lead in and out of it, in the same directions. Nodes of netconvert
+with an edge of less than 0.5 m between them are one, as `read with osm` has it.
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ from roadlang_formats.read_osm import OpenStreetMap
 _MEETING = 3
 _SAME = 0.7
 """Meters between two nodes that are one."""
+_SHORT = 0.5
+"""Meters of an edge whose ends are one node."""
 _STEP = 3.0
 """Meters along a street to where its direction is measured."""
 _ANGLE = math.radians(25.0)
@@ -34,12 +37,15 @@ def main() -> None:
     """Prints the counts of each file, and where arms differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--netconvert", required=True, help="of SUMO")
+    parser.add_argument("--left-hand", action="store_true", help="where traffic is on the left")
     parser.add_argument("--where", action="store_true", help="print the places that differ")
     parser.add_argument("files", nargs="+", type=Path)
     options = parser.parse_args()
     for file in options.files:
         network = OpenStreetMap().read(file).network
-        ours, theirs = _our_arms(network), _sumo_arms(options.netconvert, file, network)
+        more = ["--lefthand"] if options.left_hand else []
+        theirs = _sumo_arms([options.netconvert, *more], file, network)
+        ours = _our_arms(network)
         counts: Counter[str] = Counter()
         for place in _junctions(ours, theirs):
             one, other = _at(ours, place), _at(theirs, place)
@@ -68,12 +74,12 @@ def _our_arms(network: RoadNetwork) -> dict[Place, list[Arm]]:
     return found
 
 
-def _sumo_arms(program: str, file: Path, network: RoadNetwork) -> dict[Place, list[Arm]]:
+def _sumo_arms(program: list[str], file: Path, network: RoadNetwork) -> dict[Place, list[Arm]]:
     latitude, longitude = network.origin or (0.0, 0.0)
     projection = f"+proj=tmerc +lat_0={latitude} +lon_0={longitude} +k=1 +x_0=0 +y_0=0 +ellps=WGS84"
     with tempfile.TemporaryDirectory() as folder:
         plain = Path(folder) / "plain"
-        command = [program, "--osm-files", str(file), "--plain-output-prefix", str(plain)]
+        command = [*program, "--osm-files", str(file), "--plain-output-prefix", str(plain)]
         command += ["--proj", projection, "--offset.disable-normalization", "--geometry.remove"]
         command += ["--keep-edges.by-vclass", "passenger,delivery", "--no-turnarounds"]
         subprocess.run(command, check=True, capture_output=True)
@@ -83,8 +89,16 @@ def _sumo_arms(program: str, file: Path, network: RoadNetwork) -> dict[Place, li
         str(node.get("id")): (float(str(node.get("x"))), float(str(node.get("y"))))
         for node in nodes.iter("node")
     }
+    short = set()
+    for edge in edges.iter("edge"):
+        one, other = (str(edge.get(name)) for name in ("from", "to"))
+        if math.dist(at[one], at[other]) < _SHORT and edge.get("shape") is None:
+            at = {id: at[one] if place == at[other] else place for id, place in at.items()}
+            short.add(edge.get("id"))
     found: dict[Place, dict[int, Arm]] = {place: {} for place in at.values()}
     for edge in edges.iter("edge"):
+        if edge.get("id") in short:
+            continue
         ends = [at[str(edge.get(name))] for name in ("from", "to")]
         shape = [tuple(map(float, p.split(",")[:2])) for p in str(edge.get("shape", "")).split()]
         line = [(p[0], p[1]) for p in shape] or ends
