@@ -88,3 +88,13 @@ def test_what_cannot_be_converted_is_said(
     assert result.returncode in (1, 2)
     assert code in result.stderr
     assert not Path("b.svg").exists()
+
+
+def test_networks_of_sumo_become_opendrive_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("town.net.xml").write_text("<net/>")
+    result = ran("view", "town.net.xml")
+    assert result.returncode == 2
+    assert "netconvert -s town.net.xml --opendrive-output town.xodr" in result.stderr

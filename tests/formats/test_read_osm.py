@@ -202,6 +202,9 @@ def test_ways_are_cut_where_nodes_are_missing(tmp_path: Path, deleted: str) -> N
     assert [edge.length for edge in network.edges] == pytest.approx([74.6, 74.6], abs=0.3)
 
 
+LANELET = '<osm version="0.6"><relation id="1"><tag k="type" v="lanelet"/></relation></osm>'
+
+
 @pytest.mark.parametrize(
     ("text", "word"),
     [
@@ -210,6 +213,7 @@ def test_ways_are_cut_where_nodes_are_missing(tmp_path: Path, deleted: str) -> N
         (osm(way(1, "31 33"), way(1, "11 12")), "two ways"),
         (osm(way(1, "31 33"), way(2, "a 12"), nodes='<node id="a" lat="60" lon="11"/>'), "km"),
         ("<gpx/>", "not `osm`"),
+        (LANELET, "Lanelet2"),
     ],
 )
 def test_faults_are_reported_in_the_file(tmp_path: Path, text: str, word: str) -> None:

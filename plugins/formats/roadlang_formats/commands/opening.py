@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import roadlang
 
 SCENE_FILE = ".rl"
+_SUMO = ".net.xml"
 
 
 def opened(name: str) -> roadlang.Scene:
@@ -49,6 +50,9 @@ def _is_scene(content: bytes) -> bool:
 def _scenario(path: Path) -> str:
     if re.search(r'["\\\n\r]', path.name):
         raise click.BadParameter(f"rename {path.name!r}: its name has a quote or a backslash")
+    if path.name.endswith(_SUMO):
+        made = f"netconvert -s {path.name} --opendrive-output {path.name.removesuffix(_SUMO)}.xodr"
+        raise click.BadParameter(f"networks of SUMO cannot be read; first `{made}`")
     word = re.sub(r"[^A-Za-z0-9_]+", "_", path.stem).strip("_")
     # With the prefix, no name is a keyword or begins with a digit.
     return f'scenario map_{word} "{path.name}"\nnetwork town from "{path.name}"\n'

@@ -25,7 +25,7 @@ from roadlang_formats.map_xml import MapFile, left_out_at
 from .buildings import buildings_of
 from .controls import map_controls
 from .lane_arrows import lane_arrows, written_arrows
-from .records import OsmExtract, OsmWay, osm_extract
+from .records import OsmExtract, OsmWay, check_is_streets, osm_extract
 from .restrictions import no_turns
 from .streets import Street, contracted
 from .way_lanes import WayLanes, is_driven, level_of, one_way, way_lanes
@@ -62,6 +62,7 @@ def network_of(file: MapFile, options: OsmOptions) -> Extraction:
     def left_out(way: OsmWay, reason: str) -> Diagnostic:
         return left_out_at(file.path, file.text, way.offset, f"a part of {way.title}", reason)
 
+    check_is_streets(file)
     return network_of_ways(osm_extract(file), options, fault, left_out)
 
 

@@ -81,6 +81,16 @@ def osm_extract(file: MapFile) -> OsmExtract:
     return OsmExtract(nodes, tuple(ways), tuple(_restrictions(file)))
 
 
+def check_is_streets(file: MapFile) -> None:
+    """Raises RL479 for a Lanelet2 map, which has the same form but no streets."""
+    for element in file.root.all("relation"):
+        if _tags(element).get("type") == "lanelet":
+            help = (
+                "read the map that it was made from: OpenDRIVE, OpenStreetMap, GeoJSON or a scene"
+            )
+            raise file.fault(element, "it is a Lanelet2 map, of lanes in place of streets", help)
+
+
 def _restrictions(file: MapFile) -> Iterator[OsmRestriction]:
     """Those for cars at a node; others, such as those for a time of day, are left out."""
     for element in file.root.all("relation"):
