@@ -70,13 +70,13 @@ class Auto(Extractor):
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = roads_of_map(picture.pixels, width) if seen.drawn else None
             if rendered is not None:
-                return "rendered map", extraction(picture, rendered)
+                return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
             if seen.name == MAP:
-                drawn = roads_of_drawing(picture.pixels, width=width)
-                return seen.name, extraction(picture, drawn)
+                drawn = extraction(picture, roads_of_drawing(picture.pixels, width=width))
+                return seen.name, with_legend_proposed(picture, drawn)
         if seen.drawn and not self.through:
             contour = Contour(threshold=self.threshold, width=self.width)
-            return seen.name, contour.extract(picture)
+            return seen.name, with_legend_proposed(picture, contour.extract(picture))
         return seen.name, self._aerial(Aerial).extract(picture)
 
     def _aerial(self, kind: type[Aerial]) -> Aerial:
@@ -89,3 +89,15 @@ class Auto(Extractor):
             only_through=self.only_through,
             resolution=self.resolution,
         )
+
+
+def with_legend_proposed(picture: Picture, found: Extraction) -> Extraction:
+    """With a remark on colors of a drawing that may be objects."""
+    from dataclasses import replace
+
+    from .extraction.legend_proposal import legend_proposal
+
+    if found.mask is None or picture.pixels is None:
+        return found
+    proposal = legend_proposal(picture.pixels, found.mask)
+    return found if proposal is None else replace(found, remarks=(*found.remarks, proposal))

@@ -25,6 +25,8 @@ DIRECTIONS = {
 }
 """Directions of one-way roads, in pixels: y runs down."""
 ROADS = (ROAD, *DIRECTIONS)
+_EXACT = 12
+"""Levels of a channel by which pixels of a color may be off."""
 _FINER = 8
 """Pixels of the picture in which the surface of a typed road is seen, for each character."""
 
@@ -93,13 +95,14 @@ def read_colors(
     names = list(legend)
     palette = np.array([bgr(name) for name in names], float)
     label = _nearest(image, palette)
+    exact = np.abs(image.astype(np.int16) - palette[label].astype(np.int16)).max(axis=2) <= _EXACT
     roads = [i for i, name in enumerate(names) if legend[name] in ROADS]
     road = np.isin(label, roads)
     objects = tuple(
         drawn
         for i, name in enumerate(names)
         if i not in roads
-        for drawn in _objects(label == i, legend[name])
+        for drawn in _objects(label == i, exact, legend[name])
     )
     directions = _directions({
         name: np.isin(label, [i for i, key in enumerate(names) if legend[key] == name])
@@ -123,7 +126,15 @@ def _nearest(image: Image, palette: NDArray[np.float64], far: float = 60.0) -> N
     return label
 
 
-def _objects(mask: NDArray[np.bool_], kind: str) -> list[LegendObject]:
+def _objects(mask: NDArray[np.bool_], exact: NDArray[np.bool_], kind: str) -> list[LegendObject]:
+    """The spots of a color, but for rims of other things, where colors are mixed: these are thin,
+    and no pixel of them has the color itself."""
+    spots, label = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+    inner = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    kept = np.zeros(spots, bool)
+    kept[label[mask & (exact | inner)]] = True
+    kept[0] = False
+    mask = kept[label]
     found, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     objects = []
     for outline in found:
