@@ -154,3 +154,12 @@ def test_of_several_roads_the_longest_gets_the_car(lengths: tuple[int, int]) -> 
         for m in lengths
     )
     assert driven_agent(testing.sample(text)[0].record).road == "r90"
+
+
+def test_a_car_is_driven_before_a_bus_that_cannot_turn_as_tight() -> None:
+    text = "road main { draw with segments { pieces: [straight(90m)] }, lanes: 2 }\n"
+    bus = text + "agent liner is bus on main at 20m\n"
+    assert driven_agent(testing.sample(bus)[0].record).name == "liner"
+    both = testing.sample(bus + "agent taxi is car on main at 60m\n")[0].record
+    assert [agent.name for agent in both.agents] == ["liner", "taxi"]
+    assert driven_agent(both).name == "taxi"

@@ -40,6 +40,8 @@ _SPACING = 2.0
 _SIZE = (4.5, 1.8, 1.5)
 _BEGIN = 5.0
 """Meters from the start of the road to a car that is added."""
+_LONG = 7.0
+"""Meters: the wheels of longer vehicles do not turn far enough for tight turns of junctions."""
 _SPEED = 12.0
 """m/s of such a car."""
 _ROAD, _WALK, _GROUND = (0.19, 0.19, 0.2, 1), (0.46, 0.45, 0.43, 1), (0.28, 0.35, 0.18, 1)
@@ -78,11 +80,12 @@ def document(scene: Scene) -> str:
 
 
 def driven_agent(scene: Scene) -> SceneActor:
-    """The agent `ego`, else the first that is not on foot, else a car at the start of a road."""
+    """The agent `ego`, else the first vehicle, one that is not long if there is any, else a car at
+    the start of a road."""
     vehicles = [actor for actor in scene.agents if not _walks(actor)]
     named = [actor for actor in vehicles if actor.name == "ego"]
     if vehicles:
-        return (named or vehicles)[0]
+        return (named or [actor for actor in vehicles if actor.length <= _LONG] or vehicles)[0]
     road = max(built_roads(scene), key=lambda road: road.length - sum(road.trim))
     section = road.cross_section()
     lane = (*section.driving_ids("forward"), *section.driving_ids(), *section.ids)[0]
