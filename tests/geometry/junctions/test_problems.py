@@ -17,7 +17,7 @@ def plan(fork: tuple[int, ...], length: float) -> JunctionPlan:
 
 def problems() -> list[Problem]:
     return [
-        p for fork in FORKS for length in (6.0, 12.0, 40.0) for p in plan(fork, length).problems
+        p for fork in FORKS for length in (6.0, 12.0, 250.0) for p in plan(fork, length).problems
     ]
 
 

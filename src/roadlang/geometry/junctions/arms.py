@@ -17,7 +17,7 @@ from .model import End
 
 ArmKey: TypeAlias = tuple[int, End]
 
-FARTHEST_TRIM = 90.0
+FARTHEST_TRIM = 110.0
 """Meters: roads that still touch there overlap, and no junction hides that."""
 DEFAULT_TRIM = 60.0
 """Meters: the trim of arms that still touch there, and the farthest that a tight turn pushes."""

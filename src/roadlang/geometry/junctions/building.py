@@ -49,8 +49,7 @@ def junction_of(
     conflicts = conflicts_of(connections, points[rows])
     at_ring = any(arm.edge.id in ring for arm in found.arms)
     entering = {arm.edge.id for arm in found.arms if arm.edge.id not in ring} if at_ring else ()
-    halves = [line for edge in place.inside for line in (lines[edge, "start"], lines[edge, "end"])]
-    area = surface(place, found, trims, widths, halves)
+    area = surface(place, found, trims, widths, place.halves(lines))
     outline, arms, gaps = ring_with_faces(area, found, trims)
     is_joint = len(place.nodes) == 1 and len(arms) == 2
     junction = Junction(

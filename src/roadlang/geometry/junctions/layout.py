@@ -15,7 +15,8 @@ from .places import SHORTEST_ROAD, JunctionSite, PlaceFinder, all_trims
 
 _MOST_TRIES = 8
 _LONGEST = 30.0
-"""Meters of a road whose ends are made one place for the sake of turns."""
+"""Meters of a road whose ends are made one place for the sake of turns; where they are one place
+already, of what this leaves of it."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,11 @@ class PlaceLayout:
     def _is_short_between(self, edge: Edge) -> bool:
         ends: tuple[ArmKey, ArmKey] = (edge.id, "start"), (edge.id, "end")
         ring = any(edge.id in place.ring for place in self.places)
-        return edge.length <= _LONGEST and not ring and all(end in self.trims for end in ends)
+        if ring or not all(end in self.trims for end in ends):
+            return False
+        both = any(edge.start in place.nodes and edge.end in place.nodes for place in self.places)
+        trims = sum(self.trims[end] for end in ends)
+        return edge.length - (trims if both else 0.0) <= _LONGEST
 
 
 def laid_out(
@@ -67,6 +72,9 @@ def laid_out(
             break
         tried.add(edge)
         other = _layout(network, sections, ring, best.joined | {edge})
+        if other.refused >= best.refused and other.cramped:
+            # What had no room moves on to roads beside it, which may go with it.
+            other = _layout(network, sections, ring, other.joined | {*other.cramped})
         best = other if other.refused < best.refused else best
     return best
 

@@ -19,6 +19,8 @@ SHORTEST_STUB = 0.5
 _LONGEST_STUB, _LONGEST_INSIDE = 30.0, 60.0
 """Meters: longer dead ends, and roads between two places, are not swallowed. Where no room is left
 of them, the roads of the drawing overlap."""
+_LONGEST_COVERED = 200.0
+"""Meters: longer dead ends stay, though they lie on another road."""
 
 
 @dataclass(frozen=True)
@@ -30,11 +32,18 @@ class JunctionSite:
     inside: tuple[int, ...]
     ring: frozenset[int] = frozenset()
     """the roads of roundabouts"""
+    covered: frozenset[int] = frozenset()
+    """dead ends among `inside` that lie on another road, and not on the surface of the place"""
 
     @property
     def id(self) -> int:
         """That of the first node."""
         return self.nodes[0]
+
+    def halves(self, lines: Mapping[ArmKey, ArmLine]) -> list[ArmLine]:
+        """Both ends of each road that is part of its surface."""
+        built = [edge for edge in self.inside if edge not in self.covered]
+        return [line for edge in built for line in (lines[edge, "start"], lines[edge, "end"])]
 
 
 class PlaceFinder:
@@ -60,6 +69,7 @@ class PlaceFinder:
         self._curbs: dict[int, CurbSize] = {}
         self._inside: set[int] = set()
         self._vanished: set[int] = set()
+        self._covered: set[int] = set()
         self._place: dict[int, int] = {}
         for node in sorted(node.id for node in network.nodes):
             ends = network.edges_at(node)
@@ -105,38 +115,58 @@ class PlaceFinder:
             if edge.id in self._inside:
                 if ends:
                     inside.append(edge.id)
+                if ends and edge.id not in self._covered:
                     lines += [self.arms[edge.id, "start"], self.arms[edge.id, "end"]]
             else:
                 found = [self.arms[edge.id, end] for end in ends]  # type: ignore[index]
                 arms += [arm.near_half() for arm in found] if len(found) == 2 else found
         trims = trimmed(arms, lines, self._curbs)
-        return JunctionSite(nodes, trims, tuple(inside), frozenset(self._ring))
+        covered = frozenset(self._covered.intersection(inside))
+        return JunctionSite(nodes, trims, tuple(inside), frozenset(self._ring), covered)
 
     def _swallow(self, found: Mapping[int, JunctionSite]) -> set[int]:
         """Merges what the trims leave no road between; the ids of the places that changed."""
         trims = {key: trim for place in found.values() for key, trim in place.arms.trims.items()}
+        covered = {edge for place in found.values() for edge, _ in place.arms.covered}
         changed: set[int] = set()
+        lying_on_others = []
         for edge in self._edges.values():
-            if edge.id in self._inside:
-                continue
             ends: tuple[ArmKey, ArmKey] = (edge.id, "start"), (edge.id, "end")
+            if edge.id in self._inside or not any(end in trims for end in ends):
+                continue
             left = edge.length - sum(trims.get(end, 0.0) for end in ends)
-            if left >= SHORTEST_ROAD or not any(end in trims for end in ends):
+            is_stub = any(end not in trims for end in ends)
+            if left >= SHORTEST_ROAD and not (is_stub and edge.id in covered):
                 continue
             places = {self._place[n] for n in self._ends(edge.id) if n in self._place}
-            is_stub = any(end not in trims for end in ends)
             least = CurbSize.NOSE if is_stub or edge.id in self._ring else CurbSize.LEAST
             if self._curbs.get(edge.id) != least:
                 self._curbs[edge.id] = least
                 changed |= places
-            elif edge.id not in self._ring and edge.length <= (
-                _LONGEST_STUB if is_stub else _LONGEST_INSIDE
-            ):
+            elif edge.id in self._ring:
+                continue
+            elif edge.length <= (_LONGEST_STUB if is_stub else _LONGEST_INSIDE):
                 self._inside.add(edge.id)
                 if is_stub:
                     self._vanished.add(edge.id)
                 changed |= self._merge(places)
-        return changed
+            elif is_stub and edge.length <= _LONGEST_COVERED:
+                lying_on_others.append(edge)
+        return changed or self._leave_out(lying_on_others)
+
+    def _leave_out(self, edges: Sequence[Edge]) -> set[int]:
+        """Takes the narrowest of these dead ends away, and whatever lay on it has room; the places
+        that changed."""
+        if not edges:
+            return set()
+        edge = min(edges, key=lambda edge: (round(float(self._width(edge)), 6), -edge.id))
+        for found in (self._inside, self._vanished, self._covered):
+            found.add(edge.id)
+        return {self._place[n] for n in self._ends(edge.id) if n in self._place}
+
+    def _width(self, edge: Edge) -> float:
+        line = self.arms[edge.id, "start"]
+        return float(line.left.mean() + line.right.mean())
 
     def _merge(self, places: set[int]) -> set[int]:
         """One place of several; the ids that changed or are gone."""

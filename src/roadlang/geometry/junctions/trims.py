@@ -23,11 +23,15 @@ _ROUNDS = 3
 
 @dataclass(frozen=True)
 class Trimmed:
-    """The arms of a place counter-clockwise, their trims in meters, and the corners between."""
+    """The arms of a place counter-clockwise, their trims in meters, and the corners between.
+
+    `covered` are the arms that lie on others farther than any junction reaches.
+    """
 
     arms: tuple[ArmLine, ...]
     trims: Mapping[ArmKey, float]
     corners: tuple[Corner, ...]
+    covered: frozenset[ArmKey]
 
 
 def trimmed(
@@ -43,14 +47,17 @@ def trimmed(
     trims = {arm.key: min(15.0, float(arm.s[-1])) for arm in arms}
     order: tuple[ArmLine, ...] = ()
     corners: tuple[Corner, ...] = ()
+    covered: frozenset[ArmKey] = frozenset()
     for _ in range(_ROUNDS):
         following = counter_clockwise(arms, trims)
         found = _corners(following, trims, curbs)
         if order and found == corners:
             break
         order, corners = following, found
-        trims = _all_trims(order, corners, swallowed)
-    return Trimmed(order, trims, corners)
+        touching = _all_trims(order, corners, swallowed)
+        covered = frozenset(key for key, trim in touching.items() if trim > FARTHEST_TRIM)
+        trims = {arm.key: arm.past_folds(_moderate(touching[arm.key])) for arm in order}
+    return Trimmed(order, trims, corners, covered)
 
 
 def counter_clockwise(
@@ -107,7 +114,7 @@ def _all_trims(
             if _leave_apart(arm, other):
                 continue
             trims[arm.key] = max(trims[arm.key], _clear_of(arm, other))
-    return {arm.key: arm.past_folds(_moderate(trims[arm.key])) for arm in order}
+    return trims
 
 
 def _moderate(trim: float) -> float:

@@ -98,8 +98,8 @@ def _with_them(
 ) -> Connected:
     import shapely
 
-    halves = [line for edge in place.inside for line in (lines[edge, "start"], lines[edge, "end"])]
-    area = surface(place, found, trims, [pair_widths(found, pair) for pair in found.pairs], halves)
+    widths = [pair_widths(found, pair) for pair in found.pairs]
+    area = surface(place, found, trims, widths, place.halves(lines))
     roads = [road_beyond(arm, trims, TOLERANCE) for arm in found.arms]
     beyond = shapely.union_all([road for road in roads if road is not None])
     for arm, lanes in enumerate(found.lanes):
