@@ -25,6 +25,8 @@ WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 _PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME = range(5)
 ABORT_GAP_SHARE = 0.4
 """Share of the room to begin a change that must remain on the first half of it."""
+BACK_TIME = 2.0
+"""Seconds in which who turns back is in its lane again, at most."""
 
 
 @dataclass(frozen=True)
@@ -113,6 +115,7 @@ class ChangeLane(Controller):
             back = moving & ~self._is_free(seen, near, target, rest, ABORT_GAP_SHARE)
             state[back, _PHASE] = WAITING
             line[back] = origin[back]
+            state[back, _TIME] = np.minimum(state[back, _TIME], BACK_TIME)
 
     def _is_free(
         self, seen: ObservationBatch, near: Any, target: Floats, time: Floats, share: float
@@ -120,7 +123,8 @@ class ChangeLane(Controller):
         import numpy as np
 
         middle = np.where(np.isfinite(target), target, 0.0)
-        return has_room(seen, lane_traffic(seen, middle, near), time, share)
+        braking = np.maximum(-seen.acceleration, 0.0)
+        return has_room(seen, lane_traffic(seen, middle, near), time, share, braking)
 
     def _target(self, seen: ObservationBatch) -> Floats:
         """(N,) where the middle of the lane is, NaN where there is none to change to."""

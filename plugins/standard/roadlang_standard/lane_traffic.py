@@ -67,18 +67,26 @@ def lane_traffic(seen: ObservationBatch, middle: Floats, near: Neighbors) -> Lan
 
 
 def has_room(
-    seen: ObservationBatch, lane: LaneTraffic, time: Floats, share: float = 1.0
+    seen: ObservationBatch,
+    lane: LaneTraffic,
+    time: Floats,
+    share: float = 1.0,
+    braking: Floats | None = None,
 ) -> Booleans:
     """(N,) whether an agent can be in a lane within `time` seconds without forcing anybody to brake
     harder than `BRAKING`: the gap that the one behind needs is
     `STANDSTILL_GAP + REACTION v + (difference in speed)^2 / (2 BRAKING)`, times `share`; oncoming
-    traffic must be farther away than both go until then and `MEETING` seconds more."""
+    traffic must be farther away than both go until then and `MEETING` seconds more. Who brakes, by
+    `braking` (N,) m/s^2, does so for half of the time, and lets those behind come closer."""
     import numpy as np
 
     speed = seen.speed[:, None]
+    slowing = (np.zeros(len(time)) if braking is None else braking)[:, None]
+    half = np.minimum(0.5 * time[:, None], speed / np.maximum(slowing, 1e-6))
+    later, lost = speed - slowing * half, 0.5 * slowing * half * half
     behind = np.where(lane.ahead, speed, lane.pace)
-    closing = np.maximum(np.where(lane.ahead, speed - lane.pace, lane.pace - speed), 0.0)
-    needed = STANDSTILL_GAP + REACTION * np.maximum(behind, 0.0)
+    closing = np.maximum(np.where(lane.ahead, speed - lane.pace, lane.pace - later), 0.0)
+    needed = STANDSTILL_GAP + REACTION * np.maximum(behind, 0.0) + np.where(lane.ahead, 0.0, lost)
     needed = needed + closing * closing / (2.0 * BRAKING)
     oncoming = lane.ahead & (lane.pace < -1.0)
     meeting = STANDSTILL_GAP + closing * (time[:, None] + MEETING)

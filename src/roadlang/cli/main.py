@@ -137,7 +137,7 @@ def _show(error: click.ClickException) -> None:
 
 def _explain(error: Exception) -> int:
     from ..diagnostics import DiagnosticError
-    from .console import report
+    from .console import note, report
 
     if not isinstance(error, DiagnosticError):
         from .bug import describe_bug
@@ -153,6 +153,8 @@ def _explain(error: Exception) -> int:
 
         traceback.print_exception(error.__cause__)
     report(error.diagnostics)
+    if error.details:
+        note(f"\n{error.details}")
     return exit_codes.exit_code_of(error.diagnostics) or exit_codes.SCENARIO_HAS_ERRORS
 
 

@@ -12,7 +12,7 @@ import click
 from ..session.outputs import parse_outputs
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
-from .console import echo, report, shown
+from .console import echo, note, report, shown
 
 if TYPE_CHECKING:
     from ..drive.batches import DriveTask
@@ -170,6 +170,7 @@ class RunBatch:
             if not run:
                 raise
             report(error.diagnostics)
+            note(f"\n{error.details}")
             self.codes.append(exit_codes.exit_code_of(error.diagnostics))
             return
         report(scenes.diagnostics)

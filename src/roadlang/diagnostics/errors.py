@@ -15,7 +15,13 @@ class DiagnosticError(Exception):
         super().__init__(*diagnostics)
         self.diagnostics = diagnostics
 
+    @property
+    def details(self) -> str:
+        """What belongs below the diagnostics, such as a table; empty if nothing does."""
+        return ""
+
     def __str__(self) -> str:
         from .render import render_all
 
-        return render_all(self.diagnostics)
+        text = render_all(self.diagnostics)
+        return f"{text}\n\n{self.details}" if self.details else text

@@ -15,7 +15,13 @@ from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
 from ..ir.values import RandomValue
 from ..world.networks import edge_batch, network_root
-from ..world.placement import blocker_of, placed_tries, room_among_others, room_on_road
+from ..world.placement import (
+    blocker_of,
+    lacking_road,
+    placed_tries,
+    room_among_others,
+    room_on_road,
+)
 from ..world.roads import road_batch, road_root
 from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
@@ -34,6 +40,7 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
         name=actor.name,
         text=f"`{actor.name}` begins on `{actor.on}`",
         rho=partial(_on_road, actor, not causes.is_random),
+        blame=partial(_beyond_the_end, actor),
         cost=8.0 if drawn else 6.0,
         names=causes.names,
         is_random=causes.is_random,
@@ -52,6 +59,22 @@ def _on_road(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -
     return room
 
 
+def _beyond_the_end(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
+    lacking = lacking_road(actor, candidates)
+    if lacking is None:
+        return None
+    copy, meters = lacking
+    name = f"{actor.name}[{copy}]" if "count" in actor.options else actor.name
+    return f"`{name}` would stand {meters:.3g}m beyond the end of its road"
+
+
+def _in_the_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
+    other = blocker_of(actor, candidates)
+    if other == actor.name:
+        return f"copies of `{other}` are in the way of each other"
+    return f"`{other}` is in the way of `{actor.name}`" if other is not None else None
+
+
 def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:
     """An agent or object overlaps nothing that was placed before it, and is on the road where it
     was placed again."""
@@ -60,6 +83,7 @@ def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:
         name=actor.name,
         text=f"there is room for `{actor.name}`",
         rho=partial(_room, actor, not causes.is_random),
+        blame=partial(_in_the_way, actor),
         tries=partial(placed_tries, actor),
         cost=0.0,
         last=True,

@@ -22,7 +22,7 @@ class Requirement:
     draw has a say in it, `cost`: an estimate of its work for one station. One that
     is `last` is judged of candidates that satisfy all others, and of no more than are wanted.
     `tries`: of one that there is room for an agent or object, at which try each copy was placed,
-    (V, N).
+    (V, N). `blame`: what is in the way in the first candidate, which does not satisfy it, in words.
     """
 
     name: str
@@ -37,6 +37,7 @@ class Requirement:
     span: Span | None = None
     last: bool = False
     tries: Callable[[CandidateBatch], Integers] | None = None
+    blame: Callable[[CandidateBatch], str | None] | None = None
 
     @cached_property
     def line(self) -> int | None:

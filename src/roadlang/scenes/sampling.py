@@ -44,6 +44,8 @@ class SamplingResult:
     missing: tuple[int, ...] = ()
     impossible: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
+    causes: tuple[str, ...] = ()
+    """what is in the way where there is no scene, as far as that is known"""
     warnings: tuple[Diagnostic, ...] = ()
     """what could not be built as drawn"""
     diversity: float | None = None
@@ -90,16 +92,19 @@ def sample_scenes(
     task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
     impossible = _impossible(task.acceptance, seed)
     if impossible:
-        return _nothing(task.acceptance, impossible, n or 1)
+        return _nothing(task.acceptance, impossible, n or 1, seed)
     found = search(task, n, workers, None if emission is None else emission.taken)
     concrete = [sample.result for sample in found.samples]
     _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
+    table = rows_of(found.stats, task.acceptance.requirements, frozenset())
+    most = [row.text for row in table[:1] if not concrete]
     remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))
     return SamplingResult(
         scenes=tuple(item.scene for item in concrete),
         wanted=found.wanted,
         candidates=found.stats.candidates,
-        table=rows_of(found.stats, task.acceptance.requirements, frozenset()),
+        table=table,
+        causes=_causes(task.acceptance, seed, most) if most else (),
         missing=tuple(found.missing),
         remarks=tuple(dict.fromkeys(remarks)),
         warnings=tuple(dict.fromkeys(warning for item in concrete for warning in item.warnings)),
@@ -160,7 +165,9 @@ def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
     return frozenset(fixed[index] for index in set(judged.rejected_by.tolist()) if index >= 0)
 
 
-def _nothing(acceptance: Acceptance, impossible: frozenset[int], wanted: int) -> SamplingResult:
+def _nothing(
+    acceptance: Acceptance, impossible: frozenset[int], wanted: int, seed: int
+) -> SamplingResult:
     nothing_tried = RejectionStats.empty(len(acceptance.requirements))
     rows = rows_of(nothing_tried, acceptance.requirements, impossible)
     known = {row.name for row in rows}
@@ -172,4 +179,19 @@ def _nothing(acceptance: Acceptance, impossible: frozenset[int], wanted: int) ->
                     requirement.implied, True),
             )  # fmt: skip
     texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))
-    return SamplingResult((), wanted, 0, rows, (0,), texts)
+    causes = _causes(acceptance, seed, texts)
+    return SamplingResult((), wanted, 0, rows, (0,), texts, causes=causes)
+
+
+def _causes(acceptance: Acceptance, seed: int, texts: Sequence[str]) -> tuple[str, ...]:
+    """What is in the way of the requirements of these texts, in words, where that is known."""
+    count = 1 if acceptance.has_varying_stations else _CHECKED_BY
+    few = CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), np.arange(count))
+    found = []
+    for requirement in acceptance.requirements:
+        if requirement.blame is None or requirement.text not in texts:
+            continue
+        violating = np.flatnonzero(requirement.rho(few) < 0.0)
+        if len(violating):
+            found.append(requirement.blame(few.take(violating[:1])))
+    return tuple(text for text in found if text is not None)

@@ -30,8 +30,10 @@ class NoSceneError(DiagnosticError):
         super().__init__(*result.diagnostics)
         self.result = result
 
-    def __str__(self) -> str:
-        return f"{super().__str__()}\n\n{self.result.rejection_table}"
+    @property
+    def details(self) -> str:
+        """The table of what rejected how many candidates."""
+        return self.result.rejection_table
 
 
 def sampled(
@@ -196,6 +198,7 @@ def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
         return _collapse(result, file)
     if result.impossible:
         which = "; ".join(result.impossible)
-        return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which)]
-    tried = f"{result.candidates:,}"
-    return [diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried, help=hint)]
+        help_ = list(result.causes)
+        return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which, help=help_)]
+    tried, causes = f"{result.candidates:,}", [hint, *result.causes]
+    return [diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried, help=causes)]

@@ -106,8 +106,17 @@ def edge_section(edge: Edge, lanes: LanePlan, candidates: CandidateBatch) -> Cro
 
 
 def directed(pattern: CrossSection, edge: Edge) -> CrossSection:
-    """The lanes of an edge, all in its direction where it has one."""
-    return pattern if edge.forward is None else one_way(pattern, edge.forward)
+    """The lanes of an edge, all in its direction where it has one: whoever drew that the road
+    leads west did not mean with `oneway` that it leads from its start to its end."""
+    if edge.forward is None:
+        return pattern
+    both = replace(
+        pattern,
+        lanes=tuple(
+            replace(lane, direction="both") if lane.drivable else lane for lane in pattern.lanes
+        ),
+    )
+    return one_way(both, edge.forward)
 
 
 def _greatest(

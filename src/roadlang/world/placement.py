@@ -14,10 +14,12 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .arrangement import Arrangement
 from .copies import counts, is_group, most_copies
+from .neighbors import COPY
 from .placement_order import can_be_placed_again
 from .positions import starts_of
 from .roads import road_batch
 from .routes import routes_of
+from .spots import UNREACHED
 
 FAR = 1e9
 """Meters to the end of a road that nothing can be beyond"""
@@ -67,9 +69,16 @@ def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
         return np.full(candidates.count, FAR)
     if actor.on in candidates.scenario.networks:
         return _room_in_network(actor, candidates)
-    road = road_batch(actor.on, candidates)
-    if road.closed:
+    if road_batch(actor.on, candidates).closed:
         return np.full(candidates.count, FAR)
+    return np.asarray(_inside_road(actor, candidates).min(axis=1))
+
+
+def _inside_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
+    """(V, N) meters from each copy to the nearer end of its road, negative beyond it; `FAR` of
+    copies that are not there."""
+    assert actor.on is not None
+    road, most = road_batch(actor.on, candidates), most_copies(actor, candidates)
     copies = CopyBatch.every(candidates, most)
     start = starts_of(actor, copies, _arrangement(candidates).batch)
     start = start.reshape(candidates.count, most)
@@ -77,13 +86,30 @@ def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
     # The last station is the end: rounding must not put 100% beyond it.
     inside = np.where(inside > -1e-9 * road.length, np.maximum(inside, 0.0), inside)
     present = np.arange(1, most + 1) <= counts(actor, candidates)[:, None]
-    return np.asarray(np.where(present, inside, FAR).min(axis=1))
+    return np.where(present, inside, FAR)
+
+
+def lacking_road(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[int, float] | None:
+    """The copy of a group that is farthest beyond the end of its road in the first candidate, and
+    by how many meters; None where all are on their roads, or no way leads there."""
+    if actor.on in candidates.scenario.networks:
+        beyond = _lacking_in_network(actor, candidates)[0]
+    else:
+        beyond = -_inside_road(actor, candidates)[0]
+    copy = int(beyond.argmax())
+    is_known = beyond[copy] > 0.0 and beyond[copy] != UNREACHED
+    return (copy, float(beyond[copy])) if is_known else None
 
 
 def _room_in_network(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
-    found = _arrangement(candidates).placed(actor)
-    lacking = np.where(found["present"].astype(bool), found["lacking"], 0.0).max(axis=1)
+    lacking = _lacking_in_network(actor, candidates).max(axis=1)
     return np.where(lacking > 0.0, -lacking, FAR)
+
+
+def _lacking_in_network(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
+    """(V, N) meters that each copy is beyond the lanes."""
+    found = _arrangement(candidates).placed(actor)
+    return np.where(found["present"].astype(bool), found["lacking"], 0.0)
 
 
 def room_among_others(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
@@ -101,8 +127,11 @@ def placed_tries(actor: ScenarioActor, candidates: CandidateBatch) -> Integers:
 
 def blocker_of(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     """The name of what a copy is too near to in the first candidate where it does not fit; None
-    where that is no agent or object."""
+    where that is no agent or object. A copy may be too near to another of its own."""
     arrangement = _arrangement(candidates)
     found = arrangement.placed(actor)
-    number = int(found["blocker"][found["missing"] > 0.0][0])
+    blockers = found["blocker"][found["missing"] > 0.0]
+    number = int(blockers[0]) if len(blockers) else -1
+    if number == COPY:
+        return actor.name
     return arrangement.order[number].name if number >= 0 else None

@@ -14,6 +14,8 @@ from .trims import Trimmed, trimmed
 
 SHORTEST_ROAD = 2.0
 """Meters of a road between two places; what would be shorter is swallowed."""
+SHORTEST_DETOUR = 12.0
+"""Meters of a road between two nodes of one place; what would be shorter is swallowed."""
 SHORTEST_STUB = 0.5
 """Meters that a tight turn leaves of a dead end."""
 _LONGEST_STUB, _LONGEST_INSIDE = 30.0, 60.0
@@ -136,9 +138,12 @@ class PlaceFinder:
                 continue
             left = edge.length - sum(trims.get(end, 0.0) for end in ends)
             is_stub = any(end not in trims for end in ends)
-            if left >= SHORTEST_ROAD and not (is_stub and edge.id in covered):
-                continue
             places = {self._place[n] for n in self._ends(edge.id) if n in self._place}
+            is_detour = len(places) == 1 and not is_stub and edge.start != edge.end
+            if left >= (SHORTEST_DETOUR if is_detour else SHORTEST_ROAD) and not (
+                is_stub and edge.id in covered
+            ):
+                continue
             least = CurbSize.NOSE if is_stub or edge.id in self._ring else CurbSize.LEAST
             if self._curbs.get(edge.id) != least:
                 self._curbs[edge.id] = least

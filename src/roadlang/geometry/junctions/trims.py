@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 
 import numpy as np
 
@@ -17,6 +18,7 @@ LEAST = 1.0
 _CLEAR_FOR = 5.0
 _PARALLEL_TRIM = 30.0
 _FLAT = math.radians(135.0)
+_ALIKE = math.cos(math.radians(20.0))
 _ROUNDS = 3
 """Angles between bent arms are measured where these are trimmed, so often."""
 
@@ -47,7 +49,7 @@ def trimmed(
     trims = {arm.key: min(15.0, float(arm.s[-1])) for arm in arms}
     order: tuple[ArmLine, ...] = ()
     corners: tuple[Corner, ...] = ()
-    covered: frozenset[ArmKey] = frozenset()
+    touching: dict[ArmKey, float] = {}
     for _ in range(_ROUNDS):
         following = counter_clockwise(arms, trims)
         found = _corners(following, trims, curbs)
@@ -55,9 +57,10 @@ def trimmed(
             break
         order, corners = following, found
         touching = _all_trims(order, corners, swallowed)
-        covered = frozenset(key for key, trim in touching.items() if trim > FARTHEST_TRIM)
         trims = {arm.key: arm.past_folds(_moderate(touching[arm.key])) for arm in order}
-    return Trimmed(order, trims, corners, covered)
+    covered = {key for key, trim in touching.items() if trim > FARTHEST_TRIM}
+    covered |= {arm.key for arm, other in permutations(order, 2) if _lies_on(arm, other)}
+    return Trimmed(order, trims, corners, frozenset(covered))
 
 
 def counter_clockwise(
@@ -187,6 +190,15 @@ def _clear_of(arm: ArmLine, other: ArmLine) -> float:
         gaps.append(_gap(points, other, np.maximum(other.left, other.right))[0])
     gap = np.min(gaps, axis=0)
     return _first_clear(arm, other, gap, gap)
+
+
+def _lies_on(arm: ArmLine, other: ArmLine) -> bool:
+    """Whether an arm is on one of another node from near its own node to its other end."""
+    turned = math.cos(float(arm.heading[-1] - other.heading[-1]))
+    if arm.node == other.node or arm.length > arm.s[-1] or turned < _ALIKE:
+        return False
+    gap = _gap(arm.points, other, other.left + 0.0)[0] - np.minimum(arm.left, arm.right)
+    return bool((gap[arm.s > _PARALLEL_TRIM] < 0.0).all() and arm.s[-1] > _PARALLEL_TRIM)
 
 
 def _first_clear(arm: ArmLine, other: ArmLine, strict: Floats, gap: Floats) -> float:
