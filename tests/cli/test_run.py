@@ -228,3 +228,16 @@ def test_readings_of_sensors_are_beside_the_trace() -> None:
     for number in range(2):
         with np.load(f"out/scene-000{number}.ego.gps.npz") as readings:
             assert len(readings["time"]) >= 1
+
+
+def test_without_a_scene_it_says_what_is_in_the_way(capsys: pytest.CaptureFixture[str]) -> None:
+    crowd = "agent crowd is truck on main at 20m..30m { count: 3 }\n"
+    row = "agent late is car on main at 61m { count: 9, spacing: 20m }\n"
+    Path("bend.rl").write_text(TEXT + crowd + row)
+    assert run(["run", "bend.rl"]) == 3
+    found = capsys.readouterr().err
+    assert "`late[8]` would stand" in found
+    assert "rejected" in found
+    Path("bend.rl").write_text(TEXT + crowd)
+    assert run(["run", "bend.rl"]) == 3
+    assert "copies of `crowd` are in the way of each other" in capsys.readouterr().err

@@ -131,6 +131,28 @@ def test_a_change_turns_back_when_its_room_is_taken() -> None:
     assert trace.events == ()
 
 
+def test_who_brakes_for_something_ahead_waits_for_a_gap_that_stays() -> None:
+    """The gap beside it is wide enough at its speed, but not once it has braked further."""
+    text = """
+    road motorway {
+      draw with segments { pieces: [straight(500m)] }
+      lanes: 2, oneway: true, speed_limit: 100km/h
+    }
+    object pallet is pallet on motorway at 300m { lane: -1 }
+    agent ego is car on motorway at 30m {
+      lane: -1
+      drive with traffic
+      drive with change_lane { to: right, when: gap(ego, pallet) < 120m }
+    }
+    agent beside is car on motorway at 15m {
+      lane: -2, count: 3, spacing: 30m, drive with traffic
+    }
+    """
+    (trace,) = drive(text, duration=20.0)
+    assert trace.events == ()
+    assert trace.agents["ego"].station[-1] > 330.0
+
+
 def test_in_left_hand_traffic_all_is_mirrored() -> None:
     right = traffic("to: left", other("they", 92, 26))
     text = (

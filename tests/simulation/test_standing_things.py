@@ -58,6 +58,25 @@ def test_traffic_stops_for_a_car_that_backs_into_its_lane() -> None:
     assert trace.agents["ego"].speed[-1] < 0.1
 
 
+def test_traffic_lets_a_van_out_that_backs_and_turns_before_it() -> None:
+    (trace,) = drive("""
+    road street {
+      draw with segments { pieces: [straight(200m)] }, speed_limit: 30km/h
+      left: [drive(3m), sidewalk], right: [drive(3m), sidewalk]
+    }
+    agent backer is van on street at 90m {
+      side: right, offset: 2.5m, heading: -90deg, start_speed: 0m/s
+      drive with reverse {
+        distance: 10m, turn: -80deg, straight: 2m, when: distance(ego, backer) < 35m
+      }
+    }
+    agent ego is car on street at 10m { drive with traffic }
+    """, duration=20)  # fmt: skip
+    assert trace.events == ()
+    assert trace.agents["backer"].y.max() > -4.0
+    assert trace.agents["ego"].speed.min() < 3.0
+
+
 def test_two_that_may_overlap_drive_through_each_other() -> None:
     (trace,) = drive(STREET + """
     agent one is car on street at 20m { overlap: true, drive with pure_pursuit { speed: 12m/s } }

@@ -92,3 +92,9 @@ def test_colors_of_a_drawing_say_it_too(sample: Sample, tmp_path: Path) -> None:
 def test_a_route_against_a_one_way_road_is_refused(sample: Sample) -> None:
     with pytest.raises(Exception, match="only in the other direction"):
         sample(RAMP + "agent ego is car on town { route: [(340m, 70m), (20m, 70m)] }")
+
+
+def test_a_drawn_direction_wins_over_oneway(sample: Sample) -> None:
+    (scene,) = sample(RAMP.replace("lanes: 2 }", "lanes: 2, oneway: true }"), 1).scenes
+    (drawn,) = sample(RAMP, 1).scenes
+    assert ways(scene) == ways(drawn)

@@ -27,7 +27,11 @@ class EmergencyBrake(Controller):
     reaction: Duration = option(
         0.2, minimum=0, maximum=10, help="time driven at the present speed before braking acts"
     )
-    gap: Length = option(2.0, minimum=0, help="distance to stop at, from the sensor")
+    gap: Length = option(
+        2.0,
+        minimum=0,
+        help="distance to stop at, from the sensor, which may be behind the front of the vehicle",
+    )
     margin: Length = option(
         0.2, minimum=-10, help="how far beside the vehicle things still are in the way"
     )

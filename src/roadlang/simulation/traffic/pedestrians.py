@@ -1,5 +1,5 @@
-"""Pedestrians who step toward the lane of a car, or wait at a crossing: where the car has to stop
-to let them pass."""
+"""Pedestrians who step toward the lane of a car, or wait at a crossing, and vehicles that back into
+it: where the car has to stop to let them pass."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ CROSSING = (-1.0, 5.0)
 
 @dataclass(frozen=True)
 class _Seen:
-    """Columns (P,) over pairs of a car and a pedestrian near its line."""
+    """Columns (P,) over pairs of a car and a pedestrian, or what backs, near its line."""
 
     agent: Integers
     """place among the cars that look"""
@@ -69,7 +69,7 @@ class Pedestrians:
         )
         self._waited = np.zeros(len(world.present))
         self._time = np.full(len(world.present), -math.inf)
-        self._exist = bool((world.bodies.walks & world.filled).any())
+        self._walkers = bool((world.bodies.walks & world.filled).any())
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
@@ -78,9 +78,10 @@ class Pedestrians:
 
     def ahead(self, world: World, poses: Poses, rows: Integers) -> Floats:
         """(n,) meters from the fronts of some agents to where they have to stop for a pedestrian,
-        infinite for nobody."""
+        or for a vehicle that backs, infinite for nobody."""
         out = np.full(len(rows), math.inf)
-        seen = _seen(world, poses, rows) if self._exist else None
+        exist = self._walkers or bool(_backs(world).any())
+        seen = _seen(world, poses, rows) if exist else None
         if seen is None:
             return out
         car = rows[seen.agent]
@@ -131,15 +132,21 @@ def _steps_in(seen: _Seen, gap: Floats, speed: Floats, half: Floats) -> Booleans
     return np.asarray(steps & (passed + CLEARANCE > enters) & (leaves + CLEARANCE > arrives))
 
 
+def _backs(world: World) -> Booleans:
+    """(N,) which vehicles drive backward."""
+    return np.asarray(world.present & (world.motion.speed < -STEPS))
+
+
 def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
-    """The pedestrians near the lines of some agents, if there are any."""
-    walkers = np.flatnonzero(world.bodies.walks & world.present)
+    """The pedestrians, and what backs, near the lines of some agents, if there are any."""
+    walkers = np.flatnonzero(world.bodies.walks & world.present | _backs(world))
     same = (rows // world.slots)[:, None] == (walkers // world.slots)[None, :]
     view = looks_ahead(world)[rows][:, None]
     off_x = poses.x[walkers][None, :] - poses.x[rows][:, None]
     off_y = poses.y[walkers][None, :] - poses.y[rows][:, None]
     drives = (world.has_road & world.present & ~world.bodies.walks)[rows][:, None]
-    near = same & drives & (off_x * off_x + off_y * off_y < view * view)
+    near = same & drives & (walkers[None, :] != rows[:, None])
+    near &= off_x * off_x + off_y * off_y < view * view
     place, number = np.nonzero(near)
     if not len(place):
         return None
@@ -161,5 +168,5 @@ def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
     ahead = window.s[sample] + cosine * dx + sine * dy
     return _Seen(
         place, ahead, np.abs(left) - half, 2.0 * half, half_extent, speed * turned,
-        turned > FACES, speed < STEPS,
+        turned > FACES, np.abs(speed) < STEPS,
     )  # fmt: skip
