@@ -33,7 +33,7 @@ class Trimmed:
     arms: tuple[ArmLine, ...]
     trims: Mapping[ArmKey, float]
     corners: tuple[Corner, ...]
-    covered: frozenset[ArmKey]
+    covered: frozenset[ArmKey] = frozenset()
 
 
 def trimmed(
