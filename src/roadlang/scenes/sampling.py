@@ -90,21 +90,19 @@ def sample_scenes(
     if emission is not None:
         make = partial(emitted, concretize, emission.backends)
     task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
-    impossible = _impossible(task.acceptance, seed)
-    if impossible:
+    if impossible := _impossible(task.acceptance, seed):
         return _nothing(task.acceptance, impossible, n or 1, seed)
     found = search(task, n, workers, None if emission is None else emission.taken)
     concrete = [sample.result for sample in found.samples]
     _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
     table = rows_of(found.stats, task.acceptance.requirements, frozenset())
-    most = [row.text for row in table[:1] if not concrete]
     remarks = (*fixed_remarks(scenario), *(remark for item in concrete for remark in item.remarks))
     return SamplingResult(
         scenes=tuple(item.scene for item in concrete),
         wanted=found.wanted,
         candidates=found.stats.candidates,
         table=table,
-        causes=_causes(task.acceptance, seed, most) if most else (),
+        causes=() if concrete else _causes(task.acceptance, seed, [row.text for row in table[:1]]),
         missing=tuple(found.missing),
         remarks=tuple(dict.fromkeys(remarks)),
         warnings=tuple(dict.fromkeys(warning for item in concrete for warning in item.warnings)),
