@@ -140,15 +140,15 @@ SOURCES = (
 TWEAKED = {
     "pieces": 20,
     "bent": 16,
-    "values": 24,
-    "town": 18,
-    "places": 24,
-    "right_places": 24,
+    "values": 16,
+    "town": 10,
+    "places": 14,
+    "right_places": 14,
     "picture": 8,
     "table": 8,
     "search": 10,
-    "drawn": 24,
-    "approaches": 24,
+    "drawn": 14,
+    "approaches": 14,
     "copies": 16,
     "joined": 10,
 }
@@ -210,10 +210,10 @@ def _cases() -> Iterable[Case]:
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
     for first in range(0, 96, 24):
-        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 24)))
+        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 14)))
     for first in (0, 24):
-        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 24)))
-    yield Case("towns", "towns.mapped", partial(mapped_lines, range(12)))
+        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 13)))
+    yield Case("towns", "towns.mapped", partial(mapped_lines, range(8)))
     yield Case("mistakes", "odd_kinds", odd_kind_lines)
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
@@ -235,7 +235,7 @@ def _cases() -> Iterable[Case]:
         "replay",
         "joined",
     ):
-        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 7, drive=True))
+        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 5, drive=True))
     yield Case("extraction", "evidence", partial(evidence_lines, 1, 6), FIGURE)
     yield Case("extraction", "pictures", partial(picture_lines, 1, 5), FIGURE)
     for first in (1, 2, 3):

@@ -63,5 +63,5 @@ def test_a_stop_takes_at_least_the_even_deceleration_once_that_is_near_comfort(
         min(easy, -hard) if soon else easy
         for easy, hard, soon in zip(gentle, even, late, strict=True)
     ]
-    found = model(SPEEDS).to_stop(np.full(len(SPEEDS), distance))
+    found = model(SPEEDS).to_stop(np.full(len(SPEEDS), distance), np.array(gentle))
     np.testing.assert_allclose(found, expected, atol=2e-3)
