@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -67,13 +68,10 @@ class Candidate:
 
 def plugin_candidates(blocked: Iterable[str] = ()) -> list[Candidate]:
     """The installed plugins that are not disabled, shipped ones first."""
-    return _not_blocked(_installed_plugins(), blocked)
+    return _not_blocked(_installed_plugins(_entry_points()), blocked)
 
 
-def _installed_plugins() -> list[Candidate]:
-    from importlib.metadata import entry_points  # which imports 40 modules
-
-    every = entry_points()
+def _installed_plugins(every: Any) -> list[Candidate]:
     found = [
         Candidate(point.name, _origin_of(point, point.name), point)
         for point in every.select(group=GROUP)
@@ -100,10 +98,9 @@ def command_candidates() -> list[Candidate]:
     A command belongs to the plugin of its distribution that has the same top-level package, or to
     the first plugin of it; of a distribution without plugins, to one of the command's name.
     """
-    from importlib.metadata import entry_points
-
-    commands = entry_points(group=COMMANDS)
-    plugins = _installed_plugins() if commands else ()
+    every = _entry_points()
+    commands = every.select(group=COMMANDS)
+    plugins = _installed_plugins(every) if commands else ()
     found = []
     for point in commands:
         providers = [p for p in plugins if _same(p.installed, point.dist)]
@@ -134,11 +131,25 @@ def _order(candidate: Candidate) -> tuple[bool, bool, str, str]:
     return not origin.is_shipped, candidate.name != _FIRST, candidate.name, origin.distribution
 
 
+def _entry_points() -> Any:
+    """`EntryPoints`, or what Python before 3.12 has instead, which selects as well."""
+    from importlib.metadata import entry_points  # which imports 40 modules
+
+    return entry_points()
+
+
+@cache
+def _named(distribution: Distribution) -> tuple[str, str]:
+    """Its name and version. Each look at its metadata parses all of it, the README included."""
+    metadata = distribution.metadata
+    return metadata["Name"], metadata["Version"]
+
+
 def _origin_of(point: EntryPoint, plugin: str) -> Origin:
     if point.dist is None:
         return Origin(plugin, point.value, "0")
-    name = point.dist.metadata["Name"]
-    return Origin(plugin, name, point.dist.version, name.lower() == DISTRIBUTION)
+    name, version = _named(point.dist)
+    return Origin(plugin, name, version, name.lower() == DISTRIBUTION)
 
 
 def _package(point: EntryPoint) -> str:
@@ -148,4 +159,4 @@ def _package(point: EntryPoint) -> str:
 def _same(first: Distribution | None, second: Distribution | None) -> bool:
     if first is None or second is None:
         return False
-    return bool(first.metadata["Name"] == second.metadata["Name"])
+    return _named(first)[0] == _named(second)[0]
