@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...diagnostics import Code, DiagnosticError, Source, Span, diagnose
+from ...files.reading import UnreadableFile, read_start
 from ...syntax.parsing.parser import parse_formula
 from .delimited_text import DelimitedText, DelimitedTextFault
 from .from_syntax_tree import FormulaReader
@@ -42,11 +43,10 @@ class ColumnUnits:
         """Nothing for files that are no tables."""
         path = Path(path)
         try:
-            with path.open("rb") as file:
-                head = decoded(file.read(_HEAD))
+            head = decoded(read_start(path, _HEAD))
             if path.suffix.lower() != ".json":
                 return cls.of_table(path.name, DelimitedText.of(head))
-        except (OSError, UnicodeDecodeError, DelimitedTextFault):
+        except (UnreadableFile, UnicodeDecodeError, DelimitedTextFault):
             pass  # whoever reads the whole file says so
         return cls(path.name, ())
 
