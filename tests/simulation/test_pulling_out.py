@@ -19,7 +19,7 @@ agent ego is car on street at 22.5m { drive with traffic }
 
 
 def test_traffic_brakes_for_a_bus_that_comes_out_of_the_parking_lane() -> None:
-    coach = """agent coach is bus on street at 100m {
+    coach = """agent coach is bus on street at 110m {
       lane: parking, start_speed: 0km/h
       drive with car_follow { speed: 35km/h }
       drive with change_lane { to: left, when: time > 6s }
@@ -27,6 +27,21 @@ def test_traffic_brakes_for_a_bus_that_comes_out_of_the_parking_lane() -> None:
     (trace,) = drive(STREET + coach, duration=14)
     assert trace.events == ()
     assert (trace.agents["coach"].lane == -1).any()
+    assert trace.agents["ego"].speed.min() < 10.0
+
+
+def test_a_bus_does_not_come_out_right_before_somebody() -> None:
+    coach = """agent coach is bus on street at 100m {
+      lane: parking, start_speed: 0km/h
+      drive with car_follow { speed: 35km/h }
+      drive with change_lane { to: left, when: time > 6s }
+    }"""
+    (trace,) = drive(STREET + coach, duration=20)
+    out = trace.agents["coach"].lane == -1
+    assert trace.events == ()
+    assert out.any()
+    first = int(out.argmax())
+    assert trace.agents["ego"].station[first] > trace.agents["coach"].station[first]
 
 
 def test_a_controller_whose_condition_no_longer_holds_is_not_asked() -> None:
