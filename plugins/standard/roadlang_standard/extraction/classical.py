@@ -6,6 +6,8 @@ import cv2
 import numpy as np
 
 from .found_network import FoundNetwork
+from .hysteresis import hysteresis
+from .skeleton import skeleton
 from .tones import Image, Layer
 
 _ANGLES = 12
@@ -17,14 +19,20 @@ _CHROMA = 0.03
 """How much a colorful pixel loses: asphalt is gray."""
 
 
-def roads_by_ribbons(image: Image) -> FoundNetwork:
-    """The road network of a photo (h, w, 3), found without the net."""
+def roads_by_ribbons(image: Image, longest: float = float("inf")) -> FoundNetwork:
+    """The road network of a photo (h, w, 3), found without the net.
+
+    None of it where ribbons are longer in all than `longest` sides of the picture.
+    """
     from .aerial import Cutoffs, Request, Seen, roads_of_evidence
     from .scale import has_detail, resized
 
     scale = 1.0 if has_detail(image) else max(_SMALLER, min(1.0, 64 / min(image.shape[:2])))
     evidence = ribbon_evidence(resized(image, scale))
     cutoffs = Cutoffs(strong=0.62, weak=0.42, floor=0.35, link_cost=1.2)
+    ribbons = hysteresis(evidence, cutoffs.strong, cutoffs.weak)
+    if skeleton(ribbons).sum() > longest * max(evidence.shape):
+        return FoundNetwork(np.zeros((0, 2)), (), np.zeros(image.shape[:2], bool), "aerial")
     found = roads_of_evidence(Seen(evidence, evidence), Request(), cutoffs)
     return found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
 

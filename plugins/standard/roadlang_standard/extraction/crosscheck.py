@@ -17,6 +17,9 @@ _LITTLE, _DOUBTED = 0.4, 0.65
 """Roads shorter than this share of the picture's side, or less sure, are doubted."""
 _LONG, _SURE, _FEW = 0.5, 0.9, 3
 """Ribbons are believed if so long, so sure and so few: in a busy picture they never are."""
+_BUSY = 4.0
+"""A picture is busy if its ribbons are so many times as long in all as its side: a lone road's are
+about as long as the side, those of fields and woods 5 to 40 times."""
 _PIXELS = 1_000_000
 
 
@@ -45,9 +48,10 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
 
 
 def _ribbons(image: Image) -> FoundNetwork:
-    """What the filters find; in a smaller copy of a large picture, for they are slow."""
+    """What the filters find unless the picture is busy; in a smaller copy of a large one, for they
+    are slow."""
     scale = min(1.0, float(np.sqrt(_PIXELS / (image.shape[0] * image.shape[1]))))
-    found = roads_by_ribbons(resized(image, scale))
+    found = roads_by_ribbons(resized(image, scale), _BUSY)
     return found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
 
 

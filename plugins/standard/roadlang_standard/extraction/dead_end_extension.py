@@ -33,20 +33,6 @@ class Onward:
     line: Line = field(compare=False)
     side: int = field(compare=False)
 
-    @classmethod
-    def of(cls, end: DeadEnd, line: Line, side: int) -> Onward:
-        """With its gap measured."""
-        return cls(float(np.hypot(*(_tip(line, side) - end.place))), end, line, side)
-
-    def straight(self, width: float) -> bool:
-        """Whether the dead end, the way across the gap and the line have one direction."""
-        into = direction(self.line, self.side, 2 * width)
-        turns = [self.end.ahead @ into]
-        if self.gap > 2 * width:
-            across = (_tip(self.line, self.side) - self.end.place) / self.gap
-            turns += [self.end.ahead @ across, into @ across]
-        return bool(min(turns) > _ONWARD)
-
 
 def extend_dead_ends(
     graph: Graph, score: Layer, levels: tuple[float, float], width: float, distance: float
@@ -96,13 +82,23 @@ class _Faint:
     def __init__(self, graph: Graph, width: float, distance: float) -> None:
         self.width, self.max_distance = width, distance
         self.tips = [(line, side) for line in graph.lines for side in (0, 1)]
-        self.tree = cKDTree(np.array([_tip(*tip) for tip in self.tips]).reshape(-1, 2))
+        self.places = np.array([_tip(*tip) for tip in self.tips]).reshape(-1, 2)
+        self.directions = np.array([direction(*tip, 2 * width) for tip in self.tips]).reshape(-1, 2)
+        self.tree = cKDTree(self.places)
 
     def onwards(self, end: DeadEnd) -> list[Onward]:
-        """Those that go straight on from a dead end."""
-        near = self.tree.query_ball_point(end.place, self.max_distance)
-        found = (Onward.of(end, *self.tips[index]) for index in sorted(near))
-        return [onward for onward in found if onward.straight(self.width)]
+        """Those that go straight on: the end, the way across the gap and the line have one
+        direction; the way across a gap of less than two widths says nothing."""
+        near = np.sort(np.array(self.tree.query_ball_point(end.place, self.max_distance), int))
+        across, into = self.places[near] - end.place, self.directions[near]
+        gaps = np.hypot(*across.T)
+        way = across / np.maximum(gaps, 1e-9)[:, None]
+        along = np.minimum(way @ end.ahead, (way * into).sum(axis=1))
+        straight = (into @ end.ahead > _ONWARD) & ((gaps <= 2 * self.width) | (along > _ONWARD))
+        return [
+            Onward(float(gap), end, *self.tips[index])
+            for gap, index in zip(gaps[straight], near[straight], strict=True)
+        ]
 
 
 def _tip(line: Line, side: int) -> Floats:
