@@ -12,6 +12,7 @@ from roadlang.geometry import Booleans
 
 from .dead_end_stubs import drop_border_forks, drop_corners, lengthen_square_ends, stubs
 from .drafting import Draft, draft, typical_width_of
+from .drawn_confidence import with_doubts
 from .found_network import FoundNetwork
 from .graph import Graph, trace
 from .graph_cleanup import contract, drop_crumbs, drop_loops, extend_to_border, join, prune
@@ -74,7 +75,7 @@ def roads_of_surface(
         covered=None if cover is None else cover.mask,
     )
     score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
-    return draft(graph, surface, score, settings, method)
+    return with_doubts(draft(graph, surface, score, settings, method))
 
 
 def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None) -> float:

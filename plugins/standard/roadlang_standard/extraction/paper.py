@@ -21,6 +21,9 @@ _SMALL, _BROADEST = 300, 12
 """The light is estimated at this size in pixels; ink is thinner than one in so many sides."""
 _DARKEST, _COLORED = 60, 0.35
 """A sheet is lighter than this gray and less colored than this share of its brightness."""
+_TINT, _ONE = 0.12, 0.75
+"""More than this share of a sheet has one color in any light: its channels over their mean are
+within so much. A beach is as light as paper, but the sea beside it is not."""
 _PLAIN, _EVEN = 0.06, 0.6
 """So much of the sheet is within this share of its own brightness."""
 _SAME, _EXACT = 2, 0.5
@@ -51,6 +54,9 @@ def sheet_of(image: Image) -> Sheet | None:
         return None
     color = np.median(light.reshape(-1, 3), axis=0)
     if color.mean() < _DARKEST or np.ptp(color) > _COLORED * color.max():
+        return None
+    tint = light / np.maximum(light.mean(axis=2, keepdims=True), 1)
+    if (np.abs(tint - color / color.mean()).max(axis=2) < _TINT).mean() < _ONE:
         return None
     taken = 1 - image.astype(np.float32) / np.maximum(light, 1)
     ink = cv2.GaussianBlur(taken.max(axis=2), (0, 0), 0.7)

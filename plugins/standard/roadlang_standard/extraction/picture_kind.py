@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .drawing import has_edge_lines
+from .map_tones import flat_colors
 from .nodata import nodata
 from .tones import Image, away_from, flatness, thinned, tones
 
@@ -21,6 +22,9 @@ PHOTO, MASK, FILLED, EDGES, MAP = (
 
 _FLAT = 0.55
 """Photos have less than this share of pixels without texture."""
+_COLORS, _SAME, _EXACT = 8, 5, 0.5
+"""Of drawings, so many colors are, within so many gray levels, those of more than this share of the
+pixels: the sky and what is out of focus in a photo have no texture either, but shades."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +46,7 @@ def picture_kind(image: Image) -> PictureKind:
     flat = flatness(image)
     plan = tones(image, most=12)
     few = float(np.sort(plan.shares)[::-1][:6].sum())
-    if flat < _FLAT or few < 0.85 or _photo_with_margins(image):
+    if flat < _FLAT or few < 0.85 or _is_shaded(image) or _photo_with_margins(image):
         return PictureKind(PHOTO, flat)
     paper = plan.colors[plan.paper]
     away = away_from(image, paper)
@@ -55,6 +59,16 @@ def picture_kind(image: Image) -> PictureKind:
     if black_and_white and paper.mean() < 40:
         return PictureKind(MASK, flat)
     return PictureKind(MAP if len(pure) > 3 else FILLED, flat)
+
+
+def _is_shaded(image: Image) -> bool:
+    """Whether most of a picture has none of a few exact colors."""
+    small = np.ascontiguousarray(thinned(image, 250_000))
+    colors = flat_colors(small)[:_COLORS]
+    near = np.zeros(small.shape[:2], bool)
+    for color in colors:
+        near |= away_from(small, color) <= _SAME
+    return bool(near.mean() < _EXACT)
 
 
 def _photo_with_margins(image: Image) -> bool:

@@ -1,0 +1,53 @@
+"""How sure the roads of a drawing are: what is drawn is there, but it may be letters or blots."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from roadlang.geometry import Floats
+
+from .found_network import FoundNetwork, FoundRoad
+
+_LONG, _SLENDER = 0.6, 3.0
+"""Roads that hang together are believed if they are so long in all, in shorter sides of the
+picture, and each so long in widths; the confidence of less is lowered in proportion."""
+_RIM = 3.0
+"""Pixels from the border at which a road leaves the picture: how long it is there is unknown."""
+
+
+def with_doubts(found: FoundNetwork) -> FoundNetwork:
+    """The same roads, those less sure that are short, alone, or hardly longer than wide."""
+    side = min(found.mask.shape)
+    factors: dict[int, float] = {}
+    for part in _parts(found.roads):
+        lengths = np.array([road.length for road in part])
+        widths = np.array([float(np.median(road.widths)) for road in part])
+        total = max(float(lengths.sum()), 1e-9)
+        slender = float((lengths**2).sum() / max(float(lengths @ widths), 1e-9))
+        leaves = any(_at_rim(road, found.mask.shape) for road in part)
+        factor = min(1.0, slender / _SLENDER) * (1.0 if leaves else min(1.0, total / side / _LONG))
+        factors.update((id(road), factor) for road in part)
+    roads = (replace(r, confidence=round(r.confidence * factors[id(r)], 4)) for r in found.roads)
+    return replace(found, roads=tuple(roads))
+
+
+def _parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
+    """The roads by the connected part of the network that they belong to."""
+    of_node: dict[int, list[FoundRoad]] = {}
+    for road in roads:
+        joined = [*of_node.get(road.start, []), road]
+        if of_node.get(road.end) is not of_node.get(road.start):
+            joined += of_node.get(road.end, [])
+        for member in joined:
+            of_node[member.start] = of_node[member.end] = joined
+    return list({id(part): part for part in of_node.values()}.values())
+
+
+def _at_rim(road: FoundRoad, shape: tuple[int, ...]) -> bool:
+    """Whether a road has an end, less half its width, at the border of the picture (h, w)."""
+    near = _RIM + 0.5 * float(np.median(road.widths))
+    ends: Floats = road.points[[0, -1]]
+    far = np.array(shape[::-1]) - 1 - near
+    return bool(((ends <= near) | (ends >= far)).any())

@@ -1,0 +1,92 @@
+"""Pictures without roads: nothing is found, or what is found is said to be doubtful."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roadlang_standard.extraction.classical import roads_by_ribbons
+from roadlang_standard.extraction.drawn_confidence import with_doubts
+from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
+from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
+
+from .paper_drawings import drawn, photographed, sheet, wave
+
+
+def _written() -> np.ndarray:
+    """A page of joined letters: each word is one stroke, a tenth of the page or more long."""
+    page = sheet()
+    for row in range(30, 340, 30):
+        for start in range(20, 420, 90):
+            x = np.linspace(start, start + 70, 80)
+            page = drawn(page, np.column_stack([x, row + 7 * np.sin(x / 3)]), 2)
+    return photographed(page)
+
+
+def test_words_on_paper_are_no_sure_roads() -> None:
+    found = roads_on_paper(_written())
+    assert found is not None
+    assert all(road.confidence < 0.5 for road in found.roads)
+    line = roads_on_paper(photographed(drawn(sheet(), wave())))
+    assert line is not None
+    assert line.confidence > 0.9
+
+
+def test_a_sheet_has_one_color() -> None:
+    beach = photographed(drawn(sheet(), wave()))
+    assert sheet_of(beach) is not None
+    beach[:, 300:] = (110, 80, 40)
+    assert sheet_of(beach) is None
+
+
+def test_shades_without_texture_are_a_photo() -> None:
+    y, x = np.mgrid[:300, :400]
+    sky = np.dstack([200 + y / 10, 120 + x / 8, 60 + y / 6]).astype(np.uint8)
+    sky[220:, 100:180] = (40, 60, 70)
+    assert picture_kind(sky).name == PHOTO
+    banded = np.full_like(sky, (210, 150, 80))
+    banded[140:160] = (40, 60, 70)
+    assert picture_kind(banded).name != PHOTO
+
+
+def test_the_ribbons_of_a_busy_picture_are_not_traced() -> None:
+    rows = np.full((200, 200), 120, np.uint8) + np.uint8(3 * (np.arange(200) % 7))[:, None] // 2
+    for left in range(20, 200, 33):
+        rows[:, left : left + 7] = 200
+    field = cv2.merge([rows] * 3)
+    assert len(roads_by_ribbons(field).roads) >= 5
+    assert not roads_by_ribbons(field, longest=4).roads
+
+
+def _network(*roads: FoundRoad) -> FoundNetwork:
+    return FoundNetwork(np.zeros((9, 2)), roads, np.zeros((100, 200), bool))
+
+
+def _road(
+    start: int, end: int, x: tuple[float, float], y: float = 50, wide: float = 4
+) -> FoundRoad:
+    points = np.column_stack([np.linspace(*x, 50), np.full(50, y)])
+    return FoundRoad(start, end, points, np.full(50, wide))
+
+
+def _sure(*roads: FoundRoad) -> list[float]:
+    return [road.confidence for road in with_doubts(_network(*roads)).roads]
+
+
+def test_confidence_of_drawn_roads_by_length() -> None:
+    assert _sure(_road(0, 1, (20, 80))) == [1.0]
+    assert _sure(_road(0, 1, (20, 50))) == [0.5]
+    # Two that meet are believed together, however they are numbered; a third one alone is not.
+    joined = (_road(0, 1, (20, 50)), _road(5, 6, (120, 135)), _road(2, 1, (50, 80)))
+    assert _sure(*joined) == [1.0, 0.25, 1.0]
+    # How long a road is that leaves the picture, nobody knows.
+    assert _sure(_road(0, 1, (0, 30)), _road(2, 3, (180, 199), 20)) == [1.0, 1.0]
+    assert _sure(_road(0, 1, (170, 195), wide=6)) == [1.0]
+    assert _sure(_road(0, 1, (170, 194), wide=3)) == [0.4]
+
+
+def test_a_blot_is_no_sure_road() -> None:
+    assert _sure(_road(0, 1, (20, 80), wide=40)) == [0.5]
+    # The rule is for what hangs together: the blot beside a road does not make the road doubtful.
+    assert _sure(_road(0, 1, (20, 80), wide=40), _road(2, 3, (20, 80), 10)) == [0.5, 1.0]
