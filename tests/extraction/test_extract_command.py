@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,11 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from roadlang.api import Extraction, Picture
 from roadlang.cli.extract import command
+from roadlang.cli.extraction_files import as_json, as_overlay
 from roadlang.diagnostics import DiagnosticError
+from roadlang.geometry import Curve, Edge, Node, RoadNetwork
 from training.rendering.drawings import draw_circuit
 
 
@@ -40,6 +44,24 @@ def test_roads_are_written_in_pixels(circuit: Any, distance_to: Any) -> None:
     assert document["roads"][0]["closed"]
     assert cv2.imread(str(names[2]), 0).shape == (400, 400)
     assert names[1].read_text().startswith("<svg")
+
+
+def test_each_stretch_of_a_road_says_how_sure_it_is() -> None:
+    picture = Picture(np.full((40, 200, 3), 90, np.uint8), 0.5)
+    curve = Curve.through(
+        picture.to_world(np.column_stack([np.arange(10, 191, 10), np.full(19, 20)]))
+    )
+    nodes = (Node(0, tuple(curve.at(0.0))), Node(1, tuple(curve.at(curve.length))))
+    network = RoadNetwork(nodes, (Edge(1, 0, 1, curve, np.array([4.0]), 0.6),))
+    found = Extraction(network, confidence=0.6, confidences=(np.repeat([1.0, 0.2], 50),))
+    (road,) = json.loads(as_json(picture, found, 0.5, 0.0, None))["roads"]
+    assert len(road["confidences"]) == len(road["widths"])
+    assert (road["confidences"][0], road["confidences"][-1]) == (1.0, 0.2)
+    colors = re.findall(
+        r'stroke="(#\w+)" stroke-width="1.6"><title>(\d+)% sure here', as_overlay(picture, found)
+    )
+    assert colors[0] == ("#00e5ff", "99")
+    assert colors[-1] == ("#ee6223", "20")
 
 
 def test_without_an_output_the_json_goes_to_standard_output(circuit: Any) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
@@ -115,6 +117,19 @@ def test_up_to_five_doubtful_roads_are_remarked_on_longest_first() -> None:
     assert remarks[2] == "a road of 16 px at (8px, 3px) is only 40% sure"
     assert len(remarks) == 8
     assert remarks[-1] == "2 more roads are less than 50% sure"
+
+
+def test_doubtful_stretches_of_sure_roads_are_remarked_on() -> None:
+    picture = Picture(np.zeros((20, 160, 3), np.uint8), 0.5)
+    along = np.full(76, 0.9)
+    along[20:41], along[60:75] = 0.3, 0.2
+    road = replace(road_of(dense((0, 3), (150, 3)), 0.7), confidences=along)
+    points = np.column_stack([np.linspace(0, 150, 76), np.full(76, 3.0)])
+    road = replace(road, points=points, widths=np.full(76, 4.0))
+    result = extraction(picture, network(road, replace(road, confidences=None)))
+    assert result.remarks == ("seen", "a stretch of 40 px at (60px, 3px) is only 30% sure")
+    assert result.confidences[0] == pytest.approx(along)
+    assert result.confidences[1] == pytest.approx([0.7])
 
 
 def test_free_space_is_read_in_meters_and_noise_by_its_size() -> None:

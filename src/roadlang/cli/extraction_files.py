@@ -17,6 +17,8 @@ from ..version import __version__
 SCHEMA = "roadlang.extraction/1"
 _STEP = 2.0
 _OVERLAY_SIDE = 1600
+_LEVELS = 5
+"""Colors of stretches of a road, beside that of 0 % sure."""
 
 
 def as_json(
@@ -36,6 +38,8 @@ def as_json(
         }
         if index < len(found.width_errors) and np.isfinite(found.width_errors[index]):
             record["width_error"] = round(found.width_errors[index] / picture.scale, 3)
+        if index < len(found.confidences):
+            record["confidences"] = _along(found, index, len(line)).round(3).tolist()
         roads.append((line.round(2).tolist(), record))
     nodes = picture.to_pixels(np.array([n.position for n in found.network.nodes]).reshape(-1, 2))
     document: dict[str, Any] = {
@@ -69,6 +73,13 @@ def polyline(picture: Picture, edge: Any) -> tuple[Floats, Floats]:
     return points, widths
 
 
+def _along(found: Extraction, index: int, count: int) -> Floats:
+    """How sure a road is at `count` points at even arc lengths, its ends included."""
+    edge = found.network.edges[index]
+    known = found.confidences[index] if index < len(found.confidences) else [edge.confidence]
+    return np.interp(np.linspace(0, 1, count), np.linspace(0, 1, len(known)), known)
+
+
 def _object(picture: Picture, item: Any) -> dict[str, Any]:
     x, y = picture.to_pixels(np.array([[item.x, item.y]]))[0]
     sides = {"length": item.length / picture.scale, "width": item.width / picture.scale}
@@ -94,23 +105,32 @@ def as_overlay(picture: Picture, found: Extraction) -> str:
     view = f'viewBox="-0.5 -0.5 {width} {height}" width="{width}" height="{height}"'
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" {view}>', _backdrop(picture)]
     parts.append('<g fill="none" stroke-linecap="round" stroke-linejoin="round">')
-    lines = [(polyline(picture, edge), edge.confidence) for edge in found.network.edges]
-    for (points, widths), sure in lines:
-        path = _path(points)
+    for index, edge in enumerate(found.network.edges):
+        points, widths = polyline(picture, edge)
         road = f"{float(np.median(widths)):.2f}"
-        color = _color(sure)
         parts.append(
-            f'<path d="{path}" stroke="{color}" stroke-opacity="0.35" stroke-width="{road}"/>'
+            f'<path d="{_path(points)}" stroke="{_color(edge.confidence)}" stroke-opacity="0.35"'
+            f' stroke-width="{road}"/>'
         )
-        parts.append(
-            f'<path d="{path}" stroke="{color}" stroke-width="1.6">'
-            f"<title>{sure:.0%} sure</title></path>"
-        )
+        parts += _stretches(points, _along(found, index, len(points)), edge.confidence)
     parts.append('</g><g fill="#ffffff" stroke="#1a237e" stroke-width="1">')
     for node in found.network.nodes:
         x, y = picture.to_pixels(np.array([node.position]))[0]
         parts.append(f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.6"/>')
     return "\n".join([*parts, "</g>", "</svg>", ""])
+
+
+def _stretches(points: Floats, sure: Floats, all_in_all: float) -> list[str]:
+    """A road's center line in paths of one color each, with how sure they are."""
+    level = np.round(sure * _LEVELS).astype(int)
+    cuts = [0, *(np.flatnonzero(np.diff(level)) + 1), len(points) - 1]
+    return [
+        f'<path d="{_path(points[first : last + 1])}" stroke="{_color(level[first] / _LEVELS)}"'
+        f' stroke-width="1.6"><title>{float(sure[first : last + 1].mean()):.0%} sure here, the road'
+        f" {all_in_all:.0%}</title></path>"
+        for first, last in pairwise(cuts)
+        if last > first
+    ]
 
 
 def _backdrop(picture: Picture) -> str:

@@ -110,6 +110,8 @@ class Extraction(Frozen):
     road's width, in the order of the network's edges, where the extractor knows it. `has_widths`
     is False where the picture says nothing of the widths, as one typed in characters: those of the
     edges are then the most that there is room for, and their lanes say how wide the roads are.
+    `confidences`: of each road, in the same order, at even arc lengths from its start to its end,
+    where they differ along it: each edge's `confidence` is about their mean.
     `warnings`: of parts of a map that could not be used, with their places.
     """
 
@@ -121,3 +123,4 @@ class Extraction(Frozen):
     width_errors: tuple[float, ...] = ()
     has_widths: bool = True
     warnings: tuple[Diagnostic, ...] = ()
+    confidences: tuple[NDArray[np.float64], ...] = ()

@@ -54,7 +54,7 @@ def clipped_network(
         mask = np.zeros_like(mask)
         inside = contains(points)
         mask[rows[inside], columns[inside]] = True
-    return replace(found, network=kept, objects=objects, mask=mask, width_errors=())
+    return replace(found, network=kept, objects=objects, mask=mask, width_errors=(), confidences=())
 
 
 def _contained(region: KindInstance, points: Floats) -> Booleans:

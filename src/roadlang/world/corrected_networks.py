@@ -49,6 +49,7 @@ def corrected_extraction(
         confidence=float(np.average(sure, weights=lengths)) if sure else 0.0,
         mask=found.mask if not (drawn or dismissed) else None,
         width_errors=(),
+        confidences=(),
         warnings=(*found.warnings, *missed),
     )
 

@@ -100,6 +100,7 @@ def _packed(found: FoundNetwork) -> dict[str, np.ndarray]:
         "counts": np.array([len(road.points) for road in roads], int),
         "points": np.vstack([np.zeros((0, 2)), *[road.points for road in roads]]),
         "widths": np.concatenate([np.zeros(0), *[road.widths for road in roads]]),
+        "confidences": np.concatenate([np.zeros(0), *[_confidences(road) for road in roads]]),
         "doubts": np.array(
             [(road.width_error, road.confidence, road.linked) for road in roads]
         ).reshape(-1, 3),
@@ -111,6 +112,11 @@ def _packed(found: FoundNetwork) -> dict[str, np.ndarray]:
     }
 
 
+def _confidences(road: FoundRoad) -> np.ndarray:
+    same = np.full(len(road.points), road.confidence)
+    return same if road.confidences is None else road.confidences
+
+
 def _unpacked(stored: dict[str, np.ndarray]) -> FoundNetwork:
     cuts = np.cumsum(stored["counts"])[:-1]
     shape = tuple(int(side) for side in stored["shape"])
@@ -119,12 +125,13 @@ def _unpacked(stored: dict[str, np.ndarray]) -> FoundNetwork:
         stored["ends"],
         np.split(stored["points"], cuts),
         np.split(stored["widths"], cuts),
-        stored["doubts"],
+        stored["doubts"].tolist(),
+        np.split(stored["confidences"], cuts),
         strict=False,
     )
     roads = tuple(
-        FoundRoad(int(start), int(end), points, widths, *map(float, doubts))
-        for (start, end), points, widths, doubts in parts
+        FoundRoad(int(start), int(end), points, widths, error, confidence, linked, sure)
+        for (start, end), points, widths, (error, confidence, linked), sure in parts
     )
     method, *remarks = map(str, stored["words"])
     scores = dict(zip(map(str, stored["score_names"]), map(float, stored["scores"]), strict=True))

@@ -146,10 +146,9 @@ def _road(
     else:
         wide, spread = widths(seen, options.width, 4 * options.waves / 2, closed)
         wide = np.sqrt(np.maximum(wide**2 - options.blur**2, (0.4 * wide) ** 2))
-    confidence = float(np.clip(_along(score, at).mean(), 0, 1)) * (1 - 0.5 * line.linked)
-    return FoundRoad(
-        index[line.start], index[line.end], points, wide, spread, round(confidence, 4), line.linked
-    )
+    sure = np.clip(_along(score, at), 0, 1).astype(float) * (1 - 0.5 * line.linked)
+    ends = index[line.start], index[line.end]
+    return FoundRoad(*ends, points, wide, spread, round(float(sure.mean()), 4), line.linked, sure)
 
 
 def _along(layer: Layer, at: Layer) -> Layer:

@@ -29,8 +29,8 @@ def with_doubts(found: FoundNetwork) -> FoundNetwork:
         leaves = any(_at_rim(road, found.mask.shape) for road in part)
         factor = min(1.0, slender / _SLENDER) * (1.0 if leaves else min(1.0, total / side / _LONG))
         factors.update((id(road), factor) for road in part)
-    roads = (replace(r, confidence=round(r.confidence * factors[id(r)], 4)) for r in found.roads)
-    return replace(found, roads=tuple(roads))
+    roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
+    return replace(found, roads=roads)
 
 
 def _parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ class FoundRoad:
 
     A closed road repeats its first point at the end. `width_error` is the standard error of the
     widths (n,), also in pixels. `linked` is the share of the length bridged without evidence.
+    `confidences` (n,) are those at the points, where they differ; `confidence` is their mean.
     """
 
     start: int
@@ -25,6 +26,7 @@ class FoundRoad:
     width_error: float = 0.0
     confidence: float = 1.0
     linked: float = 0.0
+    confidences: Floats | None = None
 
     @property
     def closed(self) -> bool:
@@ -35,6 +37,11 @@ class FoundRoad:
     def length(self) -> float:
         """Pixels."""
         return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
+
+    def less_sure(self, factor: float) -> FoundRoad:
+        """The same road, with so many times the confidence."""
+        along = None if self.confidences is None else self.confidences * factor
+        return replace(self, confidence=round(self.confidence * factor, 4), confidences=along)
 
 
 @dataclass(frozen=True)
@@ -80,6 +87,7 @@ class FoundNetwork:
                 r.width_error * factor,
                 r.confidence,
                 r.linked,
+                r.confidences,
             )
             for r in self.roads
         )

@@ -13,6 +13,7 @@ from roadlang.geometry import Floats
 
 from .cell_links import is_square, joined_places
 from .directions import runs_forward
+from .doubtful_roads import doubts
 from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
 from .legend import LegendObject
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from roadlang.api import Extraction, FoundObject, Picture
     from roadlang.geometry import Curve
 
-_DOUBTFUL = 0.5
 _WIDEST_CORNER = 2.0  # cells: more than a fillet of half a link has, so that each fills its cell
 
 
@@ -40,6 +40,7 @@ def extraction(
     degree = Counter(node for road in found.roads for node in (road.start, road.end))
     edges: list[Edge] = []
     errors: list[float] = []
+    confidences: list[Floats] = []
     for road in found.roads:
         ring = road.closed and degree[road.start] == 2
         if found.method == "cells":
@@ -54,16 +55,20 @@ def extraction(
             edge = Edge(len(edges) + 1, *ids, curve, widths, road.confidence)
             edges.append(replace(edge, forward=runs_forward(road, found.directions)))
             errors.append(float(road.width_error * picture.scale))
+            confidences.append(
+                np.array([road.confidence]) if road.confidences is None else road.confidences
+            )
     used = {node for edge in edges for node in (edge.start, edge.end)}
     nodes = tuple(Node(i, (float(x), float(y))) for i, (x, y) in enumerate(where) if i in used)
     return Extraction(
         RoadNetwork(nodes, tuple(edges)),
         tuple(_object(picture, object_) for object_ in objects),
         round(found.confidence, 4),
-        (*remarks, *found.remarks, *_lone_cells(picture, found), *_doubts(found)),
+        (*remarks, *found.remarks, *_lone_cells(picture, found), *doubts(found)),
         found.mask,
         tuple(errors),
         found.has_widths,
+        confidences=tuple(confidences),
     )
 
 
@@ -121,19 +126,3 @@ def _lone_cells(picture: Picture, found: FoundNetwork) -> list[str]:
         "cells"
         for place, (x, y) in zip(lone, where, strict=True)
     ]
-
-
-def _doubts(found: FoundNetwork) -> list[str]:
-    """One line for each doubtful road, longest first, with its place; at most five."""
-    doubtful = [road for road in found.roads if road.confidence < _DOUBTFUL]
-    doubtful.sort(key=lambda road: -road.length)
-    lines = []
-    for road in doubtful[:5]:
-        x, y = road.points[len(road.points) // 2]
-        share = f"{road.confidence:.0%}"
-        lines.append(
-            f"a road of {road.length:.0f} px at ({x:.0f}px, {y:.0f}px) is only {share} sure"
-        )
-    if len(doubtful) > 5:
-        lines.append(f"{len(doubtful) - 5} more roads are less than {_DOUBTFUL:.0%} sure")
-    return lines
