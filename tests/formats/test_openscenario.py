@@ -197,6 +197,16 @@ def test_a_route_is_on_one_lane_of_each_road() -> None:
         assert all(one == other or one[0] != other[0] for one, other in itertools.pairwise(lanes))
 
 
+def test_a_route_on_roads_that_the_file_lacks_is_left_out() -> None:
+    """A network that was perturbed takes the place of the one that agents are on."""
+    moved = "network bent from town { perturb with sine { amplitude: 1m, wavelength: 40m } }\n"
+    scene, root, _ = written(TOWN + moved)
+    assert all(
+        agent.route and agent.road.startswith("town/") for agent in scene.agents if agent.road
+    )
+    assert not list(root.iter("Route"))
+
+
 def test_signals_have_the_phases_of_the_scene() -> None:
     """After 10 s of 8 s green, 3 s yellow and 1 s (or more) red, it is yellow."""
     scene, root, file = written(TOWN)

@@ -48,6 +48,7 @@ from tests.golden.scene_views import (
 from tests.golden.search_views import command_lines, environment_lines, search_lines, vector_lines
 from tests.golden.traffic_views import option_lines, street_lines, traffic_lines
 from tests.golden.tweaked_views import tweaked_lines
+from tests.golden.written_views import ROUNDED, written_lines
 
 
 @dataclass(frozen=True)
@@ -118,6 +119,7 @@ WRITTEN = (
     *("cross_signals", "cross_stop", "cross_right", "tour", "joined", "lap", "values", "pieces"),
     *("bent", "places", "right_places", "drawn"),
 )
+EXPORTED = ("values", "cross_signals", "conditions", "lap", "places")
 HANDLED = (
     *("pieces", "bent", "values", "town", "picture", "controllers", "tour", "joined", "drawn"),
     *("copies", "lap", "places"),
@@ -255,6 +257,10 @@ def _cases() -> Iterable[Case]:
     yield Case("maps", "broken_maps", partial(broken_map_lines, 1))
     for name in WRITTEN:
         yield Case("maps", f"{name}.map", partial(written_map_lines, name))
+    for name in EXPORTED:
+        yield Case("maps", f"{name}.formats", partial(written_lines, name), ROUNDED)
+    driven = partial(written_lines, "conditions", driven=True)
+    yield Case("maps", "conditions.driven_formats", driven, ROUNDED)
     yield Case("formulas", "formulas", partial(formula_lines, 1, 70))
     yield Case("formulas", "ranges", partial(range_lines, 1000, 160))
     yield Case("formulas", "mining", mining_lines)

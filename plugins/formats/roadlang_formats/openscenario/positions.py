@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
@@ -155,7 +156,7 @@ def route_places(roads: Roads, actor: SceneActor) -> Sequence[Place]:
     # esmini finds no way from one lane of a road to another.
     kept = [
         place
-        for place, after in zip(different, [*different[1:], None], strict=True)
+        for place, after in zip_longest(different, different[1:])
         if not _changes_lane(place, after)
     ]
     return kept if len(kept) > 1 else ()
