@@ -8,8 +8,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from . import palette, shapes
-from .markup import element, group, text, title
+from . import palette, shapes, trees
+from .markup import group, text, title
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
@@ -59,25 +59,40 @@ def labels(scene: Scene, viewport: Viewport, size: float) -> str:
 
 
 def _drawn(actors: Sequence[SceneActor], viewport: Viewport, least: float) -> list[str]:
-    places = viewport.place([(actor.x, actor.y) for actor in actors]).tolist() if actors else []
+    if not actors:
+        return []
+    places = viewport.place([(actor.x, actor.y) for actor in actors]).tolist()
+    scales = [_enlarged(actor, viewport.pixels_per_meter, least) for actor in actors]
+    green = [
+        (max(actor.length * scale, actor.width * scale), index)
+        for index, (actor, scale) in enumerate(zip(actors, scales, strict=True))
+        if actor.category in _GREENERY
+    ]
+    crowns = iter(trees.crowns(*zip(*green, strict=True))) if green else iter(())
     return [
-        _drawn_at(place, actor, index, viewport.pixels_per_meter, least)
-        for index, (place, actor) in enumerate(zip(places, actors, strict=True))
+        _drawn_at(
+            place, actor, next(crowns) if actor.category in _GREENERY else _shape(actor, scale)
+        )
+        for place, actor, scale in zip(places, actors, scales, strict=True)
     ]
 
 
-def _drawn_at(
-    place: Sequence[float], actor: SceneActor, index: int, scale: float, least: float
-) -> str:
-    x, y = place
+def _enlarged(actor: SceneActor, scale: float, least: float) -> float:
     longest = max(actor.length, actor.width, 0.01) * scale
-    enlarged = scale * max(1.0, least / longest)
+    return scale * max(1.0, least / longest)
+
+
+def _drawn_at(place: Sequence[float], actor: SceneActor, shape: str) -> str:
+    x, y = place
     turn = f"translate({x:.2f} {y:.2f}) rotate({-math.degrees(actor.heading):.2f})"
-    shape = _shape(actor, index, enlarged)
-    return element("g", title(_hint(actor)), *shape, transform=turn)
+    return f'<g transform="{turn}">{title(_hint(actor))}{shape}</g>'
 
 
-def _shape(actor: SceneActor, index: int, scale: float) -> Sequence[str]:
+def _shape(actor: SceneActor, scale: float) -> str:
+    return "".join(_parts(actor, scale))
+
+
+def _parts(actor: SceneActor, scale: float) -> Sequence[str]:
     length, width = actor.length * scale, actor.width * scale
     category, color = actor.category, _color(actor)
     if category in _CARS:
@@ -88,8 +103,6 @@ def _shape(actor: SceneActor, index: int, scale: float) -> Sequence[str]:
         return shapes.bicycle(length, width, color)
     if category == "pedestrian":
         return shapes.pedestrian(length, width, color)
-    if category in _GREENERY:
-        return shapes.tree(max(length, width), index)
     if category == "building":
         return shapes.building(length, width)
     return shapes.block(length, width, color)

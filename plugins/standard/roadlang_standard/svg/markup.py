@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
+
+from .hundredths import HIGHEST, LOWEST, joined
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -20,18 +21,14 @@ def number(value: float) -> str:
 
 def element(tag: str, *children: str, **attributes: object) -> str:
     """`stroke_width=2` becomes `stroke-width="2"`; attributes that are None are left out."""
-    shown = "".join(
-        [
-            f'{_prefix(name)}"{number(value)}"'
-            if isinstance(value, float)
-            else _prefix(name) + _quoted(str(value))
-            for name, value in attributes.items()
-            if value is not None
-        ]
-    )
-    if not children:
-        return f"<{tag}{shown}/>"
-    return f"<{tag}{shown}>{''.join(children)}</{tag}>"
+    parts = [f"<{tag}"]
+    for name, value in attributes.items():
+        if isinstance(value, float):
+            parts.append(f'{_prefix(name)}"{number(value)}"')
+        elif value is not None:
+            parts.append(_prefix(name) + _quoted(str(value)))
+    parts += (">", *children, f"</{tag}>") if children else ("/>",)
+    return "".join(parts)
 
 
 @lru_cache(maxsize=1024)
@@ -40,7 +37,16 @@ def _prefix(name: str) -> str:
 
 
 def _quoted(value: str) -> str:
-    return f'"{value}"' if _PLAIN(value) else quoteattr(value)
+    return _word(value) if len(value) < _LONG else _attribute(value)
+
+
+def _attribute(value: str) -> str:
+    return quoteattr(value) if any(map(value.__contains__, _SPECIAL)) else f'"{value}"'
+
+
+_word = lru_cache(maxsize=4096)(_attribute)
+"""Colors and the like, which most elements have."""
+_LONG = 24
 
 
 def group(children: Iterable[str], **attributes: object) -> str:
@@ -61,32 +67,24 @@ def title(content: str) -> str:
 
 def path_data(points: Floats, closed: bool = False) -> str:
     """The `d` of a polyline through (n, 2) points, the numbers as `number` writes them."""
-    return "M" + _joined(points) + ("Z" if closed else "")
+    return "M" + numbers_text(points, " L")[:-1] + ("Z" if closed else "")
 
 
-def _joined(points: Floats) -> str:
+def numbers_text(values: Floats, separators: str) -> str:
+    """(n, m) numbers as `number` writes them, each followed by the separator of its column."""
     import numpy as np
 
-    hundredths = points * 100.0
-    near = np.rint(hundredths)
-    # Halves that are not exact, and numbers without hundredths, are rounded as they are written.
-    unsure = np.abs(np.abs(hundredths - near) - 0.5) < _HALF
-    if not (np.abs(near) < _GREATEST).all() or unsure.any():
-        return "L".join([f"{number(x)} {number(y)}" for x, y in points.tolist()])
-    if len(_texts) > _MOST_TEXTS:
-        _texts.clear()
-    pieces = [" "] * (2 * near.size)
-    pieces[3::4] = ["L"] * len(points)
-    pieces[::2] = map(_texts.__getitem__, near.astype(np.int64).ravel().tolist())
-    return "".join(pieces[:-1])
-
-
-class _Hundredths(dict[int, str]):
-    """The text of so many hundredths, which many points have: written when first looked up."""
-
-    def __missing__(self, hundredths: int) -> str:
-        text = self[hundredths] = number(hundredths / 100.0)
-        return text
+    exact = values * 100.0
+    near = np.rint(exact)
+    if not ((near >= LOWEST) & (near <= HIGHEST)).all():
+        lines = zip(*[map(number, column) for column in values.T.tolist()], strict=True)
+        return "".join(
+            [text + end for line in lines for text, end in zip(line, separators, strict=True)]
+        )
+    # Halves that are not exact are rounded as they are written.
+    for index in np.flatnonzero(np.abs(np.abs(exact - near) - 0.5) < _HALF).tolist():
+        near.flat[index] = round(100.0 * float(number(values.flat[index])))
+    return joined(near.astype(np.int64), separators)
 
 
 def rho(value: float) -> str:
@@ -102,7 +100,5 @@ def _printable(content: str) -> str:
     return "".join(char for char in content if char.isprintable())
 
 
-_PLAIN = re.compile(r"[^&<>\"\n\r\t]*\Z").match
-_texts = _Hundredths()
-_MOST_TEXTS = 100_000
-_HALF, _GREATEST = 1e-6, 1e9
+_SPECIAL = '&<>"\n\r\t'
+_HALF = 1e-6

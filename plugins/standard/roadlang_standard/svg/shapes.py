@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from functools import lru_cache
-
 from . import palette
 from .markup import element
 
@@ -56,43 +53,6 @@ def pedestrian(length: float, width: float, color: str) -> list[str]:
         element("circle", cx=0.04 * size, cy=0.0, r=0.24 * size, fill="#ffe8cc",
                 **_outline(size)),
     ]  # fmt: skip
-
-
-@lru_cache(maxsize=4096)
-def tree(size: float, variant: int) -> tuple[str, ...]:
-    """A crown of scalloped layers, turned by `variant` so that no two look the same."""
-    radius = size / 2
-    layers = zip(reversed(palette.LEAVES), (1.0, 0.7, 0.38), strict=True)
-    crown = []
-    for layer, (color, share) in enumerate(layers):
-        angle = 2.4 * variant + 2.1 * layer
-        depth = 0.12 * radius * layer
-        center = (depth * math.cos(angle), depth * math.sin(angle))
-        outline = {"stroke": palette.TRUNK, "stroke_width": 0.6} if layer == 0 else {}
-        d = _scallops(center, radius * share, 9 - 2 * layer, angle)
-        crown.append(element("path", d=d, fill=color, **outline))
-    return tuple(crown)
-
-
-def _scallops(center: tuple[float, float], radius: float, lobes: int, turn: float) -> str:
-    """A closed line of `lobes` arcs that bulge out of a circle."""
-    x, y = center
-    inner = 0.86 * radius
-    corners = [
-        part
-        for cosine, sine in _directions(lobes, turn)
-        for part in (x + inner * cosine, y + inner * sine)
-    ]
-    bulge = 1.15 * inner * math.sin(math.pi / lobes)
-    arc = f"A{bulge:.2f} {bulge:.2f} 0 0 1 %.2f %.2f"
-    return f"M%.2f %.2f{arc * lobes}Z" % tuple(corners)
-
-
-@lru_cache(maxsize=4096)
-def _directions(lobes: int, turn: float) -> list[tuple[float, float]]:
-    """Cosine and sine of the corners of a figure with so many, the first one twice."""
-    angles = [turn + 2 * math.pi * i / lobes for i in range(lobes + 1)]
-    return [(math.cos(angle), math.sin(angle)) for angle in angles]
 
 
 def building(length: float, width: float) -> list[str]:

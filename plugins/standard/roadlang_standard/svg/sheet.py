@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence, Sized
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -58,7 +59,7 @@ def _notes(scenes: Sequence[Scene], most: int) -> list[list[str]]:
     return [
         [
             *(wrapped(outcome, most) if (outcome := _outcome(scene)[1]) else ()),
-            *wrapped(_draws(scene, names), most)[:_MOST_LINES],
+            *wrapped(_draws(scene, names, (_MOST_LINES + 1) * (most + 1)), most)[:_MOST_LINES],
         ]
         for scene in scenes
     ]
@@ -67,23 +68,29 @@ def _notes(scenes: Sequence[Scene], most: int) -> list[list[str]]:
 def _varying(scenes: Sequence[Scene]) -> dict[str, str]:
     """The draws that differ between scenes, by place, with the shortest name that is unique."""
     places = dict.fromkeys(place for scene in scenes for place in scene.draws)
-    differing = [
-        place for place in places if len({repr(scene.draws.get(place)) for scene in scenes}) > 1
-    ]
+    differing = [place for place in places if _differs(place, scenes)]
     ends = [place.rpartition("/")[2] for place in differing]
+    count = Counter(ends)
     return {
-        place: end if ends.count(end) == 1 else place
-        for place, end in zip(differing, ends, strict=True)
+        place: end if count[end] == 1 else place for place, end in zip(differing, ends, strict=True)
     }
 
 
-def _draws(scene: Scene, names: Mapping[str, str]) -> str:
-    shown = (
-        f"{name}\N{NO-BREAK SPACE}{_value(scene.draws[place], scene.units.get(place, ''))}"
-        for place, name in names.items()
-        if place in scene.draws
-    )
-    return ", ".join(shown)
+def _differs(place: str, scenes: Sequence[Scene]) -> bool:
+    first = repr(scenes[0].draws.get(place))
+    return any(repr(scene.draws.get(place)) != first for scene in scenes)
+
+
+def _draws(scene: Scene, names: Mapping[str, str], most: int) -> str:
+    """The first of them, of `most` letters or a little more."""
+    shown = ""
+    for place, name in names.items():
+        if place in scene.draws:
+            value = _value(scene.draws[place], scene.units.get(place, ""))
+            shown += f"{', ' if shown else ''}{name}\N{NO-BREAK SPACE}{value}"
+        if len(shown) > most:
+            break
+    return shown
 
 
 def _value(value: object, unit: str) -> str:

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from numpy.typing import ArrayLike
 
-    from roadlang.api import Scene
+    from roadlang.api import Scene, SceneActor, SceneRoad
     from roadlang.geometry import Floats
 
 
@@ -100,24 +98,23 @@ def _centered(box: BoundingBox, wide: float, height: float, frame: Viewport) -> 
 
 def bounds(scene: Scene) -> BoundingBox:
     """All of a scene in meters: roads with their width, agents and objects."""
-    boxes = list(_road_boxes(scene)) + list(_actor_boxes(scene))
+    boxes = [*map(_road_box, scene.roads), *map(_actor_box, (*scene.agents, *scene.objects))]
     if not boxes:
         return BoundingBox(-50.0, -50.0, 50.0, 50.0)
-    union = boxes[0]
-    for box in boxes[1:]:
-        union = union.around(box)
-    return union
+    left, bottom, right, top = zip(*boxes, strict=True)
+    return BoundingBox(min(left), min(bottom), max(right), max(top))
 
 
-def _road_boxes(scene: Scene) -> Iterable[BoundingBox]:
-    for road in scene.roads:
-        half = max(road.width) / 2
-        yield BoundingBox(
-            min(road.x) - half, min(road.y) - half, max(road.x) + half, max(road.y) + half
-        )
+Edges = tuple[float, float, float, float]
+"""Left, bottom, right and top."""
 
 
-def _actor_boxes(scene: Scene) -> Iterable[BoundingBox]:
-    for actor in (*scene.agents, *scene.objects):
-        radius = math.hypot(actor.length, actor.width) / 2
-        yield BoundingBox(actor.x - radius, actor.y - radius, actor.x + radius, actor.y + radius)
+def _road_box(road: SceneRoad) -> Edges:
+    half = max(road.width) / 2
+    return min(road.x) - half, min(road.y) - half, max(road.x) + half, max(road.y) + half
+
+
+def _actor_box(actor: SceneActor) -> Edges:
+    radius = math.hypot(actor.length, actor.width) / 2
+    x, y = actor.x, actor.y
+    return x - radius, y - radius, x + radius, y + radius
