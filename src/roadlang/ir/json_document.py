@@ -8,10 +8,11 @@ parts that cannot change are remembered, and bounded because only the last docum
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
-from collections.abc import Callable, Mapping
+import operator
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, lru_cache
-from operator import attrgetter
 from typing import Any
 
 from .number_text import floats_text, is_floats
@@ -23,10 +24,12 @@ _SHARED = frozenset((FrozenDict, SceneRoad, SceneNetwork, Verdict, Call))
 """Unchanging types that several scenes have the same instance of."""
 _FEW = 8
 """Numbers that are written as soon as looked up."""
+_MANY = 8
+"""Records from which on it is quicker to write them member by member."""
 
-Texts = dict[tuple[int, int], tuple[Any, str]]
+Texts = dict[tuple[int, int], tuple[Any, str | None]]
 """By the identity of a part and its depth: the part, so that no other gets its identity, and its
-text."""
+text, once a second document has it."""
 _last: list[Texts] = [{}]
 """Those of the last document."""
 
@@ -85,14 +88,18 @@ class _Writer:
     ) -> str:
         """`certain`: it is known that the value is unchangeable."""
         key = id(value), depth
-        found = self.known.get(key) or self.texts.get(key)
-        if found is None:
-            found = value, write(value, depth)
-            if not certain and not is_unchangeable(value, self.unchangeable):
-                return found[1]
-        self.texts[key] = found
+        found = self.texts.get(key) or self.known.get(key)
+        if found is not None and found[1] is not None:
+            text = found[1]
+        else:
+            text = write(value, depth)
+            # What one document alone has need not be looked through.
+            if not certain and (found is None or not is_unchangeable(value, self.unchangeable)):
+                self.texts[key] = value, None
+                return text
+        self.texts[key] = value, text
         self.unchangeable.add(key[0])
-        return found[1]
+        return text
 
     def _record(self, value: Any, depth: int) -> str:
         kind: Any = type(value)
@@ -102,9 +109,11 @@ class _Writer:
     def _mapping(self, value: Mapping[Any, Any], depth: int) -> str:
         if not value:
             return "{}"
-        names = sorted(value)
-        prefixes = tuple([_prefix(name, depth) for name in names])
-        return self._members(prefixes, [value[name] for name in names], depth)
+        names, prefixes = _sorted(tuple(value), depth)
+        values = [value[name] for name in names]
+        if len(names) < _MANY or not _LEAVES.keys() >= set(map(type, values)):
+            return self._members(prefixes, values, depth)
+        return _object(map(operator.add, prefixes, _leaves(values)), depth)
 
     def _members(self, prefixes: tuple[str, ...], values: Any, depth: int) -> str:
         leaves, written = _LEAVES, self.written
@@ -113,8 +122,7 @@ class _Writer:
             + (leaf(value) if (leaf := leaves.get(type(value))) else written(value, depth + 1))
             for prefix, value in zip(prefixes, values, strict=True)
         ]
-        inside = ",\n".join(lines)
-        return f"{{\n{inside}\n{'  ' * depth}}}"
+        return _object(lines, depth)
 
     def _sequence(self, value: Any, depth: int) -> str:
         if not value:
@@ -145,10 +153,40 @@ class _Writer:
         return self._known(value, 0, _floats, certain=True)
 
     def _lines(self, values: Any, depth: int) -> str:
+        kind = type(values[0])
+        if (
+            len(values) >= _MANY
+            and kind not in _SHARED
+            and dataclasses.is_dataclass(kind)
+            and set(map(type, values)) == {kind}
+        ):
+            items: Iterable[str] = self._records(values, depth + 1)
+        else:
+            items = [self.written(item, depth + 1) for item in values]
         inner = "  " * (depth + 1)
-        lines = [inner + self.written(item, depth + 1) for item in values]
-        inside = ",\n".join(lines)
-        return f"[\n{inside}\n{'  ' * depth}]"
+        inside = f",\n{inner}".join(items)
+        return f"[\n{inner}{inside}\n{'  ' * depth}]"
+
+    def _records(self, values: Any, depth: int) -> Iterable[str]:
+        """Many of one type: a member of all of them at a time."""
+        _, prefixes, members = _form(type(values[0]), depth)
+        lines, columns = [], []
+        for prefix, column in zip(prefixes, zip(*map(members, values), strict=True), strict=True):
+            if all(map(operator.is_, column, itertools.repeat(column[0]))):
+                lines.append((prefix + self.written(column[0], depth + 1)).replace("%", "%%"))
+            else:
+                lines.append(prefix.replace("%", "%%") + "%s")
+                columns.append(self._column(column, depth + 1))
+        record = _object(lines, depth)
+        rows = zip(*columns, strict=True) if columns else itertools.repeat((), len(values))
+        return map(record.__mod__, rows)
+
+    def _column(self, values: Sequence[Any], depth: int) -> Iterable[str]:
+        if _LEAVES.keys() >= set(map(type, values)):
+            return _leaves(values)
+        distinct = {id(value): value for value in values}
+        texts = {key: self.written(value, depth) for key, value in distinct.items()}
+        return [texts[id(value)] for value in values]
 
 
 def plain(value: Any) -> Any:
@@ -171,13 +209,20 @@ def _form(
 ) -> tuple[tuple[str, ...], tuple[str, ...], Callable[[Any], tuple[Any, ...]]]:
     """The names of the members of a dataclass, as they begin a line, and what reads them."""
     names = tuple(field.name for field in dataclasses.fields(kind))
-    read = attrgetter(*names)
+    read = operator.attrgetter(*names)
     one = len(names) == 1
     return (
         names,
         tuple(_prefix(name, depth) for name in names),
         ((lambda value: (read(value),)) if one else read),
     )
+
+
+@lru_cache(maxsize=64)
+def _sorted(names: tuple[Any, ...], depth: int) -> tuple[list[Any], tuple[str, ...]]:
+    """The names of a map in order, and as they begin a line."""
+    ordered = sorted(names)
+    return ordered, tuple([_prefix(name, depth) for name in ordered])
 
 
 @lru_cache(maxsize=8192)
@@ -191,11 +236,29 @@ def _is_spread(kind: Any) -> bool:
     return issubclass(kind, dict | list) or dataclasses.is_dataclass(kind)
 
 
+def _object(lines: Iterable[str], depth: int) -> str:
+    inside = ",\n".join(lines)
+    return f"{{\n{inside}\n{'  ' * depth}}}"
+
+
+def _leaves(values: Sequence[Any]) -> Iterable[str]:
+    numbers = [value for value in values if type(value) is float]
+    texts = iter(_finite(floats_text(numbers)).split(", "))
+    if len(numbers) == len(values):
+        return texts
+    return [
+        next(texts) if type(value) is float else _LEAVES[type(value)](value) for value in values
+    ]
+
+
 def _floats(values: Any, depth: int) -> str:
-    text = floats_text(values)
+    return f"[{_finite(floats_text(values))}]"
+
+
+def _finite(text: str) -> str:
     if "n" in text:  # null
         raise ValueError("a number is not finite")
-    return f"[{text}]"
+    return text
 
 
 def _number(value: float) -> str:
