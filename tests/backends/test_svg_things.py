@@ -18,7 +18,7 @@ from roadlang.ir.scene_junctions import (
     SignalPhase,
 )
 from roadlang.scenes.turn_arrows import arrow
-from roadlang_standard.svg import actors, palette, shapes
+from roadlang_standard.svg import actors, palette, shapes, trees
 from roadlang_standard.svg.junctions import curbs, heads, paint
 from tests.backends.handmade_scenes import actor, bend
 from tests.backends.svg_shapes import PAGE, Shape, ends, numbers, of, points, straight, written
@@ -145,7 +145,8 @@ def test_a_pedestrian_is_wider_than_deep() -> None:
 
 
 def test_the_layers_of_a_crown_are_smaller_one_by_one() -> None:
-    crowns = of(shapes.tree(50.0, 0), "path")
+    first, other = trees.crowns([50.0, 50.0], [0, 1])
+    crowns = of(first, "path")
     assert [crown.get("fill") for crown in crowns] == list(reversed(palette.LEAVES))
     assert [(crown.get("d") or "").count("A") for crown in crowns] == [9, 7, 5]
     # The first corner lies at 0.86 of the radius of 25, 17.5 and 9.5 px around centers that
@@ -155,7 +156,15 @@ def test_the_layers_of_a_crown_are_smaller_one_by_one() -> None:
         assert math.hypot(float(start[0]), float(start[1])) == pytest.approx(
             0.86 * radius + 3.0 * layer, abs=0.02
         )
-    assert shapes.tree(50.0, 0) != shapes.tree(50.0, 1)
+    assert first != other
+
+
+def test_trees_too_small_for_lobes_are_discs_of_their_size() -> None:
+    large, small = trees.crowns([6.0, 5.0], [0, 1])
+    assert len(of(large, "path")) == 3
+    outer, inner = of(small, "circle")
+    assert (outer.get("r"), inner.get("r")) == ("2.5", "0.95")
+    assert [outer.get("fill"), inner.get("fill")] == [palette.LEAVES[2], palette.LEAVES[0]]
 
 
 def test_a_roof_has_its_ridge_along_the_longer_side() -> None:

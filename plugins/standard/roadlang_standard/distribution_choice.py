@@ -54,6 +54,11 @@ class Choice(Distribution):
         if all(isinstance(item, bool | int | float | np.ndarray) for item in items):
             columns = [np.broadcast_to(np.asarray(item), uniform.shape) for item in items]
             return np.choose(index, columns) if len(columns) < 32 else _pick(columns, index)
+        if not any(isinstance(item, np.ndarray) for item in items):
+            table = np.empty(len(items), dtype=object)
+            for number, item in enumerate(items):
+                table[number] = item
+            return table[index]
         chosen = np.empty(uniform.shape, dtype=object)
         for place, number in np.ndenumerate(index):
             item = items[number]

@@ -61,6 +61,7 @@ class Floats(tuple[float, ...]):
 _LEAVES = frozenset((float, int, str, bool, type(None)))
 _FIXED = _LEAVES | {Floats}
 _READ_ONLY = _FIXED | {FrozenDict, FrozenList}
+_NOTHING: tuple[Any, ...] = ()
 
 
 _FROZEN_RECORDS: set[type] = set()
@@ -159,7 +160,7 @@ class Frozen:
         kind: Any = type(self)
         for name in _changeable(kind):
             value = getattr(self, name)
-            if type(value) not in _READ_ONLY:
+            if type(value) not in _READ_ONLY and value is not _NOTHING:
                 unchangeable = frozen(value)
                 if unchangeable is not value:
                     object.__setattr__(self, name, unchangeable)

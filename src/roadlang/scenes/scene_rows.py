@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
@@ -58,7 +58,7 @@ class SceneRows:
             return self.same(_plain(value, self.candidates))
         if isinstance(value, np.ndarray) and value.size in (1, self.count):
             items = value.reshape(-1).tolist()
-            if not (value.dtype.kind in "iub" or _is_finite(value)):
+            if not _are_plain(items):
                 items = [frozen(_plain(item, self.candidates)) for item in items]
             return items if len(items) == self.count else items * self.count
         if self.count == 1:
@@ -79,8 +79,13 @@ class SceneRows:
         self.record.add_alone(alone, self.count)
 
 
-def _is_finite(values: Any) -> bool:
-    return values.dtype.kind == "f" and bool(np.isfinite(values).all())
+def _are_plain(items: Sequence[Any]) -> bool:
+    """Whether they are words, or numbers that are finite."""
+    kinds = set(map(type, items))
+    return kinds <= _PLAIN or (kinds == {float} and all(map(math.isfinite, items)))
+
+
+_PLAIN = frozenset((str, int, bool))
 
 
 def _plain(value: Any, candidates: CandidateBatch) -> Any:

@@ -11,6 +11,7 @@ from typing import Any, Generic, TypeVar
 from ..diagnostics import DiagnosticError
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
+from ..ir.paused_collector import collector_paused
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted, Concretize, Sample, SearchedBlock, candidates_of
 from .attempts import accepted_attempts
@@ -74,7 +75,8 @@ class SceneSearch(Generic[T]):
 
     def _made(self, accepted: Sequence[Accepted]) -> list[Sample[T]]:
         candidates = candidates_of(accepted, self.acceptance.scenario, self.seed)
-        results = self.concretize(candidates, [each.index for each in accepted])
+        with collector_paused():
+            results = self.concretize(candidates, [each.index for each in accepted])
         assert candidates.record is not None
         drawn = candidates.record.coordinates_of_rows(candidates.count)
         return [Sample(*pair) for pair in zip(results, drawn, strict=True)]

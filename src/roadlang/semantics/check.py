@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from ..diagnostics import Code, Diagnostic, Source
 from ..diagnostics.render import in_order
+from ..ir.paused_collector import collector_paused
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry
 from .checker import Checker
@@ -38,21 +37,8 @@ def check_text(
     `overrides` are values of params by name, as written after `--set name=`. `outputs` (`json`,
     `svg { size: 800px }`) come in the place of the file's `emit`s.
     """
-    with _collector_paused():
+    with collector_paused():
         return _check(load(path, text, overrides), registry, outputs)
-
-
-@contextmanager
-def _collector_paused() -> Iterator[None]:
-    """Trees of a file live until it is checked: to look for garbage among them, again and again as
-    they grow, takes 40 % of the time of a large file and finds nothing."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
 
 
 def _check(

@@ -80,12 +80,17 @@ class CopyKinds:
     @cached_property
     def lengths(self) -> Floats:
         """(R,) meters along the heading."""
-        return np.array([_size(found.kind, "length") for found in self.instances])
+        return self._sizes("length")
 
     @cached_property
     def widths(self) -> Floats:
         """(R,) meters across the heading."""
-        return np.array([_size(found.kind, "width") for found in self.instances])
+        return self._sizes("width")
+
+    def _sizes(self, name: str) -> Floats:
+        distinct = {id(found): found for found in self.instances}
+        sizes = {key: _size(found.kind, name) for key, found in distinct.items()}
+        return np.array([sizes[key] for key in map(id, self.instances)])
 
 
 def kinds_of_copies(actor: ScenarioActor, copies: CopyBatch) -> CopyKinds:

@@ -103,7 +103,7 @@ def word_option(actor: ScenarioActor, name: str, copies: CopyBatch) -> NDArray[n
     """(R,) a word, "" where none is written."""
     value = option_value(actor, name, copies)
     if isinstance(value, np.ndarray):
-        words = np.array([str(item) for item in value.reshape(-1)])
+        words = np.array([*map(str, value.reshape(-1).tolist())])
         return np.broadcast_to(words, (copies.count,))
     return np.full(copies.count, "" if value is None else str(scalar(value)))
 
