@@ -50,21 +50,26 @@ class Sheet:
 def sheet_of(image: Image) -> Sheet | None:
     """The ink of a picture (h, w, 3), freed from how it is lit; None if it shows no light sheet."""
     light = _light(image)
-    if _is_flat(image):
+    if not _has_one_light_color(light) or _is_flat(image):
         return None
-    color = np.median(light.reshape(-1, 3), axis=0)
-    if color.mean() < _DARKEST or np.ptp(color) > _COLORED * color.max():
-        return None
-    tint = light / np.maximum(light.mean(axis=2, keepdims=True), 1)
-    if (np.abs(tint - color / color.mean()).max(axis=2) < _TINT).mean() < _ONE:
-        return None
-    taken = 1 - image.astype(np.float32) / np.maximum(light, 1)
-    ink = cv2.GaussianBlur(taken.max(axis=2), (0, 0), 0.7)
+    light = cv2.resize(light, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
+    blue, green, red = cv2.split(image.astype(np.float32) / np.maximum(light, 1))
+    ink = cv2.GaussianBlur(1 - cv2.min(cv2.min(blue, green), red), (0, 0), 0.7)
     middle = float(np.median(ink))
     noise = 1.4826 * float(np.median(np.abs(ink - middle)))
     if (np.abs(ink - middle) < _PLAIN).mean() < _EVEN:
         return None
     return Sheet(np.clip(ink - middle, 0, 1), noise)
+
+
+def _has_one_light_color(light: Layer) -> bool:
+    """Whether the light (h, w, 3) of a picture is that of a sheet."""
+    colors = light.reshape(-1, 3)
+    color = np.median(colors, axis=0)
+    if color.mean() < _DARKEST or np.ptp(color) > _COLORED * color.max():
+        return False
+    tint = colors / np.maximum(colors.mean(axis=1, keepdims=True), 1)
+    return bool((np.abs(tint - color / color.mean()) < _TINT).all(axis=1).mean() >= _ONE)
 
 
 def _is_flat(image: Image) -> bool:
@@ -96,15 +101,15 @@ def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | N
 
 
 def _light(image: Image) -> Layer:
-    """How bright the sheet is at each pixel (h, w, 3): the picture without its thin dark parts."""
+    """How bright the sheet is in a small copy (h, w, 3): the picture without its thin dark
+    parts."""
     scale = min(1.0, _SMALL / max(image.shape[:2]))
     size = (max(1, round(image.shape[1] * scale)), max(1, round(image.shape[0] * scale)))
     small = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
     side = 2 * (min(size) // (2 * _BROADEST)) + 1
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
     closed = cv2.morphologyEx(small, cv2.MORPH_CLOSE, kernel)
-    smooth = cv2.GaussianBlur(closed.astype(np.float32), (0, 0), side / 4)
-    return np.asarray(cv2.resize(smooth, image.shape[1::-1], interpolation=cv2.INTER_LINEAR))
+    return np.asarray(cv2.GaussianBlur(closed.astype(np.float32), (0, 0), side / 4))
 
 
 def _strokes(sheet: Sheet) -> Booleans:

@@ -44,9 +44,11 @@ class PictureKind:
 def picture_kind(image: Image) -> PictureKind:
     """Photos have texture nearly everywhere, drawings nearly nowhere."""
     flat = flatness(image)
+    if flat < _FLAT:
+        return PictureKind(PHOTO, flat)
     plan = tones(image, most=12)
     few = float(np.sort(plan.shares)[::-1][:6].sum())
-    if flat < _FLAT or few < 0.85 or _is_shaded(image) or _photo_with_margins(image):
+    if few < 0.85 or _is_shaded(image) or _photo_with_margins(image):
         return PictureKind(PHOTO, flat)
     paper = plan.colors[plan.paper]
     away = away_from(image, paper)
