@@ -56,8 +56,8 @@ class Choice(Distribution):
             return np.choose(index, columns) if len(columns) < 32 else _pick(columns, index)
         if not any(isinstance(item, np.ndarray) for item in items):
             table = np.empty(len(items), dtype=object)
-            for number, item in enumerate(items):
-                table[number] = item
+            for each, item in enumerate(items):
+                table[each] = item
             return table[index]
         chosen = np.empty(uniform.shape, dtype=object)
         for place, number in np.ndenumerate(index):
