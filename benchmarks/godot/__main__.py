@@ -15,6 +15,7 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.godot.drags import drags
+from benchmarks.godot.lockstep import lockstep
 from benchmarks.godot.window_drags import window_drags
 from roadlang.api import Scene
 from roadlang_godot import driving, engine
@@ -157,7 +158,7 @@ def _build(session: Session, made: Scene) -> None:
 
 BARS: dict[str, Callable[[], None]] = {
     one.__name__: one
-    for one in (long_road, storms, live_edits, drags, window_drags, speed, repeats, grip)
+    for one in (long_road, storms, live_edits, drags, window_drags, speed, lockstep, repeats, grip)
 }
 
 if __name__ == "__main__":

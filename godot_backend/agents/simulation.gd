@@ -51,6 +51,8 @@ var _hold_until := 0
 var _trace := PackedByteArray()
 var _flushed := 0
 var _recorded := 0
+## Nothing is drawn while a step is waited for.
+var _is_unseen := DisplayServer.get_name() == "headless"
 
 
 func _init(server: Server, stages: Dictionary) -> void:
@@ -268,7 +270,7 @@ func _await_step() -> void:
 		if now - sent > STATE_EVERY_USEC:
 			_server.send_once(Protocol.STATE, Telemetry.state(_members, tick, _contacts.untold()))
 			sent = now
-		if not _server.poll(false):
+		if not _server.poll(false) and not (_is_unseen and _server.wait()):
 			OS.delay_usec(pause)
 			pause = mini(pause + POLL_USEC, LONGEST_POLL_USEC)
 		while_waiting.call()

@@ -11,6 +11,13 @@ static func brush(slip: float) -> float:
 	return part * (3.0 - 3.0 * absf(part) + part * part)
 
 
+## The tangent of the angle of steered wheels after a tick: they follow what is wanted with a `lag`
+## in seconds, and turn by at most `rate` in rad/s.
+static func turned(tangent: float, wanted: float, rate: float, lag: float, dt: float) -> float:
+	var most := rate * dt * (1.0 + tangent * tangent)
+	return tangent + clampf((wanted - tangent) * dt / (lag + dt), -most, most)
+
+
 ## Share of the grip that drive or brakes use, -1 to 1. `power` is in W/kg, `grip` is friction times
 ## gravity, `rolling` slows down as well. Brakes hold what stands, and do not push it back.
 static func demand(

@@ -47,6 +47,13 @@ var _wheels_down := 0
 var _touched: Array[Array] = []
 var _mounts := PackedVector3Array()
 var _ray := PhysicsRayQueryParameters3D.new()
+## `mass`, and where it is and how it moves at the beginning of a tick: read from the engine once.
+var _weighs := 1500.0
+var _pose := Transform3D()
+var _velocity := Vector3.ZERO
+var _spin := Vector3.ZERO
+var _center := Vector3.ZERO
+var _space: PhysicsDirectSpaceState3D
 var _force := Vector3.ZERO
 var _torque := Vector3.ZERO
 ## How far above the ground forces across the body act.
@@ -58,7 +65,8 @@ var _headless := DisplayServer.get_name() == "headless"
 ## Length, height and width in meters; `numbers`: SI units, by the names of the client.
 func assemble(dimensions: Vector3, numbers: Callable) -> void:
 	size = dimensions
-	mass = clampf(numbers.call("mass", 1500.0), 20.0, 60000.0)
+	_weighs = clampf(numbers.call("mass", 1500.0), 20.0, 60000.0)
+	mass = _weighs
 	wheelbase = clampf(numbers.call("wheelbase", 0.6 * size.x), 0.3, size.x)
 	max_steering = clampf(numbers.call("max_steering", 0.61), 0.05, 1.5)
 	_mass_height = clampf(numbers.call("mass_height", 0.28 * size.y), 0.05, size.y)
@@ -82,6 +90,8 @@ func assemble(dimensions: Vector3, numbers: Callable) -> void:
 ## What it looks like; `is_marked`: told apart from all others by an arrow on the roof.
 func dress(category: String, paint: Color, is_marked: bool) -> void:
 	_looks = VehicleLook.new()
+	# What nobody sees need not follow the body; exported files get it at its place in the body.
+	_looks.top_level = _headless
 	add_child(_looks)
 	_looks.assemble(category, size, _mounts, paint, is_marked)
 
@@ -95,21 +105,27 @@ func set_surfaces(table: PackedVector2Array) -> void:
 func command(steer: float, acceleration: float, dt: float) -> void:
 	if freeze:
 		return
-	_turn_wheels(tan(clampf(steer, -max_steering, max_steering)), dt)
-	var pose := global_transform
-	var forward := pose.basis.z
-	var pace := linear_velocity.dot(forward)
+	var wanted := tan(clampf(steer, -max_steering, max_steering))
+	_tangent = Tires.turned(_tangent, wanted, _rate, _lag, dt)
+	_pose = global_transform
+	_velocity = linear_velocity
+	_spin = angular_velocity
+	_center = _pose * center_of_mass
+	_space = get_world_3d().direct_space_state
+	var forward := _pose.basis.z
+	var pace := _velocity.dot(forward)
 	_wheels_down = 0
 	_soft = 0.0
-	_force = -forward * mass * _drag * pace * absf(pace)
+	_force = -forward * _weighs * _drag * pace * absf(pace)
 	_torque = Vector3.ZERO
 	for i in 4:
-		_add_wheel_forces(i, pose, Vector2(acceleration, pace), dt)
+		_add_wheel_forces(i, acceleration, pace, dt)
 	if _wheels_down > 0:
 		var slowing := _rolling + _soft
-		_force -= forward * mass * signf(pace) * minf(slowing, absf(pace) / dt)
+		_force -= forward * _weighs * signf(pace) * minf(slowing, absf(pace) / dt)
 	if size.z <= NARROW:
-		_hold_upright(forward)
+		var pull := 4.0 * GRAVITY * _mass_height * _weighs
+		_torque -= forward * pull * (_pose.basis.x.y + 0.5 * _spin.dot(forward))
 	apply_central_force(_force)
 	apply_torque(_torque)
 	if not _headless:
@@ -229,53 +245,44 @@ func _add_shape() -> void:
 	add_child(collision)
 
 
-func _turn_wheels(wanted: float, dt: float) -> void:
-	var most := _rate * dt * (1.0 + _tangent * _tangent)
-	_tangent += clampf((wanted - _tangent) * dt / (_lag + dt), -most, most)
-
-
-func _hold_upright(forward: Vector3) -> void:
-	var lean := global_basis.x.y
-	var pull := 4.0 * GRAVITY * _mass_height * mass
-	_torque -= forward * (pull * lean + 0.5 * pull * angular_velocity.dot(forward))
-
-
-## Adds what the ground does to a wheel: it carries, drives, brakes and steers. `drive`: the
-## acceleration that is wanted, and speed, both along the car.
-func _add_wheel_forces(wheel: int, pose: Transform3D, drive: Vector2, dt: float) -> void:
-	var place := pose * _mounts[wheel]
+## Adds what the ground does to a wheel: it carries, drives, brakes and steers. `wanted`: the
+## acceleration along the car; `pace`: its speed.
+func _add_wheel_forces(wheel: int, wanted: float, pace: float, dt: float) -> void:
+	var up := _pose.basis.y
+	var place := _pose * _mounts[wheel]
 	_ray.from = place
-	_ray.to = place - pose.basis.y * (RAY_TOP + SAG)
-	var hit := get_world_3d().direct_space_state.intersect_ray(_ray)
+	_ray.to = place - up * (RAY_TOP + SAG)
+	var hit := _space.intersect_ray(_ray)
 	if hit.is_empty():
 		return
-	var point: Vector3 = hit["position"]
-	var normal: Vector3 = hit["normal"]
+	var point: Vector3 = hit.position
+	var normal: Vector3 = hit.normal
 	var height := place.distance_to(point) - RAY_TOP
 	if not _headless:
 		_looks.drop(wheel, height)
-	var arm := point - pose * center_of_mass
-	var velocity := linear_velocity + angular_velocity.cross(arm)
+	var arm := point - _center
+	var velocity := _velocity + _spin.cross(arm)
 	var spring := STIFFNESS * (SAG - height) - DAMPING * velocity.dot(normal)
 	if spring <= 0.0:
 		return
 	_wheels_down |= 1 << wheel
-	var load := 0.25 * mass * spring
+	var load := 0.25 * _weighs * spring
 	# Forces lie in the ground, however the body leans.
-	var along := (pose.basis.z - normal * pose.basis.z.dot(normal)).normalized()
-	var aside := normal.cross(along)
-	var across := aside
+	var along := _pose.basis.z.slide(normal).normalized()
+	var across := normal.cross(along)
+	var aside := across
 	var stiffness := _stiffness.y
 	if wheel < 2:
 		stiffness = _stiffness.x
 		along = (along + aside * _tangent).normalized()
 		aside = normal.cross(along)
-	var number: int = (hit["collider"] as Object).get_meta(&"surface", 0)
+	var collider: Object = hit.collider
+	var number: int = collider.get_meta(&"surface", 0)
 	var surface := surfaces[number if number < surfaces.size() else 0]
 	var friction := surface.x
-	var rolling := _rolling + surface.y * GRAVITY
-	_soft += 0.25 * surface.y * GRAVITY
-	var used := Tires.demand(drive.x, drive.y, _power, friction * GRAVITY, rolling, dt)
+	var soft := surface.y * GRAVITY
+	_soft += 0.25 * soft
+	var used := Tires.demand(wanted, pace, _power, friction * GRAVITY, _rolling + soft, dt)
 	var push := Tires.force(
 		velocity.dot(along),
 		velocity.dot(aside),

@@ -51,6 +51,8 @@ func assemble(dimensions: Vector3) -> void:
 ## What it looks like.
 func dress(category: String, dimensions: Vector3, paint: Color) -> void:
 	_looks = WalkerLook.new()
+	# As of vehicles: what nobody sees need not follow the body.
+	_looks.top_level = DisplayServer.get_name() == "headless"
 	add_child(_looks)
 	_looks.assemble(category, dimensions, paint)
 

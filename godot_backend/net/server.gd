@@ -5,6 +5,7 @@ const Protocol := preload("protocol.gd")
 const Frame := preload("frame.gd")
 const Channel := preload("channel.gd")
 const Reader := preload("reader.gd")
+const UdpLink := preload("udp_link.gd")
 
 ## A pass over the socket takes at most this long, so that the simulation goes on under any load.
 const BUDGET_USEC := 8000
@@ -112,6 +113,15 @@ func poll(linger: bool) -> bool:
 	if _session != 0 and is_forgotten:
 		end_session()
 	return taken > 0
+
+
+## Whether a pause until the next datagram is safe, and taken. A client that waits says its step
+## again and again, so that a state that was lost is sent again; one that is gone ends this program.
+func wait() -> bool:
+	var is_safe := session_timeout_usec == 0 and _link is UdpLink and _channel.backlog() == 0
+	if is_safe:
+		(_link as UdpLink).wait()
+	return is_safe
 
 
 func end_session() -> void:

@@ -26,6 +26,11 @@ func available() -> bool:
 	return _peer.get_available_packet_count() > 0
 
 
+## Waits for a datagram, for as long as it takes.
+func wait() -> void:
+	_peer.wait()
+
+
 func take() -> PackedByteArray:
 	return _peer.get_packet()
 

@@ -169,7 +169,8 @@ class _Writer:
 
     def _records(self, values: Any, depth: int) -> Iterable[str]:
         """Many of one type: a member of all of them at a time."""
-        _, prefixes, members = _form(type(values[0]), depth)
+        kind: Any = type(values[0])
+        _, prefixes, members = _form(kind, depth)
         lines, columns = [], []
         for prefix, column in zip(prefixes, zip(*map(members, values), strict=True), strict=True):
             if all(map(operator.is_, column, itertools.repeat(column[0]))):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Container, Iterable, Mapping
 from functools import cache
+from types import FunctionType, MethodType
 from typing import Any, NoReturn, TypeVar
 
 K = TypeVar("K")
@@ -60,12 +61,12 @@ class Floats(tuple[float, ...]):
 
 _LEAVES = frozenset((float, int, str, bool, type(None)))
 _FIXED = _LEAVES | {Floats}
-_READ_ONLY = _FIXED | {FrozenDict, FrozenList}
+_READ_ONLY = _FIXED | {FrozenDict, FrozenList, FunctionType, MethodType}
 _NOTHING: tuple[Any, ...] = ()
 
 
 _FROZEN_RECORDS: set[type] = set()
-"""Frozen dataclasses that were met, which `frozen` returns as they are."""
+"""Frozen dataclasses and read-only mappings that were met, which `frozen` returns as they are."""
 
 
 def frozen(value: Any) -> Any:
@@ -83,6 +84,7 @@ def frozen(value: Any) -> Any:
     if flags is not None:
         return _read_only()(value) if flags.writeable else value
     if isinstance(value, ReadOnlyMapping):
+        _FROZEN_RECORDS.add(type(value))
         return value
     if isinstance(value, Mapping):
         if _READ_ONLY.issuperset(map(type, value.values())):

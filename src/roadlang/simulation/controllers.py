@@ -23,6 +23,10 @@ UNDRIVEN_BRAKING = 4.0
 """m/s^2: what nobody drives brakes."""
 
 
+_NUMBERS = ("steering", "acceleration", "heading", "line_offset", "line_time")
+_PLAIN = frozenset((float,))
+
+
 class GuardedController(Controller):
     """A controller with its options. It keeps its state from one `control` to the next."""
 
@@ -139,16 +143,12 @@ class GuardedController(Controller):
         if not isinstance(decision, Control):
             fault = f"gave a {type(decision).__name__}, not a Control"
             raise wrong_result(self.entry, None, fault)
-        with plugin_guard(self.entry, None):
-            steering, acceleration = float(decision.steering), float(decision.acceleration)
-            control = replace(
-                decision,
-                steering=steering,
-                acceleration=acceleration,
-                heading=float(decision.heading),
-                line_offset=float(decision.line_offset),
-                line_time=float(decision.line_time),
-            )
+        numbers = [getattr(decision, name) for name in _NUMBERS]
+        control = decision
+        if not _PLAIN.issuperset(map(type, numbers)):
+            with plugin_guard(self.entry, None):
+                plain: dict[str, Any] = dict(zip(_NUMBERS, map(float, numbers), strict=True))
+                control = replace(decision, **plain)
         if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
             raise wrong_result(self.entry, None, f"gave {decision}, which is not finite")
         return control

@@ -19,6 +19,7 @@ from .contacts import Contact
 from .controllers import Driver
 from .decision import Decision
 from .driving import DriverGroup
+from .poses import Poses
 from .recording import Recorder
 from .sensing import DueReading
 from .single_agents import OthersSeen, observations
@@ -61,6 +62,14 @@ class Mirror:
         self._world = world_of([replace(scene, agents=agents)], bodies or {}, step, step)
         self._drivers = DriverGroup(self._world, [drivers], step)
         self._recorder = Recorder(self._world)
+        self._known: Poses | None = None
+
+    @property
+    def _poses(self) -> Poses:
+        """Of all agents, looked up once between two calls of `follow`."""
+        if self._known is None:
+            self._known = self._world.poses
+        return self._known
 
     @property
     def time(self) -> float:
@@ -80,7 +89,8 @@ class Mirror:
     def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
         """Where all agents are: `pose` (N, 4) x, y, heading, speed; `steering` (N,). `passed`:
         whether a step has passed since the last call."""
-        self._world.follow(pose, steering, passed=passed)
+        self._world.follow(pose, steering, self._poses, passed=passed)
+        self._known = None
 
     def carry_on(self, before: Mirror, restarted: frozenset[str] = frozenset()) -> None:
         """Go on with a drive that another mirror has followed, of the scene before an edit.
@@ -90,6 +100,7 @@ class Mirror:
         """
         rows = Continued.of(before._world, self._world, restarted)
         carry_world(before._world, self._world, rows)
+        self._known = None
         self._drivers.carry_on(before._drivers, rows, same_network(before._world, self._world))
         self.forget()
 
@@ -106,7 +117,7 @@ class Mirror:
 
     def record(self) -> None:
         """One sample of the trace: all agents as they are now."""
-        self._recorder.record(self._world, self._world.poses)
+        self._recorder.record(self._world, self._poses)
 
     def trace(self, engine: str) -> Trace:
         """What was recorded, driven by an engine of this name."""
@@ -117,7 +128,7 @@ class Mirror:
         of sensors whose kinds do not compute them."""
         if self._drivers.sensing is None:
             return []
-        return self._drivers.sensing.due(self._drivers.truth(self._world, self._world.poses))
+        return self._drivers.sensing.due(self._drivers.truth(self._world, self._poses))
 
     def deliver(self, agent: str, sensor: str, arrays: Mapping[str, ArrayLike]) -> None:
         """What the engine has measured now. Raises RL474 for arrays of another shape."""
@@ -131,7 +142,7 @@ class Mirror:
         Raises RL470, RL474 of controllers, RL513 of conditions.
         """
         world = self._world
-        decision = self._drivers.decide(world, world.poses)
+        decision = self._drivers.decide(world, self._poses)
         if self._alone:
             rows, found = self._decided_alone()
             decision.put(rows, found)
@@ -143,11 +154,11 @@ class Mirror:
 
     def seen(self, name: str) -> Observation:
         """What an agent sees now."""
-        view = self._drivers.view(self._world, self._world.poses)
+        view = self._drivers.view(self._world, self._poses)
         return observations(view, np.array([self._names.index(name)]))[0]
 
     def _decided_alone(self) -> tuple[Integers, ControlBatch]:
-        view = self._drivers.view(self._world, self._world.poses)
+        view = self._drivers.view(self._world, self._poses)
         rows = np.array(list(self._alone), dtype=np.int64)
         others = OthersSeen(view, {name: row for row, name in enumerate(self._names)})
         found: Sequence[Control] = [

@@ -41,12 +41,34 @@ class OthersSeen(ReadOnlyMapping[str, Observation]):
         return len(self._rows)
 
 
+class _LinesAhead:
+    """Of the lines of some agents, for as long as nobody moves. Who asks how a line goes on is
+    often followed by others that ask for the same distance: it is looked up for all at once."""
+
+    def __init__(self, view: View, rows: Integers) -> None:
+        self._view = view
+        self._rows = rows
+        self._known: dict[float, list[list[float]]] = {}
+
+    def at(self, place: int, distance: float) -> tuple[float, float, float, float]:
+        """Of the agent at a place among those: x, y, heading and curvature."""
+        distance = float(distance)
+        known = self._known.get(distance)
+        if known is None:
+            found = self._view.line_ahead(self._rows, distance)
+            known = self._known[distance] = [column.tolist() for column in found]
+        x, y, heading, curvature = known
+        return x[place], y[place], heading[place], curvature[place]
+
+
 class _SingleAgent:
     """What is looked up for one agent when its controller asks for it."""
 
-    def __init__(self, view: View, row: int) -> None:
+    def __init__(self, view: View, row: int, lines: _LinesAhead, place: int) -> None:
         self._view = view
         self._rows = np.array([row])
+        self._lines = lines
+        self._place = place
 
     @cached_property
     def _seen(self) -> ObservationBatch:
@@ -60,8 +82,7 @@ class _SingleAgent:
         return Readings({name: reading.single(0) for name, reading in found.items()})
 
     def line_ahead(self, distance: float) -> tuple[float, float, float, float]:
-        x, y, heading, curvature = self._view.line_ahead(self._rows, distance)
-        return float(x[0]), float(y[0]), float(heading[0]), float(curvature[0])
+        return self._lines.at(self._place, distance)
 
     def vehicle_ahead(self) -> tuple[float, float]:
         gap, speed = self._view.vehicle_ahead(self._rows)
@@ -113,9 +134,10 @@ def observations(
         (wrapped(seen.heading_error) if name == "heading_error" else getattr(seen, name)).tolist()
         for name in names
     ]
-    out = []
+    out: list[Observation] = []
+    lines = _LinesAhead(view, rows)
     for row, agent, *numbers in zip(rows.tolist(), seen.agent, *columns, strict=True):
-        single = _SingleAgent(view, row)
+        single = _SingleAgent(view, row, lines, len(out))
         out.append(
             Observation(
                 **dict(zip(names, numbers, strict=True)),

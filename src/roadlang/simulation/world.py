@@ -162,11 +162,11 @@ class World:
         most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
         return np.minimum(acceleration, most)
 
-    def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
-        """Another engine has moved the agents: (N, 4) x, y, heading and speed. `passed`: whether a
-        step has passed."""
+    def follow(self, pose: Floats, steering: Floats, poses: Poses, *, passed: bool) -> None:
+        """Another engine has moved the agents: (N, 4) x, y, heading and speed. `poses`: those so
+        far; `passed`: whether a step has passed."""
         before = (self.motion.along, self.motion.offset)
-        self.placing = Placing.of(self.poses, self.motion, pose, self.filled, 1)
+        self.placing = Placing.of(poses, self.motion, pose, self.filled, 1)
         self.placed_at = self.tick - (0 if passed else 1)
         if passed:
             self._arrive(before, 1)
