@@ -146,11 +146,8 @@ class Control:
 
     def filled(self, earlier: Control) -> Control:
         """With what `earlier` decides where this one is open."""
-        if not self.is_open:
-            return self
-        steering = earlier.steering if math.isnan(self.steering) else self.steering
-        open_ = math.isnan(self.acceleration)
-        acceleration = earlier.acceleration if open_ else self.acceleration
+        pairs = ((self.steering, earlier.steering), (self.acceleration, earlier.acceleration))
+        steering, acceleration = (then if math.isnan(now) else now for now, then in pairs)
         return replace(self, steering=steering, acceleration=acceleration)
 
 

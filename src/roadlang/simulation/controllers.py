@@ -203,4 +203,4 @@ class Driver(Controller):
             found = earlier if place == 0 else found.filled(earlier)
             if not found.is_open:
                 break
-        return found.filled(Control(0.0, 0.0))
+        return found.filled(Control(0.0, 0.0)) if found.is_open else found
