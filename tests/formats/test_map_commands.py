@@ -95,6 +95,6 @@ def test_networks_of_sumo_become_opendrive_first(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("town.net.xml").write_text("<net/>")
-    result = ran("view", "town.net.xml")
+    result = ran("convert", "town.net.xml", "town.json")
     assert result.returncode == 2
     assert "netconvert -s town.net.xml --opendrive-output town.xodr" in result.stderr

@@ -41,6 +41,7 @@ agent cars is choice(car, van) on town at random { count: 6, apart: 6m, drive wi
 SINGLE = """
 road main { draw with waypoints { points: [(0m, 0m), (80m, 20m)] }, width: 4m, lanes: 1 }
 agent ego is car on main at 10m
+agent oncoming is car on main at 60m { facing: back }
 """
 TEXTS = {
     "street": STREET,

@@ -100,8 +100,8 @@ class MapFile:
         return int(found)
 
 
-def read_map_xml(path: Path, root: str, limit: int = LARGEST) -> MapFile:
-    """The elements of a file whose outermost one is `root`.
+def read_map_xml(path: Path, *roots: str, limit: int = LARGEST) -> MapFile:
+    """The elements of a file whose outermost one is one of `roots`.
 
     Nothing outside the file is read. Raises RL400 and RL401 for a file that cannot be read, and
     RL479 for a file that is not valid XML, declares entities, or is nested too deeply.
@@ -110,8 +110,9 @@ def read_map_xml(path: Path, root: str, limit: int = LARGEST) -> MapFile:
     text = content.decode("utf-8-sig", errors="replace")
     builder = _Builder(path, text)
     found = builder.parsed(content)
-    if found.tag != root:
-        raise fault_at(path, text, found.offset, f"it begins with `{found.tag}`, not `{root}`")
+    if found.tag not in roots:
+        wanted = " or ".join(f"`{root}`" for root in roots)
+        raise fault_at(path, text, found.offset, f"it begins with `{found.tag}`, not {wanted}")
     return MapFile(path, text, found)
 
 

@@ -2,7 +2,8 @@
 
 Answers for each program with its error, or with the draws that its samples took, and the lanes of
 its objects: the id that OpenDRIVE has for the lane, and how far (radians) the object's heading is
-from the lane's direction; null for none.
+from the lane's direction; null for none. Where lanes of both directions lie on the same ground,
+it is the one that the object faces along: Scenic's own query answers with any of them.
 """
 
 import json
@@ -16,11 +17,13 @@ warnings.simplefilter("ignore")
 
 
 def lane_of(thing, network):
-    section = network.laneSectionAt(thing.position)
-    if section is None:
-        return None
-    turn = thing.heading - float(section.orientation[thing.position].yaw)
-    return [section.openDriveID, abs(math.remainder(turn, math.tau))]
+    found = [
+        [section.openDriveID, abs(math.remainder(turn, math.tau))]
+        for section in network.laneSections
+        if section.containsPoint(thing.position)
+        for turn in [thing.heading - float(section.orientation[thing.position].yaw)]
+    ]
+    return min(found, key=lambda lane: lane[1], default=None)
 
 
 def sampled(path, count):

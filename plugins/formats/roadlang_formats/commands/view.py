@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from roadlang.commands import echo
+from roadlang.commands import echo, note
 
 from .opening import opened
 
@@ -24,11 +24,29 @@ from .opening import opened
     help="Width in pixels.",
 )
 def command(file: str, output: str | None, size: int) -> None:
-    """Draw a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl) as SVG."""
+    """Draw a map (.xodr, .osm, .geojson), a scene (.json) or a scene file (.rl) as SVG.
+
+    Also draws, seen from above, networks of SUMO (.net.xml), Lanelet2 maps (.osm), CommonRoad
+    scenarios and MuJoCo models (.xml), binary glTF (.glb), and the map of an OpenSCENARIO file
+    (.xosc) or a Scenic program (.scenic).
+    """
     path = Path(output) if output is not None else Path(file).with_suffix(".svg")
-    scene = opened(file)
-    picture = scene.svg(size=float(size))
+    picture = _drawn(Path(file), float(size))
     from roadlang.commands import write_file
 
     write_file(path.absolute(), picture)
     echo(f"{path}")
+
+
+def _drawn(path: Path, size: float) -> str:
+    """The SVG of a file."""
+    from ..plans.drawing import drawn
+    from ..plans.views import map_named_in, shapes_of
+
+    shapes = shapes_of(path)
+    if shapes is not None:
+        return drawn(shapes, path.name, size)
+    roads = map_named_in(path)
+    if roads is not None:
+        note(f"of {path.name}, the roads are drawn: {roads.name}")
+    return opened(str(roads or path)).svg(size=size)

@@ -19,7 +19,7 @@ _STRETCHED = 1e-3
 """Share by which its length may differ from that of the stations."""
 _ALL_BUT_STRAIGHT = 1e-6
 """1/m: from what bends less on the average, no length can be told."""
-_TURNED = 2e-3
+_TURNED = 4e-3
 """Radians by which the direction of a cubic may be off."""
 _LONGEST = 100.0
 """Meters of a cubic."""

@@ -1,0 +1,1 @@
+"""Files of other tools as drawings, seen from above, without a scene."""
