@@ -6,4 +6,5 @@ agent ego is car on bent at 5m {
 }
 world { friction: 0.3..0.9 }
 expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
-falsify with cma { expects: in_lane, evaluations: 400 }
+falsify with cma { expects: in_lane, evaluations: 100 }
+simulate with builtin { control_step: 100ms }  # how often it decided in training

@@ -1,6 +1,6 @@
-"""Train a small lane keeper in about a minute of one core, and write it to policy.json.
+"""Train a small lane keeper in half a minute of one core, and write it to policy.json.
 
-    python train_policy.py [--generations 60]
+    python train_policy.py [--generations 30]
     python train_policy.py --failures search   # goes on with policy.json, also where it has failed
 
 A policy is a network with 8 inputs, 6 hidden neurons and 2 outputs. CMA-ES (Hansen 2016) searches
@@ -73,11 +73,11 @@ def scenes(failures: str | None) -> list[roadlang.Scene]:
 def main() -> None:
     """Search, print a line for every tenth generation, and write the best."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--generations", type=int, default=60)
+    parser.add_argument("--generations", type=int, default=30)
     parser.add_argument("--failures", metavar="DIR", help="what `roadlang falsify` wrote")
     arguments = parser.parse_args()
     env = SceneVectorEnv(
-        scenes(arguments.failures), POLICIES * ROADS, duration=45.0, reward=reward, agents=0
+        scenes(arguments.failures), POLICIES * ROADS, duration=30.0, reward=reward, agents=0
     )
     start, spread = np.zeros(SIZE), 0.5
     if arguments.failures is not None:
