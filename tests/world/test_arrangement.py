@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import LineString, Polygon
 
@@ -91,6 +91,7 @@ def faults(scene: Scene) -> list[str]:
 
 
 @given(st.integers(0, 10**6))
+@settings(max_examples=20)
 def test_random_scenes_have_room_for_everything(seed: int) -> None:
     (scene,) = loads(random_text(seed)).sample(1, seed=seed)
     assert not faults(scene.record)
