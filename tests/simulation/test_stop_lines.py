@@ -21,6 +21,7 @@ from roadlang.simulation.traffic.junction_tables import JunctionTables
 from roadlang.simulation.world import World
 from roadlang.simulation.world_building import world_of
 
+from . import driven_roads
 from .crossing_traffic import before_junction, entries
 from .followed_drives import followed
 from .routed_scenes import CROSSING, call, car, drive_scenes, lane_pose, network_scene, route
@@ -171,3 +172,32 @@ def test_a_car_leaves_the_junction_at_the_seam_of_its_lap_with_its_rear() -> Non
         assert near.is_behind.tolist() == [[not inside]]
         to_stop = stop - past - half if not inside else stop - leave - past - half
         assert near.to_line[0, 0] == pytest.approx(to_stop)
+
+
+def test_two_who_have_waited_for_long_do_not_both_let_the_other_merge_first() -> None:
+    """They turn into the same lane from opposite sides, after a column on the main road."""
+    text = '''
+    image plan from """
+    .....#.....
+    .....#.....
+    .....#.....
+    ###########
+    .....#.....
+    .....#.....
+    .....#.....
+    """ { scale: 15m/px, legend: { "#": road } }
+    network town from plan { lanes: 2, speed_limit: 50km/h, control with yield }
+    agent column is car on town at (96m, 54m) {
+      count: 6, spacing: -11.5m, route: [(4m, 54m)]
+      drive with traffic { speed: 3m/s, politeness: 0 }
+    }
+    agent right is car on town {
+      route: [(80m, 68m), (4m, 54m)], start_speed: 0, drive with traffic { politeness: 1 }
+    }
+    agent left is car on town {
+      route: [(85m, 18m), (4m, 54m)], start_speed: 0, drive with traffic { politeness: 1 }
+    }
+    '''
+    (trace,) = driven_roads.drive(text, duration=50.0)
+    assert trace.events == ()
+    assert all(trace.agents[name].x.min() < 60.0 for name in ("right", "left"))

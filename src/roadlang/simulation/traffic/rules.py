@@ -111,7 +111,8 @@ def lets_in(
     meetings: Meetings, near: Approaches, grants: Grants, asks: Booleans, speed: Floats,
     politeness: Floats,
 ) -> Booleans:  # fmt: skip
-    """(G, P) who brakes for one that has waited long where their lanes merge."""
+    """(G, P) who brakes for one that has waited long where their lanes merge, and has not itself:
+    two who wait for each other would stand for good."""
     has_waited = asks & (meetings.of_crossings(grants.waiting) > PATIENCE)
     if not has_waited.any():
         return has_waited
@@ -121,7 +122,8 @@ def lets_in(
     braking = braking_to_stop(
         meetings.of_agents(speed), meetings.of_crossings(near.to_line) - BEFORE_ZONE
     )
-    return np.asarray(meets & (braking < COURTEOUS * meetings.of_agents(politeness)))
+    gentle = braking < COURTEOUS * meetings.of_agents(politeness)
+    return np.asarray(meets & ~has_waited & gentle)
 
 
 def space_for_others(meetings: Meetings, may_go: Booleans, length: Floats) -> Floats:
