@@ -56,6 +56,8 @@ FAULTS = [
     (OPTIONS, "count: 3, spcing: 9m", "RL220", "spcing", "spacing"),
     (OPTIONS, "count: 2, spacing: 20km", "RL208", "20km", None),
     (OPTIONS, "spacing: 5m", "RL249", "5m", None),
+    (OPTIONS, "count: 3, spacing: 5", "RL202", "5", "5m"),
+    (OPTIONS, "count: -3, spacing: 5m", "RL208", "-3", None),
     (OPTIONS, "lane: 7", "RL613", "7", None),
     (OPTIONS, "lane: outr", "RL223", "outr", "outer"),
     (OPTIONS, "lane: lead.lane", "RL231", "lead.lane", None),

@@ -39,7 +39,8 @@ class Constraints:
     @property
     def default_unit(self) -> str:
         """The unit in which the option is usually written, as in its example: `mm/h`."""
-        return self.example.lstrip("0123456789.") if self.example[:1].isdigit() else ""
+        first = self.example.split("..")[0]  # of `5m..9m`
+        return first.lstrip("0123456789.") if first[:1].isdigit() else ""
 
     def allow(self, number: float) -> bool:
         """Whether a number, in SI units, is within the bounds."""

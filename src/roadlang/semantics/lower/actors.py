@@ -75,8 +75,10 @@ def _warn_without_base(checker: Checker, name: str, drive: tuple[PassCall, ...])
     kind, span = checker.registry.find("drive", drive[0].kind).load(), drive[0].span
     if span is not None and issubclass(kind, Controller) and kind.leaves_open:
         checker.report(
-            Code.NO_BASE_CONTROLLER, span, kind=kind.name, name=name, rest=kind.leaves_open
-        )
+            Code.NO_BASE_CONTROLLER, span, kind=kind.name, name=name, rest=kind.leaves_open,
+            help="write `drive with traffic` before it; with the same `when`, if the agent is to "
+            "stand until then",
+        )  # fmt: skip
 
 
 def _is_network(checker: Checker, name: str) -> bool:
@@ -155,7 +157,7 @@ def _options(
     bound = lower_options(
         checker, statement.word, block, [*spec.schema, *extra], context, statement.name.span
     )
-    if "spacing" in bound.stated and "count" not in bound.stated:
+    if "spacing" in bound.stated and not _has_count(statement):
         span = bound.stated["spacing"].span
         help_ = "say how many there are: `count: 5`"
         checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text, help=help_)
