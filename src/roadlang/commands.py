@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
 from .cli.finite_range import FiniteRange
-from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
     from .cli.progress import ProgressBar
+    from .diagnostics import Code, Diagnostic, DiagnosticError, diagnose
     from .drive.controllers import python_controllers
     from .files.staging import staged_set
     from .files.writing import replace_file, write_all, write_file
@@ -41,6 +41,7 @@ _LATER = {
     ".files.staging": "staged_set",
     ".files.writing": "replace_file write_all write_file",
     ".cli.progress": "ProgressBar",
+    ".diagnostics": "Code Diagnostic DiagnosticError diagnose",
     ".drive.controllers": "python_controllers",
     ".ir.edited_starts": "edited_starts",
     ".judging.running_drives": "judge_so_far",

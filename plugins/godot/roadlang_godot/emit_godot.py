@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Backend, Integer, String, Word, option
 
-from .protocol import USUAL_PORT
+from .usual_port import USUAL_PORT
 
 if TYPE_CHECKING:
     from roadlang.api import Scene

@@ -16,7 +16,6 @@ VERSION = 2
 MAX_DATAGRAM = 8192
 BULK_DATAGRAM = 1200
 """What is sent in bulk fits a datagram that no network splits."""
-USUAL_PORT = 4242
 WINDOW = 32
 MAX_COORDINATE = 100_000.0
 

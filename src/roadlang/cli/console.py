@@ -6,7 +6,6 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 import click
@@ -14,6 +13,8 @@ import click
 from ..plugins.redirection import standard_output
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from ..diagnostics import Diagnostic
     from ..session.expectations import Expectation
 
@@ -105,6 +106,8 @@ def holding(satisfied: int, scenes: int) -> str:
 
 def shown(path: Path) -> str:
     """A path as people write it: relative if it is below the folder that the command began in."""
+    from pathlib import Path
+
     context = click.get_current_context(silent=True)
     folder = Path(context.meta.get("roadlang.folder", "/") if context else "/")
     below = len(folder.parts) > 1 and path.is_relative_to(folder)

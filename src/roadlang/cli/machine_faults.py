@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import errno
+from typing import TYPE_CHECKING
 
-from ..diagnostics import Code, Diagnostic, diagnose
+if TYPE_CHECKING:
+    from ..diagnostics import Diagnostic
 
 _NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
@@ -16,6 +18,8 @@ def _is_about_memory(words: str) -> bool:
 
 def machine_fault(error: BaseException) -> Diagnostic | None:
     """The diagnostic of such an error, None for any other."""
+    from ..diagnostics import Code, diagnose
+
     if isinstance(error, MemoryError) or _is_about_memory(str(error)):
         return diagnose(
             Code.OUT_OF_MEMORY,

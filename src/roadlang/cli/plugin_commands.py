@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 from collections import Counter
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import click
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..plugins.attribution import PluginFault, Reason, attributed, reason_of
 from ..plugins.compatibility import unmet_requirement
 from ..plugins.entry_points import Candidate, Origin, command_candidates
-from .machine_faults import machine_fault
+
+if TYPE_CHECKING:
+    from ..diagnostics import DiagnosticError
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*\Z")
 
@@ -27,6 +29,8 @@ class BrokenCommand:
 
     def refuse(self) -> DiagnosticError:
         """RL932, for the caller to raise."""
+        from ..diagnostics import Code, DiagnosticError, diagnose
+
         return DiagnosticError(
             diagnose(
                 Code.BROKEN_PLUGIN_COMMAND,
@@ -80,26 +84,28 @@ def plugin_commands(reserved: frozenset[str]) -> PluginCommands:
 def load_command(candidate: Candidate) -> click.Command:
     """The command. Raises `DiagnosticError` RL932 where it cannot be loaded."""
     try:
-        with attributed():
-            command = candidate.load()
-            if not isinstance(command, click.Command):
-                raise Reason(f"it is a {type(command).__name__}, not a click.Command")
+        return _loaded(candidate)
     except PluginFault as fault:
         broken = BrokenCommand(candidate.name, candidate.origin, str(fault))
         raise broken.refuse() from fault.__cause__
+
+
+def _loaded(candidate: Candidate) -> click.Command:
+    with attributed():
+        command = candidate.load()
+        if not isinstance(command, click.Command):
+            raise Reason(f"it is a {type(command).__name__}, not a click.Command")
     return command
 
 
 def help_of(candidate: Candidate) -> str | None:
     """The first line of a command's help, or why it cannot be used; None of a hidden one."""
     try:
-        command = load_command(candidate)
+        command = _loaded(candidate)
         with attributed():
             return None if command.hidden else command.get_short_help_str(limit=80)
     except PluginFault as fault:
         return f"cannot be used: {fault}"
-    except DiagnosticError as error:
-        return f"cannot be used: {error.diagnostics[0].message}"
 
 
 def failure_of(candidate: Candidate, error: Exception) -> DiagnosticError | None:
@@ -108,6 +114,9 @@ def failure_of(candidate: Candidate, error: Exception) -> DiagnosticError | None
     None for diagnostics, exit codes, usage error of the command line, a closed pipe and what the
     machine refuses, which are no faults of it, and for our own commands, whose bugs are ours.
     """
+    from ..diagnostics import Code, DiagnosticError, diagnose
+    from .machine_faults import machine_fault
+
     meant = (DiagnosticError, click.ClickException, click.exceptions.Exit, click.Abort)
     if isinstance(error, (*meant, BrokenPipeError)) or machine_fault(error) is not None:
         return None

@@ -8,18 +8,17 @@ from ..version import __version__
 from .entry_points import DISTRIBUTION
 
 if TYPE_CHECKING:
-    from importlib.metadata import Distribution
+    from .installed import Installed
 
 
-def unmet_requirement(distribution: Distribution | None) -> str | None:
+def unmet_requirement(distribution: Installed | None) -> str | None:
     """Why a distribution cannot be used with this roadlang; None if it can.
 
     pip ensures it, but `pip install --no-deps`, and an upgrade of roadlang afterwards, do not.
     """
-    if distribution is None or distribution.metadata["Name"].lower() == DISTRIBUTION:
+    if distribution is None or distribution.name.lower() == DISTRIBUTION:
         return None
-    requires = distribution.requires or ()
-    lines = [line for line in requires if line.lower().startswith("roadlang")]
+    lines = [line for line in distribution.requires if line.lower().startswith("roadlang")]
     if not any(sign in line for line in lines for sign in "<>=!~"):
         return None
     from packaging.requirements import InvalidRequirement, Requirement

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from importlib.metadata import Distribution, EntryPoint
+from .installed import EntryPoint, Installed, entry_points
 
 GROUP = "roadlang"
 """`acme = "roadlang_acme"`: a module with the hooks of a plugin, imported by all commands that look
@@ -61,24 +59,26 @@ class Candidate:
         return self.point.load() if self.point is not None else self.plugin
 
     @property
-    def installed(self) -> Distribution | None:
+    def installed(self) -> Installed | None:
         """The distribution, of what is installed."""
-        return None if self.point is None else self.point.dist
+        return None if self.point is None else self.point.installed
 
 
 def plugin_candidates(blocked: Iterable[str] = ()) -> list[Candidate]:
     """The installed plugins that are not disabled, shipped ones first."""
-    return _not_blocked(_installed_plugins(_entry_points()), blocked)
+    return _not_blocked(_installed_plugins(entry_points(GROUP)), blocked)
 
 
-def _installed_plugins(every: Any) -> list[Candidate]:
+def _installed_plugins(every: Sequence[EntryPoint]) -> list[Candidate]:
     found = [
         Candidate(point.name, _origin_of(point, point.name), point)
-        for point in every.select(group=GROUP)
+        for point in every
+        if point.group == GROUP
     ]
-    for group in every.groups:
-        if group.startswith(KINDS):
-            found += _with_kinds(group.removeprefix(KINDS), every.select(group=group))
+    groups = dict.fromkeys(point.group for point in every if point.group.startswith(KINDS))
+    for group in groups:
+        points = [point for point in every if point.group == group]
+        found += _with_kinds(group.removeprefix(KINDS), points)
     return found
 
 
@@ -98,12 +98,12 @@ def command_candidates() -> list[Candidate]:
     A command belongs to the plugin of its distribution that has the same top-level package, or to
     the first plugin of it; of a distribution without plugins, to one of the command's name.
     """
-    every = _entry_points()
-    commands = every.select(group=COMMANDS)
+    every = entry_points(GROUP)
+    commands = [point for point in every if point.group == COMMANDS]
     plugins = _installed_plugins(every) if commands else ()
     found = []
     for point in commands:
-        providers = [p for p in plugins if _same(p.installed, point.dist)]
+        providers = [p for p in plugins if p.installed == point.installed]
         near = [
             p for p in providers if p.point is not None and _package(p.point) == _package(point)
         ]
@@ -131,32 +131,10 @@ def _order(candidate: Candidate) -> tuple[bool, bool, str, str]:
     return not origin.is_shipped, candidate.name != _FIRST, candidate.name, origin.distribution
 
 
-def _entry_points() -> Any:
-    """`EntryPoints`, or what Python before 3.12 has instead, which selects as well."""
-    from importlib.metadata import entry_points  # which imports 40 modules
-
-    return entry_points()
-
-
-@cache
-def _named(distribution: Distribution) -> tuple[str, str]:
-    """Its name and version. Each look at its metadata parses all of it, the README included."""
-    metadata = distribution.metadata
-    return metadata["Name"], metadata["Version"]
-
-
 def _origin_of(point: EntryPoint, plugin: str) -> Origin:
-    if point.dist is None:
-        return Origin(plugin, point.value, "0")
-    name, version = _named(point.dist)
-    return Origin(plugin, name, version, name.lower() == DISTRIBUTION)
+    name = point.installed.name
+    return Origin(plugin, name, point.installed.version, name.lower() == DISTRIBUTION)
 
 
 def _package(point: EntryPoint) -> str:
-    return point.value.partition(":")[0].partition(".")[0]
-
-
-def _same(first: Distribution | None, second: Distribution | None) -> bool:
-    if first is None or second is None:
-        return False
-    return _named(first)[0] == _named(second)[0]
+    return point.module.partition(".")[0]

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import json
-import re
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from roadlang.commands import Code, DiagnosticError, diagnose, echo
-
-from .opening import opened
+from roadlang.commands import echo
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from roadlang.api import Backend
+    from roadlang.commands import DiagnosticError
 
 KINDS = {
     ".xodr": "opendrive",
@@ -49,6 +45,10 @@ def command(source: str, target: str, kind: str | None) -> None:
     FILE is a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl). The extension of
     OUTPUT selects its format: .xodr, .svg, .json, or that of any other `emit`.
     """
+    from pathlib import Path
+
+    from .opening import opened
+
     path = Path(target).absolute()
     kind = _kind(path.name) if kind is None else kind
     scene = opened(source)
@@ -84,6 +84,8 @@ def _stem(name: str, endings: list[str]) -> str:
 
 def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, bytes]:
     """Files that name each other, with the names that they get."""
+    import json
+    import re
     from xml.sax.saxutils import escape
 
     if len(files) < 2:
@@ -99,7 +101,11 @@ def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, b
 
 
 def _unknown(name: str, help: str) -> DiagnosticError:
-    suffix = Path(name).suffix
+    from pathlib import PurePath
+
+    from roadlang.commands import Code, DiagnosticError, diagnose
+
+    suffix = PurePath(name).suffix
     return DiagnosticError(
         diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
     )
@@ -107,6 +113,8 @@ def _unknown(name: str, help: str) -> DiagnosticError:
 
 def _backend(registry: Any, kind: str) -> Backend:
     """The backend of an installed kind. Raises RL471 if the kind is not installed."""
+    from roadlang.commands import Code, DiagnosticError, diagnose
+
     try:
         found: Backend = registry.find("emit", kind).load()()
     except LookupError:

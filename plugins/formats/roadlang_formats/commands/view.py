@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from roadlang.commands import echo, note
 
-from .opening import opened
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 @click.command("view")
@@ -30,6 +31,8 @@ def command(file: str, output: str | None, size: int) -> None:
     scenarios and MuJoCo models (.xml), binary glTF (.glb), and the map of an OpenSCENARIO file
     (.xosc) or a Scenic program (.scenic).
     """
+    from pathlib import Path
+
     path = Path(output) if output is not None else Path(file).with_suffix(".svg")
     picture = _drawn(Path(file), float(size))
     from roadlang.commands import write_file
@@ -42,6 +45,7 @@ def _drawn(path: Path, size: float) -> str:
     """The SVG of a file."""
     from ..plans.drawing import drawn
     from ..plans.views import map_named_in, shapes_of
+    from .opening import opened
 
     shapes = shapes_of(path)
     if shapes is not None:

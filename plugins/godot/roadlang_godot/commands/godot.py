@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from roadlang.commands import echo
-from roadlang_godot.protocol import USUAL_PORT
+from roadlang_godot.usual_port import USUAL_PORT
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 @click.command("godot")
@@ -30,22 +33,24 @@ from roadlang_godot.protocol import USUAL_PORT
 @click.option("--where", is_flag=True, help="Print the paths of Godot and the project, and exit.")
 @click.option(
     "--addon",
-    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    type=click.Path(exists=True, file_okay=False),
     metavar="PROJECT",
     help="Copy roadlang into the folder of a Godot project, as `addons/roadlang`, and exit.",
 )
 def command(
-    headless: bool, host: str, port: int, transport: str, where: bool, addon: Path | None
+    headless: bool, host: str, port: int, transport: str, where: bool, addon: str | None
 ) -> None:
     """Start Godot with the bundled project, in which scenes are built and driven.
 
     Scenes reach it by `emit godot`, `roadlang watch` and `roadlang run`. It listens on this
     machine alone unless --host says otherwise.
     """
+    from pathlib import Path
+
     from roadlang_godot import engine
 
     if addon is not None:
-        _install(addon)
+        _install(Path(addon))
         return
     if where:
         found = engine.find()

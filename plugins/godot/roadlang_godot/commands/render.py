@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from roadlang.commands import Code, DiagnosticError, FiniteRange, diagnose, echo, report
+from roadlang.commands import FiniteRange, echo, report
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario
@@ -132,6 +131,8 @@ def command(
 
 
 def _render_dataset(loaded: LoadedScenario, folder: str, options: Mapping[str, Any]) -> None:
+    from pathlib import Path
+
     from roadlang_godot.commands.render_dataset import write_labeled
     from roadlang_godot.labeled_frames import Sampling
 
@@ -145,6 +146,8 @@ def _render_dataset(loaded: LoadedScenario, folder: str, options: Mapping[str, A
 
 
 def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]) -> None:
+    from pathlib import Path
+
     from roadlang.commands import python_controllers, write_file
     from roadlang_godot.exported_scenes import export_scene
     from roadlang_godot.pictures import Shot, render_clip, render_picture
@@ -174,7 +177,11 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
 
 
 def _suffix(output: str) -> str:
-    suffix = Path(output).suffix.lower()
+    from pathlib import PurePath
+
+    from roadlang.commands import Code, DiagnosticError, diagnose
+
+    suffix = PurePath(output).suffix.lower()
     if suffix not in PICTURES and suffix not in CLIPS and suffix not in EXPORTS:
         help = "end its name in .png, .jpg, .avi, .mp4, .glb or .tscn"
         raise DiagnosticError(
@@ -185,6 +192,8 @@ def _suffix(output: str) -> str:
 
 def _expect_agent(view: str, wanted: str | None, names: list[str]) -> None:
     """A chase view follows an agent of the scene."""
+    from roadlang.commands import Code, DiagnosticError, diagnose
+
     if view != "chase":
         return
     if not names:

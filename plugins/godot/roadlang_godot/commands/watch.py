@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import DiagnosticError, FiniteRange, echo, report
-from roadlang_godot.compiled_edit import CompiledEdit, compiled
-from roadlang_godot.edited_text import EditedText
-from roadlang_godot.held_agent import NOBODY, held_agent
-from roadlang_godot.protocol import USUAL_PORT
+from roadlang.commands import FiniteRange, echo, report
+from roadlang_godot.usual_port import USUAL_PORT
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
 
     from roadlang import LoadedScenario, SceneSet
     from roadlang.api import Scene as SceneRecord
+    from roadlang.commands import DiagnosticError
+    from roadlang_godot.compiled_edit import CompiledEdit
     from roadlang_godot.live import HandEdit, LiveScene
     from roadlang_godot.session import Session
 
@@ -97,6 +96,9 @@ class Watcher:
     def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
         from concurrent.futures import ThreadPoolExecutor
 
+        from roadlang_godot.edited_text import EditedText
+        from roadlang_godot.held_agent import NOBODY
+
         self._loaded = loaded
         self._file = str(loaded.path)
         self._seed = seed
@@ -135,6 +137,7 @@ class Watcher:
 
     def listen(self, live: LiveScene) -> None:
         """Drive on for a moment, and do what a human did."""
+        from roadlang.commands import DiagnosticError
         from roadlang_godot.faults import EngineError
 
         try:
@@ -148,6 +151,8 @@ class Watcher:
     def look(self, live: LiveScene, at_rest: bool = False) -> None:
         """See whether the file has changed, and change the scene once that is compiled. `at_rest`:
         whether what is dragged is known to rest."""
+        from roadlang_godot.compiled_edit import compiled
+
         if self._compiling is not None and self._compiling.done():
             compiling, self._compiling = self._compiling, None
             self._change(live, compiling)
@@ -173,6 +178,8 @@ class Watcher:
 
     def take(self, live: LiveScene, edit: HandEdit) -> None:
         """Apply changes made in the window to the text."""
+        from roadlang_godot.held_agent import held_agent
+
         self._moved_at = time.monotonic()
         self._held = held_agent(self._held, edit, live, self._edited.text)
         if not self._edited.take(edit, live.scene) and edit.done and edit.handle is not None:
@@ -205,7 +212,7 @@ class Watcher:
         return True
 
     def _read(self) -> str | None:
-        from roadlang.commands import read_scene_file
+        from roadlang.commands import DiagnosticError, read_scene_file
 
         try:
             return read_scene_file(self._file)
@@ -213,7 +220,7 @@ class Watcher:
             return None  # Editors that save by renaming leave a moment without a file.
 
     def _change(self, live: LiveScene, compiling: Future[CompiledEdit]) -> None:
-        from roadlang.commands import edited_starts
+        from roadlang.commands import DiagnosticError, edited_starts
 
         try:
             edit = compiling.result()
