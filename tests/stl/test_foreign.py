@@ -29,6 +29,12 @@ def test_breach(pasted: str, formula: str) -> None:
     assert str(stl.read_breach(pasted)) == formula
 
 
+def test_a_word_of_another_tool_is_no_name_of_a_column() -> None:
+    with pytest.raises(DiagnosticError) as raised:
+        stl.parse("globally x > 0")
+    assert raised.value.diagnostics[0].help == ("did you mean `always`?",)
+
+
 @pytest.mark.parametrize(
     ("pasted", "formula"),
     [
@@ -60,6 +66,9 @@ def test_breach(pasted: str, formula: str) -> None:
         (r"\[ \boxminus_{[0,2]} (x < 1) \land \diamondminus (y > 0) \]",
          "historically[0, 2] (x < 1) and once (y > 0)"),
         (r"\mathbf{P}_{[0,3]} (x > 1)", "once[0, 3] (x > 1)"),
+        (r"\Box (\bigcirc |x| > 0 \land \ominus y > 2)",
+         "always (next (abs(x) > 0) and prev (y > 2))"),
+        (r"\operatorname{alw}_{[0,2]} x \in [1, 2]", "always[0, 2] (1 <= x and x <= 2)"),
     ],
 )  # fmt: skip
 def test_latex(pasted: str, formula: str) -> None:

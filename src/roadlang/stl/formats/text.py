@@ -9,6 +9,7 @@ from dataclasses import replace
 from ...diagnostics import Code, Diagnostic, DiagnosticError, Source
 from ...syntax.operators import BY_WORD
 from ...syntax.parsing.parser import parse_formula
+from ...syntax.recovery.operator_spelling import meant_temporal
 from ..formula import formulas as f
 from .from_syntax_tree import FormulaReader
 
@@ -47,7 +48,10 @@ def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic
     """Says how formulas of other tools can be read, and how names of columns are written."""
     hints = [hint for pattern, hint in _ORIGINS if pattern.search(text)][:1]
     name = _column(text, errors[0]) if errors else None
-    if name is not None:
+    meant = meant_temporal(name.partition(" ")[0]) if name is not None else None
+    if meant is not None:
+        hints.append(f"did you mean `{meant}`?")
+    elif name is not None:
         hints.append(f"the name of a column stands in back quotes: `` `{name}` ``")
     if not errors or not hints:
         return errors
