@@ -37,8 +37,8 @@ class FailureModel:
         self._descriptors.append(descriptors)
 
     def predicted(self, vectors: Floats, optimism: float) -> tuple[Floats, Floats]:
-        """(n,) values and (n, D) descriptors of candidates (n, columns); the values less `optimism`
-        times their standard deviation."""
+        """(n,) values and (n, k) what `described` gives of candidates (n, columns); the values less
+        `optimism` times their standard deviation."""
         import numpy as np
 
         known, values = np.concatenate(self._vectors), graded(np.concatenate(self._values))
@@ -47,8 +47,14 @@ class FailureModel:
         return self._kernel.predicted(vectors, optimism), self.described(vectors)
 
     def described(self, vectors: Floats) -> Floats:
-        """(n, D) descriptors of candidates (n, columns)."""
-        return _applied(self._regression(), vectors)
+        """(n, k) numbers of candidates (n, columns) that are as far apart as their descriptors, as
+        the regression has them; k is at most the number of columns."""
+        import numpy as np
+
+        slopes = self._regression()[1:]
+        # Distances of `vectors @ slopes` are those of `vectors @ R.T`, where slopes.T = Q R.
+        triangle = np.asarray(np.linalg.qr(slopes.T, mode="r"))
+        return np.asarray(vectors @ triangle.T)
 
     def _regression(self) -> Floats:
         """(1 + columns, D) weights of a constant and of each number of a vector."""
@@ -87,9 +93,3 @@ def _with_constant(vectors: Floats) -> Floats:
     import numpy as np
 
     return np.column_stack([np.ones(len(vectors)), vectors])
-
-
-def _applied(weights: Floats, vectors: Floats) -> Floats:
-    import numpy as np
-
-    return np.asarray(_with_constant(vectors) @ weights)

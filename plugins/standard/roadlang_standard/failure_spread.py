@@ -224,6 +224,8 @@ class _Shortlist:
         self._nearest = nearest
         self._unlike = unlike
         self._left = len(values)
+        self._from: dict[int, Floats] = {}
+        """squared distances of all from each that was taken"""
 
     def take(self, count: int) -> list[int]:
         """The rows of at most `count` candidates, which are not taken again."""
@@ -234,7 +236,8 @@ class _Shortlist:
             best = int((self._values + _loss(nearest, self._unlike)).argmin())
             rows.append(best)
             self._values[best] = np.inf
-            nearest = np.minimum(nearest, _squares_from(self._descriptors, best))
+            self._from[best] = _squares_from(self._descriptors, best)
+            nearest = np.minimum(nearest, self._from[best])
         self._left -= len(rows)
         return rows
 
@@ -243,4 +246,4 @@ class _Shortlist:
         import numpy as np
 
         for row in rows:
-            self._nearest = np.minimum(self._nearest, _squares_from(self._descriptors, row))
+            self._nearest = np.minimum(self._nearest, self._from[row])

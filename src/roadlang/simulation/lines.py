@@ -19,6 +19,8 @@ FINEST = 0.25
 """Meters between two nodes of a table, at least, where the road has them closer."""
 AROUND = 2.0
 """Meters to each side over which the curvature ahead is averaged, as drivers see it."""
+_AT_ONCE = 16
+"""Lines whose tables are filled together, so few that they fit into the caches."""
 
 
 CELL = ("x", "y", "slope_x", "slope_y", "curvature", "heading", "seen_curvature", "width")
@@ -204,13 +206,17 @@ def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> 
 
 def _table(x: Floats, y: Floats, heading: Floats, width: Floats, spacing: Floats) -> Floats:
     """(L M, 8) of arrays (L, M) at the nodes."""
-    out = np.zeros((*x.shape, len(CELL)))
-    per_meter = (1.0 / spacing)[:, None]
-    out[:, :, 0], out[:, :, 1] = x, y
-    out[:, :-1, 2] = (x[:, 1:] - x[:, :-1]) * per_meter
-    out[:, :-1, 3] = (y[:, 1:] - y[:, :-1]) * per_meter
-    out[:, :-1, 4] = (heading[:, 1:] - heading[:, :-1]) / spacing[:, None]
-    out[:, :, 5], out[:, :, 6], out[:, :, 7] = heading, _averaged(heading, spacing), width
+    out = np.empty((*x.shape, len(CELL)))
+    averaged = _averaged(heading, spacing)
+    for first in range(0, len(x), _AT_ONCE):
+        rows = slice(first, first + _AT_ONCE)
+        cells, per_meter = out[rows], (1.0 / spacing[rows])[:, None]
+        cells[:, :, 0], cells[:, :, 1] = x[rows], y[rows]
+        cells[:, :-1, 2] = (x[rows, 1:] - x[rows, :-1]) * per_meter
+        cells[:, :-1, 3] = (y[rows, 1:] - y[rows, :-1]) * per_meter
+        cells[:, :-1, 4] = (heading[rows, 1:] - heading[rows, :-1]) / spacing[rows, None]
+        cells[:, -1, 2:5] = 0.0
+        cells[:, :, 5], cells[:, :, 6], cells[:, :, 7] = heading[rows], averaged[rows], width[rows]
     return out.reshape(-1, len(CELL))
 
 
