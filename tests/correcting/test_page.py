@@ -204,6 +204,16 @@ def request(address: str, content: bytes | None = None, **headers: str) -> tuple
         return error.code, None
 
 
+def test_pages_may_not_ask_anybody_else_and_are_not_stored(server: CorrectionServer) -> None:
+    with urllib.request.urlopen(server.address + "start") as answer:
+        headers = dict(answer.headers)
+        content = answer.read()
+    assert headers["Content-Type"] == "application/json"
+    assert headers["Content-Length"] == str(len(content))
+    assert headers["Cache-Control"] == "no-store"
+    assert "default-src 'self'" in headers["Content-Security-Policy"]
+
+
 def test_nobody_without_the_secret_is_answered(server: CorrectionServer) -> None:
     root = f"http://127.0.0.1:{server.server_port}/"
     assert request(root)[0] == 403

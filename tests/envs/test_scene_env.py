@@ -250,3 +250,14 @@ def test_without_gymnasium_the_error_names_the_extra() -> None:
     code = "import sys; sys.modules['gymnasium'] = None; import roadlang.envs"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert 'pip install "roadlang[gym]"' in found.stderr
+
+
+@pytest.mark.parametrize("number", [-1, 3, 1.0, "0", None])
+def test_a_scene_that_there_is_not_is_no_start(number: object) -> None:
+    with pytest.raises(ValueError, match="there are 3, from 0"):
+        env(ALONE).reset(options={"scene": number})
+
+
+@pytest.mark.parametrize("number", [0, 2, np.int64(1)])
+def test_the_scene_to_start_with_can_be_chosen(number: int) -> None:
+    assert env(ALONE).reset(options={"scene": number})[1]["scene"] == number

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 
 from roadlang.scenes.sampling import SamplingResult
+from roadlang.search.diversity import expected_nearest, mean_nearest
 from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
@@ -105,3 +107,19 @@ def test_diversity_has_the_value_to_expect_beside_it(sample: Sample) -> None:
     assert collapsed.diversity is not None
     assert collapsed.expected_diversity is not None
     assert collapsed.diversity < 0.3 * collapsed.expected_diversity
+
+
+@pytest.mark.parametrize(
+    ("points", "expected"),
+    [
+        ([], None), ([(0.1, 0.2)], None), ([{}, {}], None),
+        ([(0.0, 0.0), (0.3, 0.4)], 0.5),
+        ([{"a": 0.0, "b": 0.0}, {"b": 0.4, "a": 0.3}], 0.5),
+        ([{"a": 0.0, "c": 0.0}, {"b": 0.4, "a": 0.3}], 0.3),
+        ([(0.0,), (0.1,), (0.4,)], 0.5 / 3),
+    ],
+)  # fmt: skip
+def test_the_mean_distance_to_the_nearest(points: list[Any], expected: float | None) -> None:
+    found = mean_nearest(points)
+    assert found == (expected if expected is None else pytest.approx(expected))
+    assert (expected_nearest(points, 1.0) is None) == (expected is None)

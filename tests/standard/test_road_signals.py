@@ -15,7 +15,10 @@ from roadlang_standard.pieces import ClothoidPiece
 from roadlang_standard.signal_clearance import Clearance
 from roadlang_standard.signal_curvature import Curvature
 from roadlang_standard.signal_deviation import Deviation
+from roadlang_standard.signal_distance import Distance
 from roadlang_standard.signal_margin import Margin
+from roadlang_standard.signal_width import Width
+from tests.standard.roads_of_points import road_of
 
 
 def test_a_road_that_goes_round_counter_clockwise_bends_left(ring: RoadBatch) -> None:
@@ -67,3 +70,21 @@ def test_long_tapers_meet_in_the_middle_of_the_interval() -> None:
     assert window[40] == 1.0
     np.testing.assert_allclose(window[20:61], window[20:61][::-1], atol=1e-12)
     np.testing.assert_allclose(window[20:61], over(s, 20.0, 60.0, taper=20.0)[20:61])
+
+
+def test_each_candidate_has_its_own_width_at_every_station(straight: RoadBatch) -> None:
+    three = displaced(straight, np.zeros((3, len(straight.stations))))
+    wide = replace(three, width=np.array([[4.0], [6.0], [9.0]]))
+    values = Width(wide).values()
+    assert values.shape == (3, len(straight.stations))
+    np.testing.assert_array_equal(values[:, [0, -1]], [[4.0, 4.0], [6.0, 6.0], [9.0, 9.0]])
+
+
+def test_the_distance_is_that_of_the_points_of_the_first_road() -> None:
+    """To the nearest point of a road that is shorter: not the same the other way round."""
+    long, short = road_of([(0, 0), (100, 0), (200, 0)]), road_of([(0, 3), (20, 3), (40, 3)])
+    short = replace(short, name="short", root="short")
+    (away,) = Distance(long, short).values()
+    assert away[[0, 40, 200]] == pytest.approx([3.0, 3.0, np.hypot(160.0, 3.0)])
+    (back,) = Distance(short, long).values()
+    np.testing.assert_allclose(back, 3.0)
