@@ -18,6 +18,7 @@ from roadlang.simulation.traffic.wide_places import WidePlaces
 from roadlang.simulation.world_building import world_of
 
 from .crossing_traffic import contacts
+from .driven_roads import drive
 
 RADIUS = 20.0
 
@@ -182,3 +183,26 @@ def test_a_long_vehicle_does_not_swing_out_as_it_leaves_a_turn(length: float) ->
     trace = driven.trace.agents["long"]
     moving = trace.present > 0.0
     assert np.abs(trace.cross_track_error[moving]).max() < 0.45
+
+
+def test_who_stands_before_somebody_in_a_bend_lets_that_one_pass() -> None:
+    """The coach cannot pass the car as both begin, but the car can pass the coach."""
+    text = '''
+    image plan from """
+    ########...
+    .......#...
+    .......#...
+    .......#...
+    .......#...
+    """ { scale: 10.5m/px, legend: { "#": road } }
+    network town from plan { lanes: 3, speed_limit: 50km/h }
+    agent coach is bus on town at (67m, 45.5m) {
+      route: [(84m, 5m)], start_speed: 0, drive with traffic
+    }
+    agent car is car on town at (75m, 49.5m) {
+      route: [(5m, 49m)], start_speed: 0, drive with traffic
+    }
+    '''
+    (trace,) = drive(text, duration=25.0)
+    assert trace.events == ()
+    assert all(agent.route_progress[-1] > 30.0 for agent in trace.agents.values())

@@ -33,6 +33,8 @@ EAGER, EAGER_SPEED = 2.6, 8.0
 """m/s^2 and m/s: how fast both are expected to come there."""
 UNSTOPPABLE = 3.0
 """m/s^2: who would have to brake harder goes first."""
+STANDING_GAP, STANDING_SPEED = 3.0, 0.1
+"""Meters and m/s: who is slower so close before another stands there because of it."""
 DECIDED = 4.0
 """Seconds: who will be there sooner, and was to go first, does."""
 
@@ -83,6 +85,7 @@ class Oncoming:
         free = _free(world, rows, stop, leaders) > enter
         comes = (inside | (free & ~world.halted[rows])) & (leave > 0.0)
         rank = np.where(inside, -2.0, np.where(on_junction[rows], -1.5, 0.0))
+        rank = np.where(_cannot_pass(world, rows, leaders), math.inf, rank)
         yields = self._yields(world, rows, enter, rank, comes, before)
         waits = comes[::-1] & yields & (enter > -SPACING)
         np.minimum.at(out, rows[waits], enter[waits] - SPACING - BEFORE)
@@ -102,7 +105,8 @@ class Oncoming:
         speed, mates = world.motion.speed[rows], rows[::-1] % world.slots
         late = braking_to_stop(speed, enter - SPACING - BEFORE) > UNSTOPPABLE
         arrival = np.where(late, 0.0, seconds_for(enter, speed, EAGER, EAGER_SPEED))
-        rank = np.where(rank < 0.0, rank, np.where(before[rows, mates] & comes, -1.0, arrival))
+        decided = np.where(before[rows, mates] & comes, -1.0, arrival)
+        rank = np.where(rank == 0.0, decided, rank)
         yields = (rank > rank[::-1]) | ((rank == rank[::-1]) & (rows > rows[::-1]))
         first = ~yields & comes & (arrival < DECIDED)
         self._first[rows[first], mates[first]] = True
@@ -114,6 +118,17 @@ def _free(world: World, rows: Integers, stop: Floats, leaders: Leaders) -> Float
     ahead = leaders.gaps.reshape(-1, world.slots)[rows]
     ahead = np.where(np.arange(world.slots) == (rows[::-1] % world.slots)[..., None], np.inf, ahead)
     return np.asarray(np.minimum(stop[rows], ahead.min(axis=2)))
+
+
+def _cannot_pass(world: World, rows: Integers, leaders: Leaders) -> Booleans:
+    """(2, P) which one of each pair stands before somebody who comes toward it, where the other of
+    the pair could pass it: they began there, or others let them no further."""
+    mates = rows[::-1] % world.slots
+    gap = leaders.gaps.reshape(-1, world.slots)[rows, mates]
+    close = (gap < STANDING_GAP) & (world.motion.speed[rows] < STANDING_SPEED)
+    stands = np.zeros(len(world.present), dtype=bool)
+    stands[rows[close]] = True
+    return np.asarray(stands[rows] & ~stands[rows[::-1]] & ~np.isfinite(gap[::-1]))
 
 
 @dataclass(frozen=True)
