@@ -111,8 +111,8 @@ def lets_in(
     meetings: Meetings, near: Approaches, grants: Grants, asks: Booleans, speed: Floats,
     politeness: Floats,
 ) -> Booleans:  # fmt: skip
-    """(G, P) who brakes for one that has waited long where their lanes merge, and has not itself:
-    two who wait for each other would stand for good."""
+    """(G, P) who brakes for one that has waited long where their lanes merge, unless it has itself
+    waited so long that others yield to it: two would let each other go first for good."""
     has_waited = asks & (meetings.of_crossings(grants.waiting) > PATIENCE)
     if not has_waited.any():
         return has_waited
@@ -123,7 +123,8 @@ def lets_in(
         meetings.of_agents(speed), meetings.of_crossings(near.to_line) - BEFORE_ZONE
     )
     gentle = braking < COURTEOUS * meetings.of_agents(politeness)
-    return np.asarray(meets & ~has_waited & gentle)
+    patient = meetings.of_crossings(grants.waiting) <= LONGEST_WAIT
+    return np.asarray(meets & patient & gentle)
 
 
 def space_for_others(meetings: Meetings, may_go: Booleans, length: Floats) -> Floats:
