@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 
 from roadlang import DiagnosticError
-from roadlang.api import Backend, Trace
+from roadlang.api import Backend, Scene, Trace
 from roadlang_formats.emit_commonroad import CommonRoadBackend
 from roadlang_formats.emit_geojson import GeoJsonBackend
 from roadlang_formats.emit_gltf import GltfBackend
@@ -58,7 +58,7 @@ def written_lines(name: str, *, driven: bool = False) -> Iterator[str]:
             yield from _files(backend, scene.record, trace)
 
 
-def _files(backend: Backend, scene: object, trace: Trace | None) -> Iterator[str]:
+def _files(backend: Backend, scene: Scene, trace: Trace | None) -> Iterator[str]:
     try:
         files: Mapping[str, str | bytes] = (
             backend.files(scene) if trace is None else backend.drive_files(scene, trace)
