@@ -51,7 +51,8 @@ def test_shades_without_texture_are_a_photo() -> None:
 
 
 def test_the_ribbons_of_a_busy_picture_are_not_traced() -> None:
-    rows = np.full((200, 200), 120, np.uint8) + np.uint8(3 * (np.arange(200) % 7))[:, None] // 2
+    shades = 120 + 3 * (np.arange(200) % 7) // 2
+    rows = np.repeat(shades[:, None], 200, axis=1).astype(np.uint8)
     for left in range(20, 200, 33):
         rows[:, left : left + 7] = 200
     field = cv2.merge([rows] * 3)
