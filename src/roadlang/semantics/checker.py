@@ -45,6 +45,8 @@ class Checker:
         self.kinds: dict[tuple[str, str], ResolvedKind | None] = {}
         self.divisors: list[tuple[str, Span]] = []
         """The `s` of numbers such as `1/s`, and where."""
+        self.names_of_roles: dict[tuple[str, ...], tuple[str, ...]] = {}
+        """What is declared, by the statements that fit: listed once, not for each unknown name."""
         self.value_bounds = ValueBounds(lambda name: self.definition(name).value, self._kind_of)
         self._rules = rules
         self._define = define

@@ -71,8 +71,14 @@ def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
     return (f"this scene declares {shown}{more}",)
 
 
-def _fitting_names(checker: Checker, context: Context) -> list[str]:
-    declarations = checker.program.declarations.items()
-    if context.roles:
-        return [name for name, found in declarations if found.role in context.roles]
-    return [name for name, found in declarations if found.role not in ("require", "expect")]
+def _fitting_names(checker: Checker, context: Context) -> tuple[str, ...]:
+    roles = context.roles
+    known = checker.names_of_roles.get(roles)
+    if known is None:
+        known = tuple(
+            name
+            for name, found in checker.program.declarations.items()
+            if (found.role in roles if roles else found.role not in ("require", "expect"))
+        )
+        checker.names_of_roles[roles] = known
+    return known
