@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     help="Width in pixels.",
 )
 def command(file: str, output: str | None, size: int) -> None:
-    """Draw a map (.xodr, .osm, .geojson), a scene (.json) or a scene file (.rl) as SVG.
+    """Draw a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl) as SVG.
 
     Also draws, seen from above, networks of SUMO (.net.xml), Lanelet2 maps (.osm), CommonRoad
     scenarios and MuJoCo models (.xml), binary glTF (.glb), and the map of an OpenSCENARIO file

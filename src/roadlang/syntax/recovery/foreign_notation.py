@@ -65,7 +65,8 @@ _SIZE = re.compile(r"\\(?:left|right|big|Big|bigl|bigr|,|;|!|quad)\b ?|\\[,;! ]|
 _MEMBER = re.compile(r"\b([A-Za-z_]\w*) in \[([^\[\],]+),([^\[\],]+)\]")
 _STEPS = "|".join(op.word for op in OPERATORS if op.contextual and op.latex)
 _ATOM = re.compile(
-    rf"\b({_STEPS}) (?!\()((?:[^()]|\([^()]*\))+?)(?= (?:and|or|implies|iff|until)\b|[),]|$)"
+    rf"\b({_STEPS}) (?!\()((?:[^()\[\]{{}}]|\([^()]*\))+?)"
+    r"(?= (?:and|or|implies|iff|until)\b|[),]|$)"
 )
 """What papers apply without parentheses to a comparison."""
 _IN_BRACKETS = re.compile(r"(?<=[\[(]) | (?=[\]),])")
