@@ -92,7 +92,7 @@ def _raised_in(trace: TracebackType | None) -> str:
     return name
 
 
-_NOT_PLUGINS = ("roadlang", "importlib", "importlib_metadata", "pluggy", "contextlib", "click")
+_NOT_PLUGINS = ("roadlang", "importlib", "pkgutil", "pluggy", "contextlib", "click")
 
 
 def _place_of(error: BaseException) -> str:
