@@ -66,6 +66,8 @@ def scenes(failures: str | None) -> list[roadlang.Scene]:
     if failures is None:
         return drawn
     files = sorted(Path(failures, "failures").glob("????.json"))
+    if not files:
+        raise SystemExit(f"{failures} has no failures to learn from: search with another --seed")
     failing = [roadlang.Scene.from_json(file.read_text(encoding="utf-8")) for file in files]
     return drawn + [failing[i % len(failing)] for i in range(len(drawn))]
 

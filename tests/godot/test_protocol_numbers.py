@@ -7,6 +7,7 @@ import re
 from roadlang_godot import engine as engines
 from roadlang_godot import protocol
 from roadlang_godot.link_websocket import WebSocketLink
+from roadlang_godot.usual_port import USUAL_PORT
 
 _CONSTANT = re.compile(r"^const (\w+) := (\S+)$", re.MULTILINE)
 _KNOWN_TO_THE_ENGINE_ALONE = {"MAX_WORLDS", "MAX_THINGS"}
@@ -18,5 +19,6 @@ def test_constants_of_the_protocol() -> None:
              for name, value in _CONSTANT.findall(text)}  # fmt: skip
     here = {message.name: float(message) for message in protocol.Message}
     here |= {name: float(getattr(protocol, name)) for name in there.keys() & vars(protocol).keys()}
+    here["USUAL_PORT"] = float(USUAL_PORT)
     here["WEBSOCKET_WINDOW"] = float(WebSocketLink.window)
     assert here == {name: there[name] for name in there.keys() - _KNOWN_TO_THE_ENGINE_ALONE}

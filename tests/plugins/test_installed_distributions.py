@@ -89,6 +89,24 @@ def test_a_zip_file_is_read_by_the_standard_library(
     assert found.installed.requires[0] == "roadlang>=0.1"
 
 
+@pytest.mark.parametrize("module", ["importlib.metadata", "importlib_metadata"])
+@pytest.mark.parametrize("strange", [False, True])
+def test_other_finders_find_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: str, strange: bool
+) -> None:
+    finder = pytest.importorskip(module).MetadataPathFinder
+    if strange:  # one that we know nothing of: `importlib.metadata` is asked
+        finder = type("Finder", (finder,), {})
+    ours = [found for found in sys.meta_path if not hasattr(found, "find_distributions")]
+    monkeypatch.setattr(sys, "meta_path", [*ours, finder()])
+    whole = _site(tmp_path / "whole", "Acme.Roads-1.3.dist-info")
+    bare = _site(tmp_path / "bare", "bare_roads-1.0.dist-info")
+    (bare / "bare_roads-1.0.dist-info" / "METADATA").unlink()
+    shadowed = _site(tmp_path / "shadowed", "acme_roads-1.1.dist-info")
+    monkeypatch.setattr(sys, "path", [str(whole), str(bare), str(shadowed)])
+    assert len(entry_points("roadlang")) == 2
+
+
 def test_a_distribution_without_metadata(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (_site(tmp_path) / "acme_roads-1.2.dist-info" / "METADATA").unlink()
     monkeypatch.setattr(sys, "path", [str(tmp_path)])

@@ -120,14 +120,14 @@ def as_overlay(picture: Picture, found: Extraction) -> str:
     return "\n".join([*parts, "</g>", "</svg>", ""])
 
 
-def _stretches(points: Floats, sure: Floats, all_in_all: float) -> list[str]:
+def _stretches(points: Floats, sure: Floats, whole: float) -> list[str]:
     """A road's center line in paths of one color each, with how sure they are."""
     level = np.round(sure * _LEVELS).astype(int)
     cuts = [0, *(np.flatnonzero(np.diff(level)) + 1), len(points) - 1]
     return [
         f'<path d="{_path(points[first : last + 1])}" stroke="{_color(level[first] / _LEVELS)}"'
-        f' stroke-width="1.6"><title>{float(sure[first : last + 1].mean()):.0%} sure here, the road'
-        f" {all_in_all:.0%}</title></path>"
+        f' stroke-width="1.6"><title>{float(sure[first : last + 1].mean()):.0%} sure here,'
+        f" {whole:.0%} overall</title></path>"
         for first, last in pairwise(cuts)
         if last > first
     ]

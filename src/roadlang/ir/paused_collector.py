@@ -1,4 +1,4 @@
-"""Many records made at once, without a search for garbage among them."""
+"""Pauses the garbage collector while many records are made."""
 
 from __future__ import annotations
 
@@ -9,9 +9,8 @@ from contextlib import contextmanager
 
 @contextmanager
 def collector_paused() -> Iterator[None]:
-    """What is made inside lives on: to look for garbage among it, again and again as it grows,
-    takes a fifth of the time of scenes with many objects, and 40 % of that of reading a large
-    file."""
+    """For code whose objects all live on. Collecting again and again while they grow in number
+    takes a fifth of the time of scenes with many objects, and 40 % of reading a large file."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:

@@ -53,10 +53,12 @@ class Installed:
     def _headers(self) -> list[tuple[str, str]]:
         """Name, in lower case, and value of each line before the README."""
         if self.found is not None:
-            return [(name.lower(), value) for name, value in self.found.metadata.items()]
-        file = _METADATA[os.path.splitext(self.folder)[1]]
+            read = (self.found.read_text(file) for file in _METADATA.values())
+            text = next(filter(None, read), "")
+        else:
+            text = _text(self.folder, _METADATA[os.path.splitext(self.folder)[1]])
         lines: list[tuple[str, str]] = []
-        for line in _text(self.folder, file).splitlines():
+        for line in text.splitlines():
             if not line:
                 break
             name, colon, value = line.partition(":")
@@ -132,9 +134,16 @@ def _everything() -> Iterator[Installed]:
 
 
 def _is_plain() -> bool:
-    """Whether distributions are found by the finder of Python alone."""
+    """Whether distributions are found by the finder of Python alone, or by its newer edition.
+
+    The distribution `importlib_metadata` puts its own finder in the place of Python's as soon as
+    anything imports it; it looks in the same folders.
+    """
     finders = (finder for finder in sys.meta_path if hasattr(finder, "find_distributions"))
-    return all(finder is PathFinder for finder in finders)
+    return all(
+        finder is PathFinder or type(finder).__module__ == "importlib_metadata"
+        for finder in finders
+    )
 
 
 def _folders(path: Sequence[str]) -> list[str] | None:
@@ -159,10 +168,11 @@ def _asked_for() -> Iterator[Installed]:
 
     seen = set()
     for found in distributions():
-        name = (found.metadata["Name"] or "").lower().replace("-", "_").replace(".", "_")
+        installed = Installed("", found)
+        name = installed.name.lower().replace("-", "_").replace(".", "_")
         if name not in seen:
             seen.add(name)
-            yield Installed(name, found)
+            yield installed
 
 
 def _text(folder: str, file: str) -> str:

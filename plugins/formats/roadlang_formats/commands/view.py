@@ -52,5 +52,5 @@ def _drawn(path: Path, size: float) -> str:
         return drawn(shapes, path.name, size)
     roads = map_named_in(path)
     if roads is not None:
-        note(f"of {path.name}, the roads are drawn: {roads.name}")
+        note(f"{path.name} is drawn as its road map, {roads.name}")
     return opened(str(roads or path)).svg(size=size)

@@ -37,6 +37,11 @@ def _linear(value: float) -> float:
     return round(value / 12.92 if low else ((value + 0.055) / 1.055) ** 2.4, 6)
 
 
+def srgb(linear: float) -> float:
+    """A component in linear light in sRGB: the inverse."""
+    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
+
+
 _SHARED = (
     Material("asphalt", "#303033"),
     Material("bus lane", "#3d3330"),

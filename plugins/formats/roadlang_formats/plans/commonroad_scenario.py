@@ -10,7 +10,7 @@ from roadlang.geometry import Floats
 from roadlang_standard.svg import palette
 
 from ..map_xml import MapElement, MapFile
-from .shapes import MOST_COORDINATE, PlanShape, joined, rectangle
+from .shapes import MOST_COORDINATE, PlanShape, Pose, joined, placed, rectangle
 
 _PLANNED = (4.5, 1.8)
 """Meters, length and width: the file does not state those of the planned vehicle."""
@@ -59,15 +59,15 @@ def _outlines(file: MapFile, obstacle: MapElement) -> Iterator[Floats]:
     for shape in obstacle.all("shape", "rectangle"):
         turn = 0.0 if shape.first("orientation") is None else _value(file, shape, "orientation")
         size = _value(file, shape, "length"), _value(file, shape, "width")
-        yield _moved(rectangle(*_center(file, shape), turn, *size), pose)
+        yield placed(rectangle(*_center(file, shape), turn, *size), pose)
     for shape in obstacle.all("shape", "circle"):
         angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
         ring = np.column_stack((np.cos(angles), np.sin(angles))) * _value(file, shape, "radius")
-        yield _moved(np.array(_center(file, shape)) + ring, pose)
+        yield placed(np.array(_center(file, shape)) + ring, pose)
     for shape in obstacle.all("shape", "polygon"):
         corners = np.array([_point(file, point) for point in shape.all("point")]).reshape(-1, 2)
         if len(corners) > 2:
-            yield _moved(corners, pose)
+            yield placed(corners, pose)
 
 
 def _center(file: MapFile, shape: MapElement) -> tuple[float, float]:
@@ -75,14 +75,7 @@ def _center(file: MapFile, shape: MapElement) -> tuple[float, float]:
     return (0.0, 0.0) if center is None else _point(file, center)
 
 
-def _moved(points: Floats, pose: tuple[float, float, float]) -> Floats:
-    x, y, heading = pose
-    cos, sin = np.cos(heading), np.sin(heading)
-    moved: Floats = np.array([x, y]) + points @ np.array([[cos, sin], [-sin, cos]])
-    return moved
-
-
-def _pose(file: MapFile, owner: MapElement) -> tuple[float, float, float] | None:
+def _pose(file: MapFile, owner: MapElement) -> Pose | None:
     """x, y and heading at the start."""
     point = owner.first("initialState", "position", "point")
     turned = owner.first("initialState", "orientation")

@@ -14,8 +14,9 @@ import numpy as np
 from roadlang.api import read_input
 from roadlang.geometry import Floats
 
+from ..gltf.materials import srgb
 from ..map_xml import LARGEST, fault_at
-from .shapes import MOST_COORDINATE, PlanShape
+from .shapes import MOST_COORDINATE, PlanShape, hex_color
 
 _INTEGERS = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
 _FLOAT, _TRIANGLES = 5126, 4
@@ -37,7 +38,7 @@ def shapes(path: Path) -> Iterator[PlanShape]:
         ValueError,
         struct.error,
     ) as error:
-        reason = f"it is not a whole binary glTF file: {type(error).__name__}: {error}"
+        reason = f"it is not a valid binary glTF file: {type(error).__name__}: {error}"
         raise fault_at(path, "", 0, reason) from None
     for mesh in found:
         yield PlanShape(tuple(mesh.triangles), mesh.color, label=mesh.name)
@@ -64,7 +65,7 @@ class _Glb:
     def of(cls, content: bytes) -> _Glb:
         magic, version, length = struct.unpack_from("<4sII", content)
         if (magic, version, length) != (b"glTF", 2, len(content)):
-            raise ValueError("its header is another")
+            raise ValueError("its header is not that of binary glTF 2.0")
         chunks, at = [], 12
         while at < length:
             size, kind = struct.unpack_from("<I4s", content, at)
@@ -72,7 +73,7 @@ class _Glb:
             at += 8 + size
         (kind, text), *rest = chunks
         if kind != b"JSON":
-            raise ValueError("its first part is not JSON")
+            raise ValueError("its first chunk is not JSON")
         return cls(json.loads(text), rest[0][1] if rest else b"")
 
     def meshes(self) -> Iterator[_Mesh]:
@@ -126,14 +127,12 @@ class _Glb:
         return table.astype(float)
 
     def _color(self, primitive: dict[str, Any]) -> str:
-        """Of sRGB, whose shares glTF states linearly."""
+        """In sRGB; glTF states components in linear light."""
         materials = self.document.get("materials", [])
         material = materials[primitive["material"]] if "material" in primitive else {}
         factor = material.get("pbrMetallicRoughness", {}).get("baseColorFactor", (0.5, 0.5, 0.5))
         linear = np.clip(np.array(factor[:3], dtype=float), 0.0, 1.0)
-        shares = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-        red, green, blue = np.rint(255.0 * shares).astype(int).tolist()
-        return f"#{red:02x}{green:02x}{blue:02x}"
+        return hex_color([srgb(component) for component in linear.tolist()])
 
 
 def _matrix(node: dict[str, Any]) -> Floats:

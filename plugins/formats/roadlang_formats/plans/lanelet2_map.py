@@ -24,7 +24,7 @@ _LINE = 0.15
 
 
 def is_lanelet_map(file: MapFile) -> bool:
-    """Whether an extract of OpenStreetMap is none, but has lanelets."""
+    """Whether an `.osm` file is a Lanelet2 map, not an extract of OpenStreetMap."""
     return any(_tags(found).get("type") == "lanelet" for found in file.root.all("relation"))
 
 

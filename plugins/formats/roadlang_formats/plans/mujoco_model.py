@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-import numpy as np
-
 from roadlang.geometry import Floats
 
 from ..map_xml import MapElement, MapFile
-from .shapes import PlanShape, numbers, rectangle
+from .shapes import PlanShape, Pose, hex_color, numbers, placed, rectangle
 
 _GRAY = (0.5, 0.5, 0.5)
-_Pose = tuple[float, float, float]
 
 
 def shapes(file: MapFile) -> Iterator[PlanShape]:
@@ -36,17 +33,21 @@ class _Bodies:
     def __init__(self, file: MapFile, meshes: Mapping[str, Floats], unit: float) -> None:
         self._file, self._meshes, self._unit = file, meshes, unit
 
-    def shapes(self, body: MapElement, at: _Pose) -> Iterator[PlanShape]:
+    def shapes(self, body: MapElement, at: Pose) -> Iterator[PlanShape]:
         """Of a body at this pose."""
         for geom in body.all("geom"):
             outline = self._outline(geom, self._pose(geom, at))
             if outline is not None:
                 color = numbers(self._file, geom, "rgba", "0.5 0.5 0.5 1")
-                yield PlanShape((outline,), _hex(color), label=geom.attributes.get("name", ""))
+                yield PlanShape(
+                    (outline,),
+                    hex_color(color[:3] if len(color) >= 3 else _GRAY),
+                    label=geom.attributes.get("name", ""),
+                )
         for child in body.all("body"):
             yield from self.shapes(child, self._pose(child, at))
 
-    def _outline(self, geom: MapElement, pose: _Pose) -> Floats | None:
+    def _outline(self, geom: MapElement, pose: Pose) -> Floats | None:
         x, y, heading = pose
         if geom.attributes.get("type") == "box":
             size = numbers(self._file, geom, "size")
@@ -57,9 +58,9 @@ class _Bodies:
         if found is None or len(found) < 9 or len(found) % 3:
             return None
         hull = _hull(found.reshape(-1, 3)[:, :2])
-        return None if hull is None else np.array([x, y]) + hull @ _rotation(heading).T
+        return None if hull is None else placed(hull, pose)
 
-    def _pose(self, element: MapElement, parent: _Pose) -> _Pose:
+    def _pose(self, element: MapElement, parent: Pose) -> Pose:
         """x, y and heading; other rotations than about the vertical are ignored."""
         at = numbers(self._file, element, "pos", "0 0 0")
         euler = numbers(self._file, element, "euler", "0 0 0")
@@ -72,8 +73,8 @@ class _Bodies:
                 raise self._file.fault(element, "`quat` has four numbers")
             w, i, j, k = quat.tolist()
             turn = math.atan2(2.0 * (w * k + i * j), 1.0 - 2.0 * (j * j + k * k))
-        x, y = np.array(parent[:2]) + _rotation(parent[2]) @ at[:2]
-        return float(x), float(y), parent[2] + turn
+        x, y = placed(at[:2], parent).tolist()
+        return x, y, parent[2] + turn
 
 
 def _hull(points: Floats) -> Floats | None:
@@ -85,14 +86,3 @@ def _hull(points: Floats) -> Floats | None:
     except QhullError:
         return None
     return found
-
-
-def _rotation(heading: float) -> Floats:
-    cos, sin = math.cos(heading), math.sin(heading)
-    return np.array([[cos, -sin], [sin, cos]])
-
-
-def _hex(color: Floats) -> str:
-    shares = color[:3] if len(color) >= 3 else np.array(_GRAY)
-    red, green, blue = np.rint(255.0 * np.clip(shares, 0.0, 1.0)).astype(int).tolist()
-    return f"#{red:02x}{green:02x}{blue:02x}"

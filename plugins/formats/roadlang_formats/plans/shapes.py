@@ -9,10 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from roadlang.geometry import Floats
+from roadlang.geometry.footprints import Footprints
 
 from ..map_xml import MapElement, MapFile
 
 MOST_COORDINATE = 1e8
+Pose = tuple[float, float, float]
+"""x and y in meters, and a heading."""
 
 
 @dataclass(frozen=True)
@@ -28,10 +31,14 @@ class PlanShape:
 
 def rectangle(x: float, y: float, heading: float, length: float, width: float) -> Floats:
     """(4, 2) corners around a center."""
-    along = np.array((math.cos(heading), math.sin(heading))) * (length / 2.0)
-    across = np.array((-math.sin(heading), math.cos(heading))) * (width / 2.0)
-    corners = [along + across, -along + across, -along - across, along - across]
-    return np.array([x, y]) + np.array(corners)
+    return Footprints(*map(np.asarray, (x, y, heading, length, width))).corners
+
+
+def placed(points: Floats, pose: Pose) -> Floats:
+    """(n, 2) points given relative to a pose, in the coordinates that the pose is given in."""
+    x, y, heading = pose
+    cos, sin = math.cos(heading), math.sin(heading)
+    return np.asarray(np.array([x, y]) + points @ np.array([[cos, sin], [-sin, cos]]))
 
 
 def numbers(file: MapFile, element: MapElement, name: str, default: str | None = None) -> Floats:
@@ -59,3 +66,9 @@ def points(file: MapFile, element: MapElement, name: str, default: str | None = 
 def joined(left: Sequence[Floats] | Floats, right: Sequence[Floats] | Floats) -> Floats:
     """The outline between two borders that run the same way."""
     return np.concatenate((np.asarray(left), np.asarray(right)[::-1]))
+
+
+def hex_color(components: Sequence[float] | Floats) -> str:
+    """`#rrggbb` of red, green and blue from 0 to 1."""
+    red, green, blue = np.rint(255.0 * np.clip(components, 0.0, 1.0)).astype(int).tolist()
+    return f"#{red:02x}{green:02x}{blue:02x}"

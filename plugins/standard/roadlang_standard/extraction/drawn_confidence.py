@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from roadlang.geometry import Floats
 
@@ -35,14 +37,14 @@ def with_doubts(found: FoundNetwork) -> FoundNetwork:
 
 def _parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
     """The roads by the connected part of the network that they belong to."""
-    of_node: dict[int, list[FoundRoad]] = {}
+    starts, ends = ([getattr(road, end) for road in roads] for end in ("start", "end"))
+    count = 1 + max([*starts, *ends], default=0)
+    links = coo_array((np.ones(len(roads)), (starts, ends)), shape=(count, count))
+    number, part = connected_components(links, directed=False)
+    found: list[list[FoundRoad]] = [[] for _ in range(number)]
     for road in roads:
-        joined = [*of_node.get(road.start, []), road]
-        if of_node.get(road.end) is not of_node.get(road.start):
-            joined += of_node.get(road.end, [])
-        for member in joined:
-            of_node[member.start] = of_node[member.end] = joined
-    return list({id(part): part for part in of_node.values()}.values())
+        found[part[road.start]].append(road)
+    return [members for members in found if members]
 
 
 def _at_rim(road: FoundRoad, shape: tuple[int, ...]) -> bool:

@@ -11,14 +11,14 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 LOWEST, HIGHEST = -99_999, 999_999
-"""What has a text of at most seven letters."""
+"""What is written in at most seven characters."""
 _BLOCK = 1 << 16
 
 
 def joined(numbers: NDArray[np.int64], separators: str) -> str:
     """The text of (n, m) hundredths, each number followed by its column's separator.
 
-    None is less than `LOWEST` or greater than `HIGHEST`; `separators` is m letters of ASCII.
+    None is less than `LOWEST` or greater than `HIGHEST`; `separators` is m ASCII characters.
     """
     import numpy as np
 
@@ -56,7 +56,7 @@ def _sizes(count: int) -> NDArray[np.uint64]:
 
 
 def _packed(texts: Iterable[str]) -> NDArray[np.uint64]:
-    """Up to eight letters a number, in the order of the memory; 0 where there is a space."""
+    """Up to eight characters for each number, the first in the lowest byte; spaces become 0."""
     import numpy as np
 
     letters = "".join(text.ljust(8) for text in texts).replace(" ", "\0")
