@@ -59,7 +59,7 @@ def test_the_usual_formats_are_read_in_color(tmp_path: Path, ending: str) -> Non
     found = opened(written(tmp_path / f"a.{ending}", shown()))
     assert found.pixels.shape == (40, 60, 3)
     assert found.pixels.dtype == np.uint8
-    assert len(found.sha256) == 64
+    assert len(found.inputs[0][1]) == 64
 
 
 @pytest.mark.parametrize("channels", [1, 4])
@@ -177,9 +177,9 @@ def test_a_world_file_beside_the_picture_says_its_scale(tmp_path: Path, beside: 
     (tmp_path / beside).write_text("0.25\n0\n0\n-0.25\n1000\n2000\n")
     picture = opened(written(tmp_path / "a.png", shown()))
     assert picture.scale == pytest.approx(0.25)
-    assert picture.found_scale is not None
+    assert len(picture.inputs) == 2
     digest = sha256((tmp_path / beside).read_bytes()).hexdigest()
-    assert picture.found_scale.files == ((beside, digest),)
+    assert picture.inputs[1] == (beside, digest)
 
 
 def test_a_world_file_may_be_turned(tmp_path: Path) -> None:

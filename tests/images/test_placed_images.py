@@ -125,8 +125,7 @@ def test_the_grid_of_a_world_file_is_in_a_prj_file(
     assert away(place_of_spot(found), (NORTH, EAST)) < 0.15
     shrunk = math.cos(math.radians(NORTH)) if x is None else 1.0
     assert found.scale == pytest.approx(2.0 * shrunk, rel=5e-3)
-    assert found.found_scale is not None
-    assert [name for name, _ in found.found_scale.files] == ["a.pgw", "a.prj"]
+    assert [name for name, _ in found.inputs[1:]] == ["a.pgw", "a.prj"]
 
 
 def test_other_grids_need_pyproj_and_keep_their_scale(

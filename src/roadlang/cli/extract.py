@@ -46,7 +46,9 @@ class _Place(_Numbers):
 
 
 @click.command("extract")
-@click.argument("image", type=click.Path(dir_okay=False))
+@click.argument(
+    "images", metavar="IMAGE...", nargs=-1, required=True, type=click.Path(dir_okay=False)
+)
 @click.option(
     "-o",
     "--output",
@@ -101,7 +103,7 @@ class _Place(_Numbers):
 )
 @click.option("--no-browser", is_flag=True, help="With --edit: print the address, do not open it.")
 def command(
-    image: str,
+    images: tuple[str, ...],
     output: str | None,
     overlay: str | None,
     mask: str | None,
@@ -112,28 +114,35 @@ def command(
 ) -> None:
     """Extract the roads of IMAGE.
 
-    Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
-    down. Without `-o` the JSON goes to standard output.
+    Several images are tiles of one: each says where on Earth it is, as a GeoTIFF or by a world
+    file. Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y
+    runs down. Without `-o` the JSON goes to standard output.
     """
     if edit is not None:
         from .extract_edit import edit_roads
 
         _refuse_with_edit()
-        edit_roads(image, edit, settings["scale"], not no_browser)
+        if len(images) > 1:
+            raise click.UsageError(
+                "`--edit` takes one image: name tiles in the scene file, as in "
+                '`image photo from "tiles/*.tif"`.'
+            )
+        edit_roads(images[0], edit, settings["scale"], not no_browser)
         return
 
     from ..ir.picture import Picture
     from .extraction_files import as_json, as_mask, as_overlay
     from .extraction_geojson import as_geojson
 
-    opened = _opened(Path(image))
+    opened = _opened(images)
     scale = settings["scale"] if settings["scale"] is not None else opened.scale
-    picture = Picture(opened.pixels, scale or 1.0, path=image)
+    picture = Picture(opened.pixels, scale or 1.0, path=images[0])
     on_earth = output is not None and Path(output).suffix.lower() == ".geojson"
     place = _place(opened, origin, scale) if on_earth else None
     found, seconds = _extracted(picture, scale, settings)
     if place is None:
-        document = as_json(picture, found, scale, seconds, _beside(mask, output))
+        tiles = images if len(images) > 1 else ()
+        document = as_json(picture, found, scale, seconds, _beside(mask, output), tiles)
     else:
         document = as_geojson(picture, found, place)
     shown = None if overlay is None else as_overlay(picture, found)
@@ -159,7 +168,7 @@ def _refuse_with_edit() -> None:
     for parameter in context.command.params:
         source = context.get_parameter_source(parameter.name or "")
         given = source is click.core.ParameterSource.COMMANDLINE
-        if given and parameter.name not in ("image", "edit", "no_browser", "scale"):
+        if given and parameter.name not in ("images", "edit", "no_browser", "scale"):
             raise click.UsageError(
                 f"`{parameter.opts[0]}` does not go with `--edit`: options of the extractor are "
                 "written in the scene file."
@@ -189,10 +198,13 @@ def _beside(mask: str | None, output: str | None) -> str | None:
     return os.path.relpath(mask, Path(output).parent if output else ".").replace(os.sep, "/")
 
 
-def _opened(path: Path) -> OpenedImage:
-    from ..images.image_file import open_image
+def _opened(images: tuple[str, ...]) -> OpenedImage:
+    from ..images.image_file import open_image, open_tiles
 
-    opened = open_image(path, str(path), None)
+    if len(images) > 1:
+        opened = open_tiles([(Path(image), image) for image in images], images[0], None)
+    else:
+        opened = open_image(Path(images[0]), images[0], None)
     if opened.shown.warning is not None:
         report([opened.shown.warning])
     return opened

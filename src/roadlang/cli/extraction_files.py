@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -22,9 +23,15 @@ _LEVELS = 5
 
 
 def as_json(
-    picture: Picture, found: Extraction, scale: float | None, seconds: float, mask: str | None
+    picture: Picture,
+    found: Extraction,
+    scale: float | None,
+    seconds: float,
+    mask: str | None,
+    tiles: Sequence[str] = (),
 ) -> str:
-    """Polylines, nodes, widths, confidence: all in pixels."""
+    """Polylines, nodes, widths, confidence: all in pixels. `tiles`: the files of the picture, where
+    it was put together from several."""
     roads = []
     for index, edge in enumerate(found.network.edges):
         line, widths = polyline(picture, edge)
@@ -58,6 +65,8 @@ def as_json(
         "remarks": list(found.remarks),
         "time_s": round(seconds, 3),
     }
+    if tiles:
+        document["image"]["tiles"] = list(tiles)
     if mask is not None:
         document["mask"] = mask
     return json.dumps(document, allow_nan=False) + "\n"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import hashlib
+import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
+from ..files.matching import files_matching
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file
+from .mosaic import Tile, TilesDoNotFit, mosaic
 from .placed_pixels import Pixels, PlacedPixels, placed
 
 MOST_PIXELS = 100_000_000
@@ -23,12 +27,11 @@ _SILENT = 0
 
 @dataclass(frozen=True)
 class OpenedImage:
-    """`shown`: (height, width, 3) BGR, with scale and place where the file, or one next to it, has
-    them; `found_scale`: what these say."""
+    """`shown`: (height, width, 3) BGR, with scale and place where the files, or those next to them,
+    have them; `inputs`: these files, their paths as written and sha256."""
 
     shown: PlacedPixels
-    found_scale: FoundScale | None
-    sha256: str
+    inputs: tuple[tuple[str, str], ...]
 
     @property
     def pixels(self) -> Pixels:
@@ -42,7 +45,50 @@ class OpenedImage:
 
 
 def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
-    """Read a picture. Raises DiagnosticError RL400 to RL406."""
+    """Read a picture, or the tiles of one: `*` and `?` stand for parts of their names.
+
+    Raises DiagnosticError RL400 to RL405, RL442.
+    """
+    folder = os.path.dirname(written)
+    found = [
+        (file, written if file == path else os.path.join(folder, file.name))
+        for file in files_matching(path)
+    ]
+    if not found:
+        reason = "no file has a name like that"
+        raise _refusal(Code.UNREADABLE_INPUT, span, written, reason=reason)
+    return open_tiles(found, written, span)
+
+
+def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | None) -> OpenedImage:
+    """Read a picture from one or several files, with their paths as written.
+
+    Raises DiagnosticError RL400 to RL405, RL442.
+    """
+    read = [_read(path, name, span) for path, name in files]
+    inputs = tuple(item for each in read for item in each.inputs)
+    if len(read) == 1:
+        shown = placed(read[0].pixels, read[0].found, files[0][1], span)
+        return OpenedImage(shown, inputs)
+    tiles = [
+        Tile(name, each.pixels, each.found or FoundScale(None))
+        for (_, name), each in zip(files, read, strict=True)
+    ]
+    try:
+        pixels, scale = mosaic(tiles, MOST_PIXELS)
+    except TilesDoNotFit as fault:
+        raise _refusal(Code.TILES_DO_NOT_FIT, span, written, reason=str(fault)) from None
+    return OpenedImage(placed(pixels, scale, written, span), inputs)
+
+
+@dataclass(frozen=True)
+class _ReadImage:
+    pixels: Pixels
+    found: FoundScale | None
+    inputs: tuple[tuple[str, str], ...]
+
+
+def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     content = read_input(path, written, span)
     header = read_header(content)
     if header is None:
@@ -56,8 +102,13 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
     if pixels is None or pixels.size == 0:
         raise _refusal(Code.DAMAGED_IMAGE, span, written, format=header.format)
     found = scale_in_file(path, content, header.format)
-    shown = placed(as_colors(pixels), found, written, span)
-    return OpenedImage(shown, found, hashlib.sha256(content).hexdigest())
+    folder = os.path.dirname(written)
+    beside = () if found is None else found.files
+    inputs = (
+        (written, hashlib.sha256(content).hexdigest()),
+        *((os.path.join(folder, name), digest) for name, digest in beside),
+    )
+    return _ReadImage(as_colors(pixels), found, inputs)
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:

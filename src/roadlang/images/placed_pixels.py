@@ -13,6 +13,7 @@ from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..geometry.arrays import Floats
 from ..geometry.earth_grids import ToDegrees, to_degrees
 from ..geometry.local_projection import LocalProjection
+from .border_color import border_color
 from .georeference import Georeference
 from .image_scale import FoundScale
 
@@ -147,9 +148,7 @@ def _drawn(pixels: Pixels, frame: _Frame) -> PlacedPixels:
     across, down = right / scale, -up / scale
     x, y = first / scale
     matrix = np.array([[across[0], down[0], x - 0.5], [-across[1], -down[1], rows - y - 0.5]])
-    edge = np.concatenate([pixels[[0, -1]].reshape(-1, 3), pixels[:, [0, -1]].reshape(-1, 3)])
-    usual = [float(value) for value in np.median(edge, axis=0)]
     drawn = cv2.warpAffine(pixels, matrix, (columns, rows), flags=cv2.INTER_LINEAR,
-        borderMode=cv2.BORDER_CONSTANT, borderValue=usual)  # fmt: skip
+        borderMode=cv2.BORDER_CONSTANT, borderValue=border_color([pixels]))  # fmt: skip
     origin = LocalProjection(*frame.origin).place(float(low[0]), float(low[1]))
     return PlacedPixels(np.asarray(drawn, np.uint8), scale, origin)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -16,7 +15,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..images.image_file import OpenedImage, open_image
+from ..images.image_file import open_image
 from ..ir.picture import Picture
 from ..ir.scenario import FileSource, Input, ScenarioImage, TextSource
 from ..ir.values import PassCall, Value
@@ -130,7 +129,7 @@ def _from_file(
         if has_reader:
             return _read(source, image, scenario)
         opened = open_image(Path(source.resolved), source.path, image.span)
-        inputs = _inputs_of(source, opened)
+        inputs = tuple(Input(*item) for item in opened.inputs)
         picture, shown = Picture(opened.pixels, 1.0, path=source.path), opened.shown
         warnings = (shown.warning,) if shown.warning is not None else ()
         return _UnscaledPicture(picture, opened.scale, inputs, shown.origin, warnings)
@@ -138,14 +137,6 @@ def _from_file(
     # Pictures that are opened are shared; what a reader makes of one depends on its options.
     key = ("image read", image.name) if has_reader else ("image opened", source.resolved)
     return scenario.once(key, make)
-
-
-def _inputs_of(source: FileSource, opened: OpenedImage) -> tuple[Input, ...]:
-    """The picture, and the files next to it that its scale and place are from."""
-    beside = () if opened.found_scale is None else opened.found_scale.files
-    folder = os.path.dirname(source.path)
-    others = (Input(os.path.join(folder, name), digest) for name, digest in beside)
-    return (Input(source.path, opened.sha256), *others)
 
 
 def _read(source: FileSource, image: ScenarioImage, scenario: IndexedScenario) -> _UnscaledPicture:

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
+from ...files.matching import files_matching
 from ...files.reading import UnreadableFile, read_start
 
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm", ".webp")
@@ -33,8 +34,22 @@ def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnosti
 
 
 def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
-    """What is wrong with a file that the scene names, as far as its first bytes tell."""
+    """What is wrong with a file that the scene names, as far as its first bytes tell.
+
+    A picture may be named with `*` and `?`, which stand for all its tiles.
+    """
     target = folder / written
+    if picture and (tiles := files_matching(target)) != [target]:
+        faults = (
+            _first_fault(tile, os.path.join(os.path.dirname(written), tile.name), span, picture)
+            for tile in tiles
+        )
+        missing = None if tiles else missing_file(target.parent, target.name, span, written)
+        return next(filter(None, faults), missing)
+    return _first_fault(target, written, span, picture)
+
+
+def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagnostic | None:
     try:
         head = read_start(target, 16)
     except UnreadableFile as error:
