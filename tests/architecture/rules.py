@@ -21,7 +21,7 @@ BESIDE_THE_ROOMS = {"roadlang.testing": frozenset({"numpy", "pytest"})}
 """Third parties of the files that are in no room"""
 COMPUTED_IMPORTS = (
     "src/roadlang/cli/commands.py",
-    "src/roadlang/cli/extract.py",
+    "src/roadlang/cli/chosen_extractor.py",
     "src/roadlang/geometry/__init__.py",
     "src/roadlang/plugins/registry.py",
     "src/roadlang/stl/__init__.py",

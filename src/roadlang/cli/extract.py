@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,8 +14,7 @@ from .finite_range import FiniteRange
 
 if TYPE_CHECKING:
     from ..images.image_file import OpenedImage
-    from ..ir.picture import Extraction, Picture
-    from ..plugins.registry import KindEntry
+    from ..ir.picture import Extraction
 
 
 class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
@@ -119,18 +117,11 @@ def command(
     runs down. Without `-o` the JSON goes to standard output.
     """
     if edit is not None:
-        from .extract_edit import edit_roads
-
-        _refuse_with_edit()
-        if len(images) > 1:
-            raise click.UsageError(
-                "`--edit` takes one image: name tiles in the scene file, as in "
-                '`image photo from "tiles/*.tif"`.'
-            )
-        edit_roads(images[0], edit, settings["scale"], not no_browser)
+        _edit(images, edit, settings["scale"], not no_browser)
         return
 
     from ..ir.picture import Picture
+    from .chosen_extractor import extracted
     from .extraction_files import as_json, as_mask, as_overlay
     from .extraction_geojson import as_geojson
 
@@ -139,7 +130,7 @@ def command(
     picture = Picture(opened.pixels, scale or 1.0, path=images[0])
     on_earth = output is not None and Path(output).suffix.lower() == ".geojson"
     place = _place(opened, origin, scale) if on_earth else None
-    found, seconds = _extracted(picture, scale, settings)
+    found, seconds = extracted(picture, scale, settings)
     if place is None:
         tiles = images if len(images) > 1 else ()
         document = as_json(picture, found, scale, seconds, _beside(mask, output), tiles)
@@ -162,6 +153,18 @@ def _write(files: dict[str | None, str | bytes | None]) -> None:
             write_file(Path(name), content)
 
 
+def _edit(images: tuple[str, ...], scene: str, scale: float | None, opens_browser: bool) -> None:
+    from .extract_edit import edit_roads
+
+    _refuse_with_edit()
+    if len(images) > 1:
+        raise click.UsageError(
+            "`--edit` takes one image: name tiles in the scene file, as in "
+            '`image photo from "tiles/*.tif"`.'
+        )
+    edit_roads(images[0], scene, scale, opens_browser)
+
+
 def _refuse_with_edit() -> None:
     """Only the scale of a new scene goes with `--edit`: all else is in the scene file."""
     context = click.get_current_context()
@@ -173,20 +176,6 @@ def _refuse_with_edit() -> None:
                 f"`{parameter.opts[0]}` does not go with `--edit`: options of the extractor are "
                 "written in the scene file."
             )
-
-
-def _load() -> None:
-    """Import what extractors need, so that the time that is printed is that of the picture."""
-    from importlib import import_module
-
-    for name in (
-        "cv2",
-        "scipy.ndimage",
-        "scipy.sparse.csgraph",
-        "scipy.sparse.linalg",
-        "scipy.spatial",
-    ):
-        import_module(name)
 
 
 def _beside(mask: str | None, output: str | None) -> str | None:
@@ -226,71 +215,6 @@ def _place(
     else:
         return place
     raise DiagnosticError(diagnose(Code.IMAGE_WITHOUT_PLACE, reason=missing, help=(help,)))
-
-
-def _extracted(
-    picture: Picture, scale: float | None, arguments: dict[str, Any]
-) -> tuple[Extraction, float]:
-    """Run the kind with those of the options that were given; what it found, its CPU seconds.
-
-    Raises DiagnosticError RL425 for a kind that is unknown, RL426 for an option that it lacks.
-    """
-    from ..diagnostics import DiagnosticError, diagnose
-    from ..plugins.guard import plugin_guard
-    from ..plugins.options import schema_of
-    from ..plugins.results import check_extraction
-
-    entry = _extractor(arguments["kind"])
-    with plugin_guard(entry, None):
-        kind = entry.load()
-    options = _options(picture, scale, arguments)
-    fields = {option.name for option in schema_of(kind)}
-    unfit = sorted(set(options) - fields - {"resolution"})
-    if unfit:
-        raise DiagnosticError(
-            diagnose(
-                Code.UNSUPPORTED_EXTRACTOR_OPTION,
-                kind=arguments["kind"],
-                option=f"--{unfit[0].replace('_', '-')}",
-            )
-        )
-    with plugin_guard(entry, None):
-        extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
-        _load()
-        started = time.process_time()
-        found = extractor.extract(picture)
-        seconds = time.process_time() - started
-    check_extraction(found, entry, None)
-    return found, seconds
-
-
-def _extractor(name: str) -> KindEntry:
-    from ..diagnostics import DiagnosticError, diagnose, did_you_mean
-    from ..plugins.discovery import load_registry
-    from ..plugins.finding import find_entry
-    from ..plugins.registry import UnknownKind
-
-    registry = load_registry()
-    try:
-        return find_entry(registry, "extract", name)
-    except UnknownKind:
-        names = registry.names("extract")
-        hints = (*did_you_mean(name, names), f"known are {', '.join(names)}")
-        raise DiagnosticError(diagnose(Code.UNKNOWN_EXTRACTOR, kind=name, help=hints)) from None
-
-
-def _options(picture: Picture, scale: float | None, arguments: dict[str, Any]) -> dict[str, Any]:
-    options: dict[str, Any] = {}
-    if scale is None:
-        options["resolution"] = "unknown"
-    if arguments["width"] is not None:
-        options["width"] = arguments["width"] * picture.scale
-    if arguments["leave_out"]:
-        options["leave_out"] = tuple(((a, b), (c, d)) for a, b, c, d in arguments["leave_out"])
-    for name in ("threshold", "through", "only_through", "model"):
-        if arguments[name]:
-            options[name] = arguments[name]
-    return options
 
 
 def _report(found: Extraction, wrote: bool) -> None:

@@ -32,22 +32,7 @@ def as_json(
 ) -> str:
     """Polylines, nodes, widths, confidence: all in pixels. `tiles`: the files of the picture, where
     it was put together from several."""
-    roads = []
-    for index, edge in enumerate(found.network.edges):
-        line, widths = polyline(picture, edge)
-        record = {
-            "start": edge.start,
-            "end": edge.end,
-            "closed": bool(edge.curve.closed),
-            "length": round(edge.length / picture.scale, 2),
-            "widths": widths.round(2).tolist(),
-            "confidence": round(float(edge.confidence), 4),
-        }
-        if index < len(found.width_errors) and np.isfinite(found.width_errors[index]):
-            record["width_error"] = round(found.width_errors[index] / picture.scale, 3)
-        if index < len(found.confidences):
-            record["confidences"] = _along(found, index, len(line)).round(3).tolist()
-        roads.append((line.round(2).tolist(), record))
+    roads = _roads(picture, found)
     nodes = picture.to_pixels(np.array([n.position for n in found.network.nodes]).reshape(-1, 2))
     document: dict[str, Any] = {
         "schema": SCHEMA,
@@ -70,6 +55,27 @@ def as_json(
     if mask is not None:
         document["mask"] = mask
     return json.dumps(document, allow_nan=False) + "\n"
+
+
+def _roads(picture: Picture, found: Extraction) -> list[tuple[Any, dict[str, Any]]]:
+    """Points of each road, and what is said of it."""
+    roads = []
+    for index, edge in enumerate(found.network.edges):
+        line, widths = polyline(picture, edge)
+        record = {
+            "start": edge.start,
+            "end": edge.end,
+            "closed": bool(edge.curve.closed),
+            "length": round(edge.length / picture.scale, 2),
+            "widths": widths.round(2).tolist(),
+            "confidence": round(float(edge.confidence), 4),
+        }
+        if index < len(found.width_errors) and np.isfinite(found.width_errors[index]):
+            record["width_error"] = round(found.width_errors[index] / picture.scale, 3)
+        if index < len(found.confidences):
+            record["confidences"] = _along(found, index, len(line)).round(3).tolist()
+        roads.append((line.round(2).tolist(), record))
+    return roads
 
 
 def polyline(picture: Picture, edge: Any) -> tuple[Floats, Floats]:
