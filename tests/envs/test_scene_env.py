@@ -125,6 +125,17 @@ def test_a_formula_as_reward(formula: str, expected: object) -> None:
     assert reward == pytest.approx(max(expected(seen), -100.0), abs=1e-5)
 
 
+def test_a_reward_may_look_one_sample_back() -> None:
+    """The jerk, next to a signal that is known from what is now."""
+    one = env(STRAIGHT, reward="always (ego.speed < 90m/s and ego.jerk < 60m/s^3)")
+    before = dict(zip(one.names, one.reset(seed=0)[0].tolist(), strict=True))["acceleration"]
+    for _ in range(3):
+        observed, reward, *_ = one.step(STRAIGHT_ON)
+        now = dict(zip(one.names, observed.tolist(), strict=True))["acceleration"]
+        assert reward == pytest.approx(60.0 - (now - before) / one.settings.step, abs=1e-4)
+        before = now
+
+
 def test_weights_of_operands_count_in_the_reward() -> None:
     """As they do in the robustness: weights 3 and 1 are shares of 3/4 and 1/4."""
     text = (

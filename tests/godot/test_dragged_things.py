@@ -36,6 +36,23 @@ def scene_of(text: str) -> Scene:
     return roadlang.loads(text).sample(1, seed=0)[0].record
 
 
+def test_a_dragged_place_of_a_road_without_waypoints() -> None:
+    text = (
+        "road main { draw with segments { pieces: [straight(60m), arc(80m, 40deg)] } }\n"
+        "agent ego is car on main at 30m\n"
+    )
+    before = scene_of(text)
+    handle = [handle for handle in handles_of(text, before) if handle.sort == "place"][1]
+    to = (handle.x + 3.0, handle.y - 2.0)
+    written = dragged(text, before, handle, to, "nudges")
+    assert written is not None
+    shown = dragged_scene(before, before, (text, written), handle, to)
+    assert shown is not None
+    (seen,), (compiled,) = shown.roads, scene_of(written).roads
+    for column in ("x", "y"):
+        np.testing.assert_allclose(getattr(seen, column), getattr(compiled, column), atol=0.01)
+
+
 @pytest.mark.parametrize("seed", range(2))
 def test_what_is_dragged_is_where_the_text_will_have_it(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -90,6 +90,23 @@ def test_patch_and_roads_leave_no_hole_in_a_crossing() -> None:
             assert covered[y, x]
 
 
+def test_corners_of_a_patch_are_quadratic_curves_between_the_edges() -> None:
+    """Between two cuts: control point where the edges meet, equal steps of the parameter."""
+    arms = star([0, 80, 170, 260])
+    made = patch(arms, [12.0, 9.0, 11.0, 10.0], 1, SceneOrigin(), "here")
+    count = int(np.frombuffer(made.body[:2], "<u2")[0])
+    ring = np.frombuffer(made.body[4:], "<f4", count * 3).reshape(-1, 3)[1:, [0, 2]] * [1, -1]
+    corners = ring.reshape(4, -1, 2)  # right and left corner of an arm, then the curve to the next
+    assert corners.shape[1] == 2 + 5
+    for here, after in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        start, end = here[1], after[0]
+        along, across = start - here[0], end - after[1]  # each at right angles to its edge
+        bend = np.linalg.solve([along, across], [along @ start, across @ end])
+        t = np.arange(1, 6)[:, None] / 6
+        curve = (1 - t) ** 2 * start + 2 * t * (1 - t) * bend + t**2 * end
+        np.testing.assert_allclose(here[2:], curve, atol=1e-4)
+
+
 def test_a_town_gets_a_patch_for_each_node_where_roads_meet() -> None:
     roads, network = town()
     things = layout_of(scene(*roads, networks=[network])).parts

@@ -71,6 +71,14 @@ def test_the_size_of_batches_does_not_decide_which_are_given_up(
     assert outcome(sample(CROWD, MANY), MANY) == expected
 
 
+def test_attempts_that_are_steered_count_as_those_that_are_not(sample: Sample) -> None:
+    """A scene is given up after as many for want of room, wherever they were drawn."""
+    result = sample(STEERED.replace("45.2m..55.2m", "49m..51m"), 1)
+    rejected = {row.name: row.rejected for row in result.table}
+    assert result.missing == (0,)
+    assert rejected["second"] == CROWDED
+
+
 def test_the_table_counts_no_attempt_after_a_scene_was_given_up(sample: Sample) -> None:
     result = sample(CROWD, MANY)
     crowded = sum(row.rejected for row in result.table)

@@ -11,6 +11,8 @@ import pytest
 
 from roadlang import stl
 from roadlang.cli.main import main
+from roadlang.stl.evaluate.measured_robustness import measured_rho, satisfied_by
+from roadlang.stl.formula.evaluation_options import EvaluationOptions
 from roadlang.stl.formula.formulas import Compound, Measured
 from tests.stl_draws import FormulaDraw, draw_trace
 
@@ -161,6 +163,24 @@ def test_a_finished_trace_that_is_known_between_samples(
     found = formula.explain(SECONDS, X, semantics=semantics, finished=True)
     assert formula.verdict(SECONDS, X, semantics=semantics, finished=True) == verdict
     assert (found.verdict, bool(found.beyond_end)) == (verdict, "[7, 8]" in text)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_strict_options_fail_vacuous_verdicts_and_no_others(seed: int) -> None:
+    formula = FormulaDraw(seed, corners=seed % 2 == 0).formula(1 + seed % 3)
+    positions, signals = draw_trace(seed, 7, 3, even=seed % 3 == 0)
+    strict, plain = EvaluationOptions(strict=True), EvaluationOptions()
+
+    vacuous = np.equal(formula.verdict(positions, signals, finished=True), "vacuous")
+    holds = satisfied_by(formula, positions, signals, plain)
+    rho = measured_rho(formula, positions, signals, plain)
+
+    np.testing.assert_array_equal(
+        satisfied_by(formula, positions, signals, strict), holds & ~vacuous
+    )
+    np.testing.assert_array_equal(
+        measured_rho(formula, positions, signals, strict), np.where(vacuous, -np.inf, rho)
+    )
 
 
 @pytest.mark.parametrize("seed", range(60))
