@@ -204,3 +204,15 @@ def test_the_goal_of_an_ego_that_is_gone_is_where_it_was_last() -> None:
     assert center is not None
     assert float(center.findtext("x", "")) == pytest.approx(ego.x[11], abs=1e-5)
     assert float(center.findtext("y", "")) == pytest.approx(ego.y[11], abs=1e-5)
+
+
+def test_who_is_gone_after_the_first_sample_stays_where_it_was() -> None:
+    (sample,) = testing.sample(STREET + "simulate with builtin { duration: 1s }")
+    trace = sample.run().trace
+    lead = trace.agents["lead"]
+    gone = replace(lead, present=(np.arange(len(lead.time)) < 1).astype(float))
+    left = replace(trace, agents={**trace.agents, "lead": gone})
+    after = fromstring(CommonRoadBackend().drive_files(sample.record, left)["drive.cr.xml"])
+    (state,) = after.iterfind("dynamicObstacle/trajectory/state")
+    assert float(state.findtext("position/point/x", "")) == pytest.approx(lead.x[0], abs=1e-5)
+    assert lead.x[1] - lead.x[0] > 0.5

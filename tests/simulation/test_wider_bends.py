@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from roadlang.geometry.arrays import Floats
 from roadlang.simulation.leaning import leaned_source
 from roadlang.simulation.lines import LineSource
+from roadlang.simulation.smoothing import drivable
 from roadlang.simulation.wider_bends import with_wider_bends
 
 LEAST = 9.4
@@ -53,6 +54,21 @@ def test_a_tight_corner_is_cut_as_little_as_an_arc_can(radius: float, degrees: f
     assert distance(x, y, line) < arc * 1.15 + 0.35
     assert (np.diff(s) > 0.0).all()
     assert (x[-1], y[-1], heading[-1]) == pytest.approx((line.x[-1], line.y[-1], line.heading[-1]))
+
+
+@pytest.mark.parametrize("radius", [2.0, 3.0])
+@pytest.mark.parametrize("degrees", [60.0, -90.0, 130.0])
+def test_an_inner_lane_stays_a_lane_where_a_car_cannot_follow_it(
+    radius: float, degrees: float
+) -> None:
+    line = corner(radius, degrees)
+    before, x, y, heading = drivable(line.x, line.y)
+    gone = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    assert least_radius(gone, heading) > 3.6
+    half = math.radians(abs(degrees)) / 2.0
+    assert distance(x, y, line) < (4.0 - radius) * (1.0 / math.cos(half) - 1.0) * 1.15 + 0.45
+    assert (np.diff(before) > 0.0).all()
+    assert before[-1] == pytest.approx(line.s[-1], abs=0.5)
 
 
 def test_a_bend_that_can_be_driven_stays() -> None:

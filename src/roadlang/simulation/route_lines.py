@@ -16,7 +16,7 @@ from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from ..ir.surroundings import DEFAULT_SPEED
 from .lines import LineSource
-from .smoothing import is_tight, smoothed
+from .smoothing import drivable, is_tight
 
 ARC_SPACING = 0.5
 """Meters between two points of a connection, at most."""
@@ -225,7 +225,7 @@ def _lane_part(
     width = np.broadcast_to(np.asarray(section.lane_width(step.lane, at)), at.shape)
     if is_tight(curvature, offset):
         s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-        even, x, y, heading = smoothed(x, y)
+        even, x, y, heading = drivable(x, y)
         at, width = np.interp(even, s, at), np.interp(even, s, width)
     if step.start > step.stop:
         x, y, heading, width, at = x[::-1], y[::-1], heading[::-1] + np.pi, width[::-1], at[::-1]

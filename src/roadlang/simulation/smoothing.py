@@ -5,9 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..geometry.junctions.corners import SMALLEST_RADIUS
+from .wider_bends import with_wider_bends
 
 TIGHTEST = 0.2
-"""1/m: lanes with sharper bends are smoothed there."""
+"""1/m: lanes with sharper bends are made drivable there."""
+UNDRIVABLE = 0.3
+"""1/m: more than this must not be left, as a mean over `MEASURED` points to each side."""
+MEASURED = 2
+EASED = 1.5
+"""Meters to each side over which the bends that replace others are averaged: wheels take time to
+turn."""
 HALF_WINDOW = 6.0
 """Meters to each side over which places are averaged: of a right angle remains a radius of 4 m."""
 SPACING = 0.5
@@ -18,6 +26,21 @@ def is_tight(curvature: Floats, offset: Floats) -> bool:
     """Whether a line `offset` meters left of a curve bends too sharply somewhere."""
     left = 1.0 - curvature * offset
     return bool((np.abs(curvature) > TIGHTEST * left).any())
+
+
+def drivable(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """(n,) s, x, y and heading of a line through points, of which as little as can be is replaced
+    by bends of `SMALLEST_RADIUS`; where none fits, places are averaged. `s`: arc length of the
+    original line up to there."""
+    line = smoothed(x, y, 0.0)
+    s, x_wide, y_wide, _ = with_wider_bends(line, SMALLEST_RADIUS)
+    gone, *wide = smoothed(x_wide, y_wide, EASED)
+    bend = np.abs(wide[2][2 * MEASURED :] - wide[2][: -2 * MEASURED])
+    if bend.size and bend.max() > UNDRIVABLE * 2 * MEASURED * SPACING:
+        return smoothed(x, y)
+    chords = np.hypot(np.diff(x_wide), np.diff(y_wide))
+    before = np.interp(gone, np.concatenate([[0.0], np.cumsum(chords)]), s)
+    return before, wide[0], wide[1], wide[2]
 
 
 def smoothed(

@@ -71,9 +71,10 @@ def _put_dynamic(root: Element, actor: SceneActor, agent: AgentTrace, numbering:
     usual = _TYPES.get(actor.category, "unknown")
     put(found, "type", "priorityVehicle" if actor.role in _PRIORITY else usual)
     put_rectangle(put(found, "shape"), actor.length, actor.width)
-    steps = max(2, agent.samples_there)
-    poses = np.column_stack((agent.x, agent.y, agent.heading, agent.speed))[:steps].tolist()
-    poses += [poses[-1]] * (steps - len(poses))
+    there = max(1, agent.samples_there)
+    poses = np.column_stack((agent.x, agent.y, agent.heading, agent.speed))[:there].tolist()
+    if len(poses) == 1:
+        poses *= 2  # the format demands a state after the initial one
     _put_state(found, "initialState", 0, *poses[0])
     trajectory = put(found, "trajectory")
     for step, pose in enumerate(poses[1:], 1):
