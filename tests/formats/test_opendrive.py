@@ -368,3 +368,13 @@ def test_stretches_of_other_surfaces_are_materials_of_their_lanes() -> None:
     assert left == [(0.0, "gravel", "0.6")]
     assert [row[1:] for row in right] == [("gravel", "0.6"), ("ice", "0.1"), ("gravel", "0.6")]
     assert [row[0] for row in right] == pytest.approx([0.0, 20.0, 30.0], abs=CLOSE)
+
+
+def test_perturbed_curves_have_a_knot_per_five_meters_at_most() -> None:
+    """Turns included, and with lanes as near as others."""
+    scene = random_scene("ramp", 4, 0)
+    file = read(scene)
+    knots = sum(len(road.pieces()) for road in file.roads.values())
+    assert sum(road.length for road in file.roads.values()) / knots > 6.0
+    lines = read_middles(file)
+    assert max(farthest(points, lines) for points in middles_of(scene)) < CLOSE

@@ -137,6 +137,20 @@ def test_a_world_file_gives_the_scale(pictures: Path) -> None:
     assert faults(NETWORK.format("{}", "{}"), pictures) == []
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("0.5\nzero\n0\n-0.5\n0\n0\n", "line 2: 'zero' is not a number"),
+        ("0.5\n0\n0\n", "line 4: a world file has six numbers"),
+        ("1e-6\n0\n0\n-1e-6\n0\n0\n", "line 1: the size of a pixel is no length"),
+    ],
+)
+def test_a_world_file_that_gives_no_scale_is_named(text: str, said: str, pictures: Path) -> None:
+    (pictures / "town.pgw").write_text(text)
+    (found,) = roadlang.loads(NETWORK.format("{}", "{}"), folder=pictures).check()
+    assert found.help[0].startswith(f"`town.pgw`, {said}")
+
+
 def test_the_tags_of_a_geotiff_give_the_scale(tmp_path: Path) -> None:
     scale = struct.pack("<3d", 0.5, 0.5, 0.0)
     entries = [(256, 3, 1, 8), (257, 3, 1, 8), (33550, 12, 3, 8 + 2 + 3 * 12 + 4)]

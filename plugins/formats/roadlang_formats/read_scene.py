@@ -10,6 +10,8 @@ from roadlang.api import Reader
 if TYPE_CHECKING:
     from pathlib import Path
 
+    import roadlang
+
 
 @dataclass(frozen=True)
 class SceneMap(Reader):
@@ -22,7 +24,6 @@ class SceneMap(Reader):
 
     def read(self, path: Path) -> Any:
         """A `RoadNetwork`. Raises RL479."""
-        import roadlang
         from roadlang.geometry import GeometryError
 
         from .json_maps import read_json
@@ -30,13 +31,22 @@ class SceneMap(Reader):
         from .scene_network import network_of
 
         text, _ = read_json(path)
-        try:
-            scene = roadlang.Scene.from_json(text)
-        except (ValueError, roadlang.DiagnosticError) as error:
-            raise fault_at(path, text, 0, f"it is not a scene: {error}") from None
+        scene = scene_in(path, text)
         if not scene.record.roads:
             raise fault_at(path, text, 0, "it has no roads")
         try:
             return network_of(scene.record)
         except (GeometryError, ArithmeticError) as error:
             raise fault_at(path, text, 0, f"its roads cannot be built: {error}") from None
+
+
+def scene_in(path: Path, text: str) -> roadlang.Scene:
+    """The scene in the text of a file. Raises RL479."""
+    import roadlang
+
+    from .map_xml import fault_at
+
+    try:
+        return roadlang.Scene.from_json(text)
+    except roadlang.DiagnosticError as error:
+        raise fault_at(path, text, 0, error.diagnostics[0].message) from None

@@ -58,17 +58,48 @@ def _geotiff(content: bytes) -> float | None:
     return None if meters is None else _usable(math.sqrt(abs(scale[0] * scale[1])) * meters)
 
 
-def _world_file(path: Path) -> FoundScale | None:
-    ending = path.suffix
-    names = [f"{ending[:2]}{ending[-1]}w", f"{ending}w", ".wld"] if len(ending) > 2 else [".wld"]
-    for name in names:
-        candidate = path.with_suffix(name)
+def unusable_world_file(path: Path) -> str | None:
+    """What is wrong with the world file beside a picture whose scale nothing says; None where
+    there is no such file."""
+    for candidate in _world_files(path):
         try:
             data = read_start(candidate, _WORLD_FILE)
-            numbers = [float(word) for word in data.decode("ascii").split()[:6]]
-        except (UnreadableFile, ValueError):
+        except UnreadableFile:
             continue
-        if len(numbers) == 6 and all(map(math.isfinite, numbers)):
+        words = data.decode("ascii", "replace").split()
+        for line, word in enumerate(words[:6], 1):
+            if _number(word) is None:
+                return f"`{candidate.name}`, line {line}: {word[:40]!r} is not a number"
+        if len(words) < 6:
+            return f"`{candidate.name}`, line {len(words) + 1}: a world file has six numbers"
+        return f"`{candidate.name}`, line 1: the size of a pixel is no length in meters"
+    return None
+
+
+def _world_files(path: Path) -> list[Path]:
+    """Where one may be."""
+    ending = path.suffix
+    names = [f"{ending[:2]}{ending[-1]}w", f"{ending}w", ".wld"] if len(ending) > 2 else [".wld"]
+    return [path.with_suffix(name) for name in names]
+
+
+def _number(word: str) -> float | None:
+    try:
+        number = float(word)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def _world_file(path: Path) -> FoundScale | None:
+    for candidate in _world_files(path):
+        try:
+            data = read_start(candidate, _WORLD_FILE)
+        except UnreadableFile:
+            continue
+        words = data.decode("ascii", "replace").split()[:6]
+        numbers = [number for word in words if (number := _number(word)) is not None]
+        if len(numbers) == 6:
             area = abs(numbers[0] * numbers[3] - numbers[1] * numbers[2])
             beside, text = _projection_file(path.with_suffix(".prj"))
             reference = world_file_reference(numbers, text) if area else None

@@ -16,6 +16,7 @@ from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
 from ..images.image_file import open_image
+from ..images.image_scale import unusable_world_file
 from ..ir.picture import Picture
 from ..ir.scenario import FileSource, Input, ScenarioImage, TextSource
 from ..ir.values import PassCall, Value
@@ -46,6 +47,8 @@ class _UnscaledPicture:
     inputs: tuple[Input, ...] = ()
     origin: tuple[float, float] | None = None
     warnings: tuple[Diagnostic, ...] = ()
+    world_file: str | None = None
+    """What is wrong with the one beside it."""
 
 
 def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
@@ -53,7 +56,7 @@ def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
     image = candidates.scenario.images[name]
     draft = _draft(image, candidates)
     if draft.scale is None:
-        raise DiagnosticError(missing_scale(image))
+        raise DiagnosticError(missing_scale(image, draft.world_file))
     if not LEAST_SCALE <= draft.scale <= GREATEST_SCALE or not math.isfinite(draft.scale):
         raise DiagnosticError(
             diagnose(Code.IMPLAUSIBLE_SCALE, image.span, scale=f"{draft.scale:g}m/px")
@@ -132,7 +135,9 @@ def _from_file(
         inputs = tuple(Input(*item) for item in opened.inputs)
         picture, shown = Picture(opened.pixels, 1.0, path=source.path), opened.shown
         warnings = (shown.warning,) if shown.warning is not None else ()
-        return _UnscaledPicture(picture, opened.scale, inputs, shown.origin, warnings)
+        scale = opened.scale
+        fault = unusable_world_file(Path(source.resolved)) if scale is None else None
+        return _UnscaledPicture(picture, scale, inputs, shown.origin, warnings, fault)
 
     # Pictures that are opened are shared; what a reader makes of one depends on its options.
     key = ("image read", image.name) if has_reader else ("image opened", source.resolved)

@@ -9,9 +9,12 @@ DEFAULT_APART = 0.5
 """Meters between two things of which neither says more or less"""
 
 
-def missing_scale(image: ScenarioImage) -> Diagnostic:
-    """RL406: neither the image nor its file says how large a pixel is."""
-    help_ = "add `scale: 0.35m/px` with the true number"
+def missing_scale(image: ScenarioImage, world_file: str | None = None) -> Diagnostic:
+    """RL406: neither the image nor its file says how large a pixel is. `world_file`: what is wrong
+    with the one beside it."""
+    help_ = ("add `scale: 0.35m/px` with the true number",)
+    if world_file is not None:
+        help_ = (world_file, *help_)
     return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -24,11 +23,15 @@ def opened(name: str) -> roadlang.Scene:
     Prints warnings. Raises DiagnosticError if the file cannot be read.
     """
     import roadlang
-    from roadlang.api import read_input
 
     path = Path(name)
-    if path.suffix.lower() == ".json" and _is_scene(read_input(path)):
-        return roadlang.Scene.from_json(read_input(path))
+    if path.suffix.lower() == ".json":
+        from ..json_maps import read_json
+        from ..read_scene import scene_in
+
+        text, found = read_json(path)
+        if _is_scene(found):
+            return scene_in(path, text)
     if path.suffix.lower() == SCENE_FILE:
         loaded = roadlang.load(name)
     else:
@@ -38,12 +41,8 @@ def opened(name: str) -> roadlang.Scene:
     return scenes[0]
 
 
-def _is_scene(content: bytes) -> bool:
-    """Whether a JSON file is a scene of roadlang; plugins may read other JSON files."""
-    try:
-        found = json.loads(content)
-    except (ValueError, RecursionError):
-        return True  # the reader of scenes reports what is wrong
+def _is_scene(found: Any) -> bool:
+    """Whether what a JSON file holds is a scene of roadlang; plugins may read other JSON files."""
     return isinstance(found, dict) and str(found.get("schema", "")).startswith("roadlang.scene/")
 
 
