@@ -214,6 +214,25 @@ def test_pages_may_not_ask_anybody_else_and_are_not_stored(server: CorrectionSer
     assert "default-src 'self'" in headers["Content-Security-Policy"]
 
 
+def test_the_page_is_sent_the_picture_and_what_was_found(
+    server: CorrectionServer, scene: Path
+) -> None:
+    sent = request(server.address + "picture")[1]
+    shown = cv2.imdecode(np.frombuffer(sent, np.uint8), cv2.IMREAD_COLOR)
+    np.testing.assert_array_equal(shown, cv2.imread(str(scene.parent / "plan.png")))
+    start = json.loads(request(server.address + "start")[1])
+    assert (start["width"], start["height"], start["network"]) == (400, 240, "town")
+    middles = sorted(np.mean(road["points"], axis=0)[1] for road in start["found"])
+    assert middles == pytest.approx([60.5, 180.5], abs=1.0)
+    drawn = {"drawn": [[[200, 60], [200, 180]]], "dismissed": [], "confirmed": []}
+    assert json.loads(request(server.address + "save", json.dumps(drawn).encode())[1]) == {
+        "saved": True
+    }
+    assert "drawn: [[(200px, 60px), (200px, 180px)]]" in scene.read_text()
+    large = {"Content-Length": "4000001"}
+    assert request(server.address + "save", json.dumps(drawn).encode(), **large)[0] == 400
+
+
 def test_nobody_without_the_secret_is_answered(server: CorrectionServer) -> None:
     root = f"http://127.0.0.1:{server.server_port}/"
     assert request(root)[0] == 403

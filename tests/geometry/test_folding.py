@@ -56,6 +56,20 @@ def test_a_bump_into_the_center_of_a_tight_bend_is_folded() -> None:
     np.testing.assert_array_equal(displace(road, s, moves).folded, [True, False])
 
 
+@pytest.mark.parametrize(
+    ("closed", "means"), [(False, [1.0, 2.0, 4.0, 5.0]), (True, [3.0, 2.0, 4.0])]
+)
+def test_a_quarter_turn_over_the_mean_of_the_steps_at_a_station(
+    closed: bool, means: list[float]
+) -> None:
+    lengths = np.array([[1.0, 3.0, 5.0]])
+    for at, mean in enumerate(means):
+        for share in (0.99, -0.99, 1.01, -1.01):
+            curvature = np.zeros((1, len(means)))
+            curvature[0, at] = share * np.pi / 2.0 / mean
+            assert turns_too_much(curvature, lengths, closed).tolist() == [abs(share) > 1.0]
+
+
 def test_a_bend_between_two_stations_counts() -> None:
     """At the stations the road is straight; it turns by 80 degrees between two of them."""
     road = chain([Straight(9.75), Arc(0.3, np.radians(80)), Straight(10.0)], spacing=0.01).curve()

@@ -53,6 +53,12 @@ def test_the_place_is_the_last_in_the_plugin_not_in_a_library(site: Path) -> Non
     assert reason.endswith("(roadlang_odd.py:3)")
 
 
+def test_what_is_not_implemented_is_told_in_the_plugin_s_words_if_it_has_any(site: Path) -> None:
+    text = "def wide():\n    raise NotImplementedError{}\n\nwide()\n"
+    said = reason_of(site, {"roadlang_odd.py": text.format("('no loops yet')")})
+    assert said == "NotImplementedError: no loops yet (roadlang_odd.py:2)"
+
+
 def test_an_error_without_words_is_told_by_its_name(site: Path) -> None:
     reason = reason_of(site, {"roadlang_odd.py": "raise KeyError\n"})
     assert reason == "KeyError (roadlang_odd.py:1)"

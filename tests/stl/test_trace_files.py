@@ -25,6 +25,7 @@ from roadlang.stl.formats.trace_files import read_trace
         ("c.csv", "s,x,\n0,1,\n2,3,\n"),
         ("c.csv", 's,"x"\r\n"0","1"\r\n2,3\r\n'),
         ("c.csv", "s,x\r0,1\r2,3\r"),
+        ("c.csv", 's, "x"\n"0", "1"\n2, "3"\n'),
         ("c.csv", "s,x\n00:00:00,1\n00:00:02.0,3\n"),
         ("c.csv", "s,x\n1970-01-01T00:00:00Z,1\n1970-01-01 01:00:02+01:00,3\n"),
         ("d.json", '{"s": [0, 2], "x": [1, 3]}'),
