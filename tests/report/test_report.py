@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import dataclasses
+import html
 import json
 import re
 import shutil
@@ -75,6 +76,24 @@ def test_the_summary_has_the_numbers_of_the_search(search: Path) -> None:
     space = "\N{NO-BREAK SPACE}"
     assert facts["Failure rate at random"] == f"{low:.3g}{space}% to {high:.3g}{space}%"
     assert f"{summary['distinct']} distinct failures" in text
+
+
+def test_the_page_says_what_it_was_made_from(search: Path) -> None:
+    record = json.loads((search / "provenance.json").read_text())
+    (listed,) = re.findall(r'<dl class="provenance">(.*?)</dl>', write_report(search).read_text())
+    cells = re.findall(r"<(dt|dd)>(?:<code>)?(.*?)(?:</code>)?</(?:dt|dd)>", listed)
+    assert [name for kind, name in cells if kind == "dt"] == [
+        "Command", "Scene file", "Inputs (SHA-256)", "Versions", "Simulator",
+    ]  # fmt: skip
+    others = [f"{name} {is_}" for name, is_ in record["plugins"].items() if name != "roadlang"]
+    assert [html.unescape(text) for kind, text in cells if kind == "dd"] == [
+        record["again"],
+        record["source"],
+        *(f"{name} {digest}" for name, digest in record["inputs"].items()),
+        f"roadlang {record['roadlang']}",
+        *others,
+        "the embedded engine",
+    ]
 
 
 def test_every_failure_and_safe_scene_can_be_stepped_through(search: Path) -> None:
