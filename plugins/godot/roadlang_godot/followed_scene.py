@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.api import Contact, Mirror
 from roadlang_standard.engine_tables import BODIES
@@ -47,9 +48,11 @@ class FollowedScene:
         self._walks = [is_walker(actor) for actor in scene.agents]
         self._numbers = [layout.agents[name] for name in self._names]
         # The engine reports agents in the order of their numbers.
-        self._place = np.argsort(np.argsort(self._numbers))
+        place = np.argsort(np.argsort(self._numbers))
+        self._place = None if (place == np.arange(len(place))).all() else place
         self._tick = -1
-        self._poses: dict[str, AgentPose] = {}
+        self._seen: tuple[list[str], NDArray[np.float64]] | None = None
+        """agents, and x, y, heading and speed of each when they were seen last"""
         self._hands: Records = np.empty(0, HAND)
         self._inputs: dict[str, list[tuple[float, float, float]]] = {}
 
@@ -57,7 +60,7 @@ class FollowedScene:
         """Go on with the drive of the scene before an edit, but for agents that are `restarted`."""
         self._mirror.carry_on(before._mirror, restarted)
         self._tick = before._tick
-        self._poses = dict(before._poses)
+        self._seen = before._seen
 
     def forget(self) -> None:
         """The trace begins now."""
@@ -66,7 +69,10 @@ class FollowedScene:
 
     def pose(self, name: str) -> AgentPose | None:
         """Where an agent was seen last; None before the first look."""
-        return self._poses.get(name)
+        if self._seen is None or name not in self._seen[0]:
+            return None
+        names, poses = self._seen
+        return AgentPose(*poses[names.index(name)].tolist())
 
     @property
     def finished(self) -> bool:
@@ -127,7 +133,8 @@ class FollowedScene:
 
     def _look(self, tick: int, rows: Records, contacts: Records) -> None:
         frame = self._layout.frame
-        rows = rows[self._place]
+        if self._place is not None:
+            rows = rows[self._place]
         pose = np.empty((len(rows), 4))
         pose[:, 0] = rows["x"]
         pose[:, 1] = rows["y"]
@@ -135,8 +142,7 @@ class FollowedScene:
         pose[:, 3] = rows["speed"]
         pose[:, 0] += frame.x
         pose[:, 1] += frame.y
-        seen = [AgentPose(*values) for values in pose.tolist()]
-        self._poses = dict(zip(self._names, seen, strict=True))
+        self._seen = self._names, pose
         steering = rows["steering"].astype(np.float64)
         self._mirror.follow(pose, steering, passed=0 <= self._tick < tick)
         self._tick = tick

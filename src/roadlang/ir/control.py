@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics.renamed_names import OldName
@@ -222,6 +223,7 @@ class ObservationBatch:
         return self.lane_place().speed_limit
 
     @classmethod
+    @cache
     def number_columns(cls) -> tuple[str, ...]:
         """The names of its columns of numbers."""
         return tuple(field_.name for field_ in fields(cls) if field_.type == "Floats")
@@ -288,12 +290,16 @@ class ControlBatch:
         """A batch of what is decided one by one."""
         import numpy as np
 
-        names = ("steering", "acceleration", "heading", "line_offset", "line_time")
-        rows = [[getattr(control, name) for name in names] for control in controls]
-        numbers = np.array(rows, dtype=np.float64).reshape(len(controls), len(names))
-        nowhere = (math.nan,) * 4
-        poses = [control.pose or nowhere for control in controls]
-        is_placed = any(control.pose is not None for control in controls)
-        pose = np.array(poses, dtype=np.float64) if is_placed else None
+        rows = [
+            (one.steering, one.acceleration, one.heading, one.line_offset, one.line_time)
+            for one in controls
+        ]
+        numbers = np.array(rows, dtype=np.float64).reshape(len(controls), 5)
+        pose = None
+        if any(control.pose is not None for control in controls):
+            nowhere = (math.nan,) * 4
+            pose = np.array([control.pose or nowhere for control in controls], dtype=np.float64)
         steering, acceleration, heading, line_offset, line_time = numbers.T.copy()
+        if not any(one.line_offset == one.line_offset for one in controls):  # all are NaN
+            return cls(steering, acceleration, heading, pose=pose)
         return cls(steering, acceleration, heading, line_offset, line_time, pose)

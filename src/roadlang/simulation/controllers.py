@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ UNDRIVEN_BRAKING = 4.0
 
 
 _NUMBERS = ("steering", "acceleration", "heading", "line_offset", "line_time")
+_numbers_of = attrgetter(*_NUMBERS)
 _PLAIN = frozenset((float,))
 
 
@@ -143,7 +145,7 @@ class GuardedController(Controller):
         if not isinstance(decision, Control):
             fault = f"gave a {type(decision).__name__}, not a Control"
             raise wrong_result(self.entry, None, fault)
-        numbers = [getattr(decision, name) for name in _NUMBERS]
+        numbers = _numbers_of(decision)
         control = decision
         if not _PLAIN.issuperset(map(type, numbers)):
             with plugin_guard(self.entry, None):

@@ -221,8 +221,7 @@ def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
     found = []
     for scene in dict.fromkeys(scenes.tolist()):  # the rows are in the order of the scenes
         of_scene = scenes == scene
-        agents = enumerate(view.world.scenes[scene].agents, scene * slots)
-        others = OthersSeen(view, {actor.name: at for at, actor in agents})
+        others = OthersSeen(view, view.world.scenes[scene], scene * slots)
         seen = observations(view, rows[of_scene], others)
         found += [group.singles[index].control(observation)
                   for index, observation in zip(chosen[of_scene], seen, strict=True)]  # fmt: skip

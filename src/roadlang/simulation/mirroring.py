@@ -160,7 +160,7 @@ class Mirror:
     def _decided_alone(self) -> tuple[Integers, ControlBatch]:
         view = self._drivers.view(self._world, self._poses)
         rows = np.array(list(self._alone), dtype=np.int64)
-        others = OthersSeen(view, {name: row for row, name in enumerate(self._names)})
+        others = OthersSeen(view, self._world.scenes[0], 0)
         found: Sequence[Control] = [
             controller.control(seen)
             for controller, seen in zip(

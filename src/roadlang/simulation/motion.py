@@ -40,14 +40,14 @@ class Motion:
 
     def take(self, rows: Any) -> Motion:
         """That of some agents, in separate arrays."""
-        return Motion(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
+        return Motion(**{name: getattr(self, name)[rows] for name in MOTION_COLUMNS})
 
     def put(self, rows: Any, other: Motion) -> None:
         """Some agents move as they do in `other`."""
-        for field in fields(self):
-            column = getattr(self, field.name).copy()
-            column[rows] = getattr(other, field.name)[rows]
-            setattr(self, field.name, column)
+        for name in MOTION_COLUMNS:
+            column = getattr(self, name).copy()
+            column[rows] = getattr(other, name)[rows]
+            setattr(self, name, column)
 
     def face(self, turning: Booleans, heading: Floats) -> None:
         """Who is on foot turns to a heading, at once."""
@@ -61,6 +61,9 @@ class Motion:
         """Some agents stand still, at once."""
         for column in (self.speed, self.slide, self.yaw_rate, self.acceleration):
             column[rows] = 0.0
+
+
+MOTION_COLUMNS = tuple(field.name for field in fields(Motion))
 
 
 @dataclass(frozen=True)

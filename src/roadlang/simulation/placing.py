@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Booleans, Floats, Integers, wrapped
-from .motion import Motion, Track
-from .poses import Poses, foot_points
+from ..geometry.arrays import Booleans, Floats, wrapped
+from .motion import MOTION_COLUMNS, Motion, Track
+from .poses import Poses, foot_points, line_widths, poses_of
 
 LOST = 1.0
 """Meters of a foot point from where it was looked for, from which on the whole line is searched."""
@@ -18,7 +19,8 @@ LOST = 1.0
 class Placing:
     """R agents of a world on their way between two poses, (R, 4): x, y, heading, speed."""
 
-    rows: Integers
+    rows: Any
+    """their columns; a slice where they are all agents, as that copies nothing"""
     start: Floats
     end: Floats
     steps: int
@@ -29,11 +31,14 @@ class Placing:
         cls, poses: Poses, motion: Motion, wanted: Floats, free: Booleans, steps: int
     ) -> Placing | None:
         """`wanted`: (N, 4), NaN for who goes on as physics has it; `free`: who may move at all."""
-        rows = np.flatnonzero(np.isfinite(wanted[:, 0]) & free)
-        if not len(rows):
+        found = (np.isfinite(wanted[:, 0]) & free).nonzero()[0]
+        if not len(found):
             return None
+        rows = slice(None) if len(found) == len(wanted) else found
         heading = poses.heading[rows]
-        start = np.stack((poses.x[rows], poses.y[rows], heading, motion.speed[rows]), axis=1)
+        start = np.empty((len(found), 4))
+        start[:, 0], start[:, 1], start[:, 2] = poses.x[rows], poses.y[rows], heading
+        start[:, 3] = motion.speed[rows]
         end = wanted[rows].copy()
         end[:, 2] = heading + wrapped(end[:, 2] - heading)
         return cls(rows, start, end, steps)
@@ -49,7 +54,7 @@ class Placing:
         rows, now = self.rows, self.at(steps)
         part = track.of_rows(rows)
         along, offset, line = foot_points(part, now[:, 0], now[:, 1], motion.along[rows])
-        lost = np.flatnonzero(np.abs(along - motion.along[rows]) > LOST)
+        lost = (np.abs(along - motion.along[rows]) > LOST).nonzero()[0]
         if len(lost):
             near = _nearest(part.of_rows(lost), now[lost, 0], now[lost, 1])
             found = foot_points(part.of_rows(lost), now[lost, 0], now[lost, 1], near)
@@ -61,21 +66,27 @@ class Placing:
             line_heading=line,
             cosine=np.cos(error),
             sine=np.sin(error),
-            tangent=motion.tangent[rows],
-            speed=now[:, 3],
-            slide=np.zeros(len(rows)),
+            tangent=motion.tangent[rows].copy(),
+            speed=now[:, 3].copy(),  # who halts is written in place
+            slide=np.zeros(len(now)),
             yaw_rate=(now[:, 2] - self.start[:, 2]) / seconds,
             acceleration=(now[:, 3] - self.start[:, 3]) / seconds,
         )
-        for field in fields(Motion):
-            column = getattr(motion, field.name).copy()
-            column[rows] = getattr(there, field.name)
-            setattr(motion, field.name, column)
+        for name in MOTION_COLUMNS:
+            column = getattr(there, name)
+            if not isinstance(rows, slice):
+                placed, column = column, getattr(motion, name).copy()
+                column[rows] = placed
+            setattr(motion, name, column)
 
-    def poses(self, poses: Poses, steps: int, halted: Booleans) -> Poses:
+    def poses(self, motion: Motion, track: Track, steps: int, halted: Booleans) -> Poses:
         """Those of all agents, with those of who goes by a recording, and is not halted, exact."""
-        free = np.flatnonzero(~halted[self.rows])
-        rows, now = self.rows[free], self.at(steps)[free]
+        now = self.at(steps)
+        if isinstance(self.rows, slice) and not halted.any():
+            x, y, heading = now[:, :3].T.copy()
+            return Poses(x, y, heading, line_widths(track, motion.along))
+        poses, free = poses_of(motion, track), ~halted[self.rows]
+        rows, now = np.arange(len(halted))[self.rows][free], now[free]
         columns = [poses.x.copy(), poses.y.copy(), poses.heading.copy()]
         for column, values in zip(columns, now.T[:3], strict=True):
             column[rows] = values

@@ -45,6 +45,12 @@ def line_frames(track: Track, along: Floats) -> Floats:
     return frames_in(track, *track.cell(along))
 
 
+def line_widths(track: Track, along: Floats) -> Floats:
+    """(N,) widths of the roads at arc lengths of lines."""
+    widths: Floats = track.lines.width[track.cell(along)[0]]
+    return widths
+
+
 def frames_in(track: Track, cell: Any, rest: Floats) -> Floats:
     """(5, ...) the same `rest` meters into cells."""
     found = track.lines.table.take(cell, axis=0)

@@ -11,6 +11,7 @@ from ..geometry.arrays import Integers, wrapped
 from ..ir.control import Observation, ObservationBatch
 from ..ir.read_only import ReadOnlyMapping
 from ..ir.readings import Reading, Readings
+from ..ir.scene import Scene
 from ..ir.surroundings import LaneChoice, LanePlace, Neighbor
 from .observing import View
 
@@ -21,13 +22,16 @@ _NOBODY: Mapping[str, Observation] = {}
 class OthersSeen(ReadOnlyMapping[str, Observation]):
     """What all agents of one scene see, by name; few controllers look at it."""
 
-    __slots__ = ("_known", "_rows", "_view")
-
-    def __init__(self, view: View, rows: Mapping[str, int]) -> None:
-        """`rows`: of the agents, in the columns of the world."""
+    def __init__(self, view: View, scene: Scene, first: int) -> None:
+        """`first`: the column of the world that is that of the first agent of the scene."""
         self._view = view
-        self._rows = rows
+        self._scene = scene
+        self._first = first
         self._known: dict[str, Observation] = {}
+
+    @cached_property
+    def _rows(self) -> dict[str, int]:
+        return {actor.name: row for row, actor in enumerate(self._scene.agents, self._first)}
 
     def __getitem__(self, name: str) -> Observation:
         if name not in self._known:

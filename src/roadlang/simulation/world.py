@@ -87,6 +87,7 @@ class World:
     advance: Advance = advance
     """the equations of motion"""
     _arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
+    _stations: tuple[Floats, Floats] | None = None  # arc lengths of lines, and of roads
 
     @property
     def time(self) -> float:
@@ -101,10 +102,10 @@ class World:
     @property
     def poses(self) -> Poses:
         """Where all agents are."""
-        poses = poses_of(self.motion, self.track)
         if self.placing is None:
-            return poses
-        return self.placing.poses(poses, self.tick - self.placed_at, self.halted)
+            return poses_of(self.motion, self.track)
+        steps = self.tick - self.placed_at
+        return self.placing.poses(self.motion, self.track, steps, self.halted)
 
     def reset(self) -> None:
         """All agents back to the start."""
@@ -238,12 +239,15 @@ class World:
     @property
     def station(self) -> Floats:
         """(N,) arc length along the road, within its ends."""
-        along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
-        station = np.where(self.backward, self.length - along, along)
-        rows = np.flatnonzero(self.has_route)
-        if len(rows):
-            station[rows] = self.table.station(rows, along[rows])
-        return station
+        along, known = self.motion.along, self._stations
+        if known is None or known[0] is not along:
+            within = np.minimum(np.maximum(along, 0.0), self.length)
+            station = np.where(self.backward, self.length - within, within)
+            rows = self.has_route.nonzero()[0]
+            if len(rows):
+                station[rows] = self.table.station(rows, within[rows])
+            known = self._stations = along, station
+        return known[1]
 
     @property
     def place(self) -> RoadPosition:
@@ -264,7 +268,7 @@ class World:
 
     def halt(self, agent: int, seconds: float) -> None:
         """An agent stands, from where it was some seconds ago."""
-        motion, self._arrived = self.motion, None
+        motion, self._arrived, self._stations = self.motion, None, None
         motion.along[agent] -= self.pace[0][agent] * seconds
         motion.offset[agent] -= self.pace[1][agent] * seconds
         self.traveled[agent] -= self.pace[0][agent] * seconds
