@@ -270,6 +270,8 @@ func _await_step() -> void:
 		if now - sent > STATE_EVERY_USEC:
 			_server.send_once(Protocol.STATE, Telemetry.state(_members, tick, _contacts.untold()))
 			sent = now
+			if _is_unseen:
+				_server.wait()
 		if not _server.poll(false) and not (_is_unseen and _server.wait()):
 			OS.delay_usec(pause)
 			pause = mini(pause + POLL_USEC, LONGEST_POLL_USEC)

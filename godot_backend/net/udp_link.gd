@@ -8,6 +8,7 @@ const BUFFER_BYTES := 4194304
 var window := Protocol.WINDOW
 
 var _peer := PacketPeerUDP.new()
+var _destination := ""
 
 
 func listen(host: String, port: int) -> Error:
@@ -41,6 +42,8 @@ func source() -> String:
 
 
 func send(destination: String, datagram: PackedByteArray) -> void:
-	var parts := destination.split(" ")
-	_peer.set_dest_address(parts[0], int(parts[1]))
+	if destination != _destination:
+		_destination = destination
+		var parts := destination.split(" ")
+		_peer.set_dest_address(parts[0], int(parts[1]))
 	_peer.put_packet(datagram)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,6 +33,16 @@ class LazyObservations(ObservationBatch):
             ("step", view.step),
         ):
             object.__setattr__(self, name, value)
+
+    def numbers(self, names: Sequence[str]) -> list[list[float]]:
+        """Columns of numbers as lists, of a view that is looked at but once."""
+        if self.view.sensing is not None:
+            return [getattr(self, name).tolist() for name in names]
+        view, rows = self.view, self.rows
+        return [
+            (_COLUMNS[name](view)[rows] if name in _COLUMNS else _DERIVED[name](self)).tolist()
+            for name in names
+        ]
 
     if not TYPE_CHECKING:  # where it would hide what is no member
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 import numpy as np
 
-from ..geometry.arrays import Integers, wrapped
+from ..geometry.arrays import Integers
 from ..ir.control import Observation, ObservationBatch
 from ..ir.read_only import ReadOnlyMapping
 from ..ir.readings import Reading, Readings
 from ..ir.scene import Scene
 from ..ir.surroundings import LaneChoice, LanePlace, Neighbor
+from .lazy_observations import LazyObservations
 from .observing import View
 
 _NOTHING = Readings({})
@@ -132,19 +134,19 @@ def observations(
     view: View, rows: Integers, others: Mapping[str, Observation] | None = None
 ) -> list[Observation]:
     """What some agents of one scene see, each as controllers get it that decide for one."""
-    seen = view.of(rows)
+    seen = LazyObservations(view, rows)
     names = ObservationBatch.number_columns()
-    columns = [
-        (wrapped(seen.heading_error) if name == "heading_error" else getattr(seen, name)).tolist()
-        for name in names
-    ]
+    columns = seen.numbers(names)
     out: list[Observation] = []
     lines = _LinesAhead(view, rows)
-    for row, agent, *numbers in zip(rows.tolist(), seen.agent, *columns, strict=True):
+    for row, agent, *values in zip(rows.tolist(), seen.agent, *columns, strict=True):
         single = _SingleAgent(view, row, lines, len(out))
+        numbers = dict(zip(names, values, strict=True))
+        error = numbers["heading_error"]
+        numbers["heading_error"] = (error + math.pi) % math.tau - math.pi
         out.append(
             Observation(
-                **dict(zip(names, numbers, strict=True)),
+                **numbers,
                 step=view.step,
                 agent=agent,
                 line_ahead=single.line_ahead,
