@@ -14,6 +14,10 @@ const GROUND := 1
 const PLANTS := 2
 const HEIGHT := 110.0
 const TREES := 2600
+## Trees are drawn in groups, by direction and distance, of which a camera draws those that it sees.
+const WEDGES := 16
+## Where each group but the first begins, meters beyond what is built.
+const BANDS: Array[float] = [0.0, 150.0, 500.0]
 ## Rings of hills that have trees, and how far the trees begin within the flat ground, meters.
 const WOODED := 15
 const INSIDE := 100.0
@@ -96,7 +100,7 @@ func _cell(ring: int, spoke: int) -> Array[int]:
 func _add_trees() -> void:
 	var random := RandomNumberGenerator.new()
 	random.seed = 11
-	var kinds: Array[Array] = [[], []]
+	var groups := {}
 	for i in TREES:
 		var place := _place_on_hill(random)
 		var is_kept := random.randf() < 0.12 + 0.88 * _wood(Vector2(place.x, place.z))
@@ -105,15 +109,28 @@ func _add_trees() -> void:
 		var is_round := random.randf() < 0.4
 		if is_kept:
 			var size := Vector3(0.5 * tall, tall, 0.5 * tall)
-			kinds[1 if is_round else 0].append(Transform3D(turned.scaled_local(size), place))
-	for kind in 2:
-		var places: Array[Transform3D] = []
-		places.assign(kinds[kind])
+			var key := _group_of(place, is_round)
+			if not groups.has(key):
+				var none: Array[Transform3D] = []
+				groups[key] = none
+			groups[key].append(Transform3D(turned.scaled_local(size), place))
+	var meshes: Array[ArrayMesh] = [TreeShape.distant(false), TreeShape.distant(true)]
+	for key: Vector3i in groups:
 		var instance := MultiMeshInstance3D.new()
-		instance.multimesh = Instances.make(TreeShape.distant(kind == 1), places)
+		instance.multimesh = Instances.make(meshes[key.z], groups[key])
 		instance.set_meta("scenery", PLANTS)
 		instance.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 		add_child(instance)
+
+
+## Wedge, band and kind of a tree.
+func _group_of(place: Vector3, is_round: bool) -> Vector3i:
+	var wedge := floori(WEDGES * (0.5 + atan2(place.z, place.x) / TAU)) % WEDGES
+	var beyond := maxf(absf(place.x), absf(place.z)) - _extent
+	var band := 0
+	for begin in BANDS:
+		band += int(beyond >= begin)
+	return Vector3i(wedge, band, int(is_round))
 
 
 ## A place on a triangle of the hills, or on the flat ground before them.

@@ -213,13 +213,11 @@ class Session:
         if now - self._last_sent > _PING_EVERY:
             self.send_once(Message.PING, b"")
         wait = min(timeout, max(0.0, self._channel.next_due() - now))
-        heard = self._receive(wait)
-        for datagram in heard:
+        for datagram in self._receive(wait):
             self._take(datagram)
         if ack := self._channel.take_ack():
             self._link.send(protocol.pack(Message.ACK, self._session, 0, ack))
-        if not heard or not self._channel.idle:  # what has just been heard is alive
-            self._check_alive()
+        self._check_alive()
 
     def _receive(self, wait: float) -> list[bytes]:
         try:

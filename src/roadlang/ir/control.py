@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics.renamed_names import OldName
@@ -223,7 +222,6 @@ class ObservationBatch:
         return self.lane_place().speed_limit
 
     @classmethod
-    @cache
     def number_columns(cls) -> tuple[str, ...]:
         """The names of its columns of numbers."""
         return tuple(field_.name for field_ in fields(cls) if field_.type == "Floats")
@@ -291,15 +289,13 @@ class ControlBatch:
         import numpy as np
 
         rows = [
-            (one.steering, one.acceleration, one.heading, one.line_offset, one.line_time)
-            for one in controls
+            (c.steering, c.acceleration, c.heading, c.line_offset, c.line_time) for c in controls
         ]
         numbers = np.array(rows, dtype=np.float64).reshape(len(controls), 5)
-        pose = None
-        if any(control.pose is not None for control in controls):
-            nowhere = (math.nan,) * 4
-            pose = np.array([control.pose or nowhere for control in controls], dtype=np.float64)
         steering, acceleration, heading, line_offset, line_time = numbers.T.copy()
-        if not any(one.line_offset == one.line_offset for one in controls):  # all are NaN
+        pose = None
+        if any(c.pose is not None for c in controls):
+            pose = np.array([c.pose or (math.nan,) * 4 for c in controls], dtype=np.float64)
+        if all(math.isnan(c.line_offset) for c in controls):
             return cls(steering, acceleration, heading, pose=pose)
         return cls(steering, acceleration, heading, line_offset, line_time, pose)

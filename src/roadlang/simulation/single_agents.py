@@ -19,6 +19,7 @@ from .observing import View
 
 _NOTHING = Readings({})
 _NOBODY: Mapping[str, Observation] = {}
+_NUMBERS = ObservationBatch.number_columns()
 
 
 class OthersSeen(ReadOnlyMapping[str, Observation]):
@@ -135,13 +136,12 @@ def observations(
 ) -> list[Observation]:
     """What some agents of one scene see, each as controllers get it that decide for one."""
     seen = LazyObservations(view, rows)
-    names = ObservationBatch.number_columns()
-    columns = seen.numbers(names)
+    columns = seen.numbers(_NUMBERS)
     out: list[Observation] = []
     lines = _LinesAhead(view, rows)
     for row, agent, *values in zip(rows.tolist(), seen.agent, *columns, strict=True):
         single = _SingleAgent(view, row, lines, len(out))
-        numbers = dict(zip(names, values, strict=True))
+        numbers = dict(zip(_NUMBERS, values, strict=True))
         error = numbers["heading_error"]
         numbers["heading_error"] = (error + math.pi) % math.tau - math.pi
         out.append(

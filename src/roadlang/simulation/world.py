@@ -87,7 +87,6 @@ class World:
     advance: Advance = advance
     """the equations of motion"""
     _arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
-    _stations: tuple[Floats, Floats] | None = None  # arc lengths of lines, and of roads
 
     @property
     def time(self) -> float:
@@ -239,15 +238,12 @@ class World:
     @property
     def station(self) -> Floats:
         """(N,) arc length along the road, within its ends."""
-        along, known = self.motion.along, self._stations
-        if known is None or known[0] is not along:
-            within = np.minimum(np.maximum(along, 0.0), self.length)
-            station = np.where(self.backward, self.length - within, within)
-            rows = self.has_route.nonzero()[0]
-            if len(rows):
-                station[rows] = self.table.station(rows, within[rows])
-            known = self._stations = along, station
-        return known[1]
+        along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
+        station = np.where(self.backward, self.length - along, along)
+        rows = self.has_route.nonzero()[0]
+        if len(rows):
+            station[rows] = self.table.station(rows, along[rows])
+        return station
 
     @property
     def place(self) -> RoadPosition:
@@ -268,7 +264,7 @@ class World:
 
     def halt(self, agent: int, seconds: float) -> None:
         """An agent stands, from where it was some seconds ago."""
-        motion, self._arrived, self._stations = self.motion, None, None
+        motion, self._arrived = self.motion, None
         motion.along[agent] -= self.pace[0][agent] * seconds
         motion.offset[agent] -= self.pace[1][agent] * seconds
         self.traveled[agent] -= self.pace[0][agent] * seconds
