@@ -288,11 +288,9 @@ class ControlBatch:
         """A batch of what is decided one by one."""
         import numpy as np
 
-        rows = [
-            (c.steering, c.acceleration, c.heading, c.line_offset, c.line_time) for c in controls
-        ]
-        numbers = np.array(rows, dtype=np.float64).reshape(len(controls), 5)
-        steering, acceleration, heading, line_offset, line_time = numbers.T.copy()
+        names = ("steering", "acceleration", "heading", "line_offset", "line_time")
+        numbers = np.array([[getattr(c, name) for c in controls] for name in names], np.float64)
+        steering, acceleration, heading, line_offset, line_time = numbers
         pose = None
         if any(c.pose is not None for c in controls):
             pose = np.array([c.pose or (math.nan,) * 4 for c in controls], dtype=np.float64)
