@@ -131,6 +131,13 @@ static func truck(
 			Vector3(side * 0.46 * size.z, base - 0.42, -0.2),
 			Paints.metal()
 		)
+	# What carries the lamps and the plate, from the bumper up to the box.
+	var low := 0.14 * size.y
+	out.box(
+		Vector3(0.94 * size.z, base - low, 0.06),
+		Vector3(0, 0.5 * (base + low), -z + 0.06),
+		Paints.trim()
+	)
 	_add_rear_doors(out, size)
 	_add_bumpers(out, size)
 	return out

@@ -8,6 +8,7 @@ const Handles := preload("../build/handles.gd")
 const Worlds := preload("../build/worlds.gd")
 const Hands := preload("../view/hands.gd")
 const Detail := preload("../view/detail.gd")
+const Cameras := preload("../view/cameras.gd")
 
 
 func test_handles_are_where_the_client_says() -> String:
@@ -62,6 +63,15 @@ func test_slow_frames_are_drawn_with_less_detail_while_something_is_dragged() ->
 	if samples != Viewport.MSAA_2X:
 		return "samples %d" % samples
 	return "" if seen == wanted else str(seen)
+
+
+func test_the_chase_camera_sees_past_what_it_follows() -> String:
+	for size: Vector3 in [Vector3(4.5, 1.45, 1.8), Vector3(12, 3.2, 2.5), Vector3(9, 3.6, 2.5)]:
+		var off := Cameras.chase_offset(size)
+		var seen := 2.0 * atan(0.5 * size.y / (off.x - 0.5 * size.x))
+		if off.y < size.y or seen > deg_to_rad(30.0):
+			return "%s: %s, %d degrees" % [size, off, rad_to_deg(seen)]
+	return ""
 
 
 func _handles(sort: int, numbers: Array[float]) -> PackedByteArray:

@@ -8,8 +8,11 @@ const Protocol := preload("../net/protocol.gd")
 const Agent := preload("../agents/agent.gd")
 const Surroundings := preload("../build/surroundings.gd")
 
-const CHASE_BACK := 7.5
-const CHASE_UP := 2.2
+## Where the chase camera is, meters behind the middle of a car and above the ground, and that car.
+const CHASE := Vector2(7.5, 2.2)
+const CAR := Vector2(4.5, 1.45)
+## Meters that it is farther behind for each by which what it follows is taller.
+const BACK_FOR_TALL := 2.5
 const TOP_HEIGHT := 400.0
 const FLY_SPEED := 25.0
 ## Meters of flat ground around what is built.
@@ -89,6 +92,14 @@ func aim(target: Camera3D) -> void:
 			_chase(target)
 
 
+## How far behind and above an agent of a length and a height the chase camera is: over its roof,
+## and so far away that it does not fill the picture.
+static func chase_offset(size: Vector3) -> Vector2:
+	var taller := maxf(size.y - CAR.y, 0.0)
+	var longer := maxf(size.x - CAR.x, 0.0)
+	return CHASE + Vector2(0.5 * longer + BACK_FOR_TALL * taller, taller)
+
+
 ## Prepares the world for a camera of this view.
 func surround(target: Camera3D) -> void:
 	var stage := _worlds.stage(0)
@@ -145,7 +156,8 @@ func _chase(target: Camera3D) -> void:
 	var at := agent.body.global_position
 	var heading: float = agent.body.heading()
 	var forward := Vector3(cos(heading), 0.0, -sin(heading))
-	var eye := at - forward * CHASE_BACK + Vector3.UP * CHASE_UP
+	var off := chase_offset(agent.size())
+	var eye := at - forward * off.x + Vector3.UP * off.y
 	target.look_at_from_position(eye, at + forward * 8.0 + Vector3.UP * 0.9, Vector3.UP)
 
 
