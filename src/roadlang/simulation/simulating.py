@@ -10,6 +10,7 @@ import numpy as np
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..geometry.arrays import Integers
+from ..ir.paused_collector import collector_paused
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
@@ -92,20 +93,22 @@ def _drive_block(
     held, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
     last = settings.ticks(settings.duration)
     dt = settings.vehicle_step
-    world = world_of(scenes, settings.bodies, dt, settings.control_step)
-    world.advance = advance
-    drivers = DriverGroup(world, controllers, held * dt)
-    contacts = ContactDetector(world)
-    poses = world.poses
-    watch = ViolationWatch(world, signals_of(controllers), settings.after_violation)
-    recorder = Recorder(world, watch)
+    with collector_paused():  # objects for each scene, all of which live on
+        world = world_of(scenes, settings.bodies, dt, settings.control_step)
+        world.advance = advance
+        drivers = DriverGroup(world, controllers, held * dt)
+        contacts = ContactDetector(world)
+        poses = world.poses
+        watch = ViolationWatch(world, signals_of(controllers), settings.after_violation)
+        recorder = Recorder(world, watch)
     recorder.note(world, contacts.watch(world, poses, 0.0))
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
             recorder.record(world, poses)
         going_on = recorder.going_on
         if world.tick >= last or not len(going_on):
-            return recorder.traces()
+            with collector_paused():
+                return recorder.traces()
         if len(going_on) <= (1.0 - LEFT_OUT) * len(world.scenes):
             agents, count = _columns(going_on, world.slots), len(world.present)
             drivers.take(agents, count)
