@@ -32,6 +32,8 @@ class Actuators:
     def alter(self, world: World, active: Booleans, decision: Decision) -> None:
         """Change what is decided. `active` (places, N): whose conditions hold. Raises RL470,
         RL474."""
+        if not self.faults:
+            return
         steps = (world.tick - world.began) // max(1, round(self.step / world.dt))
         for number, group in enumerate(self.faults):
             rows = group.rows

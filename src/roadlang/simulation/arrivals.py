@@ -9,6 +9,8 @@ from ..ir.scene_actor import SceneActor
 
 ARRIVED = 0.5
 """Meters before the end of a line from which on an agent has arrived."""
+END_BRAKING = 4.0
+"""m/s^2, at the end of a road."""
 AT_LINE = 0.5
 """Meters: a route that ends so close to a stop line ends there."""
 BEFORE_LINE = 0.6

@@ -38,9 +38,10 @@ class BendSpeeds:
         """(N,) the greatest speeds a distance on, m/s, with `braking` before bends that are driven
         with a lateral acceleration of at most `lateral`."""
         track = world.track.of_rows(rows)
-        if not self._was_latest(rows, lateral, braking):
-            self._plan(track, rows, lateral, braking)
-            self._latest = (rows, lateral, braking)
+        wanted = (rows, lateral, braking)
+        if not self._was_latest(*wanted):
+            self._plan(track, *wanted)
+        self._latest = wanted  # the next may be these very arrays
         along = track.wrapped(world.motion.along[rows] + distance)
         if compiled.is_loaded():
             return compiled.looked_up(self._plans.ravel(), self._first[rows], track, along)

@@ -99,15 +99,12 @@ class Bodies:
     @cached_property
     def columns(self) -> tuple[Floats, ...]:
         """What `vehicle.driven` has to know of a car."""
-        return (
-            self.half_base, self.friction, self.front_slope, self.rear_slope, self.slow,
-            self.power, self.grip, self.transfer, self.inertia, self.drag, self.rolling,
-        )  # fmt: skip
+        return tuple(getattr(self, name) for name in _STACKED[:-2])
 
     @cached_property
     def stacked(self) -> Floats:
         """(13, N) what the compiled motion has to know of a car."""
-        return np.stack((*self.columns, self.lag, self.rate))
+        return np.stack([getattr(self, name) for name in _STACKED])
 
     def on_ground(self, rows: Integers, friction: Floats, rolling: Floats) -> Bodies:
         """The bodies, of which those of agents `rows` (R,) have this friction (R,) and this rolling
@@ -120,15 +117,25 @@ class Bodies:
             "grip": friction * GRAVITY,
             "rolling": rolling,
         }
+        stacked = self.stacked.copy()
         columns = {}
         for name, values in changed.items():
-            columns[name] = getattr(self, name).copy()
+            columns[name] = stacked[_STACKED.index(name)]
             columns[name][rows] = values
-        return replace(self, **columns)
+        found = replace(self, **columns)
+        found.__dict__["stacked"] = stacked
+        return found
 
     def take(self, rows: Any) -> Bodies:
         """Those of some agents."""
         return Bodies(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
+
+
+_STACKED = (
+    "half_base", "friction", "front_slope", "rear_slope", "slow", "power", "grip", "transfer",
+    "inertia", "drag", "rolling", "lag", "rate",
+)  # fmt: skip
+"""The columns of `stacked`; all but the last two are those of `columns`."""
 
 
 def body_of(actor: SceneActor, kinds: Mapping[str, Body]) -> Body:

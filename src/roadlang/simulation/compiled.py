@@ -71,6 +71,7 @@ PER_STEP, PER_AGENT = 8e-5, 1e-7
 """Seconds of processor time that a step takes about without it, and with each agent more."""
 DRIVES = 0.2
 """Seconds that scenes which are driven side by side take about without it."""
+_is_loaded = [False]
 _worked = [0.0]
 """Estimated seconds of this process: it decides which of two motions is used, which are the same to
 the last bit."""
@@ -84,7 +85,7 @@ def expect(times: float) -> None:
 
 def is_loaded() -> bool:
     """Whether the compiled loop is there already."""
-    return kernel.cache_info().currsize > 0
+    return _is_loaded[0]
 
 
 def pays(steps: float, agents: int) -> bool:
@@ -99,7 +100,9 @@ def pays(steps: float, agents: int) -> bool:
 @cache
 def kernel() -> Any:
     """The compiled loop over agents and steps."""
-    return _compiled(kernels.advanced)
+    found = _compiled(kernels.advanced)
+    _is_loaded[0] = True
+    return found
 
 
 @cache

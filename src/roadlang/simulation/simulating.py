@@ -94,13 +94,9 @@ def _drive_block(
     last = settings.ticks(settings.duration)
     dt = settings.vehicle_step
     with collector_paused():  # objects for each scene, all of which live on
-        world = world_of(scenes, settings.bodies, dt, settings.control_step)
-        world.advance = advance
-        drivers = DriverGroup(world, controllers, held * dt)
-        contacts = ContactDetector(world)
-        poses = world.poses
-        watch = ViolationWatch(world, signals_of(controllers), settings.after_violation)
-        recorder = Recorder(world, watch)
+        world, drivers, contacts, recorder = _at_start(scenes, controllers, settings)
+    world.advance = advance
+    poses = world.poses
     recorder.note(world, contacts.watch(world, poses, 0.0))
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
@@ -131,6 +127,17 @@ def _drive_block(
         for between in passed:
             _halt_touched(between, world, touched)
             recorder.record(between, between.poses)
+
+
+def _at_start(
+    scenes: Sequence[Scene], controllers: Sequence[Controllers], settings: EngineSettings
+) -> tuple[World, DriverGroup, ContactDetector, Recorder]:
+    """Some scenes at the start, and what drives, watches and records them."""
+    dt = settings.vehicle_step
+    world = world_of(scenes, settings.bodies, dt, settings.control_step)
+    drivers = DriverGroup(world, controllers, settings.ticks(settings.control_step) * dt)
+    watch = ViolationWatch(world, signals_of(controllers), settings.after_violation)
+    return world, drivers, ContactDetector(world), Recorder(world, watch)
 
 
 def _columns(scenes: Integers, slots: int) -> Integers:

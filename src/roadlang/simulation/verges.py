@@ -89,7 +89,7 @@ class Verges:
         self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans
     ) -> Bodies:
         near = np.abs(motion.offset) + bodies.half_base * np.abs(motion.sine) > self.clear
-        rows = np.flatnonzero(present & near)
+        rows = (present & near).nonzero()[0]
         if not len(rows):
             return bodies
         share = self._beside(bodies, motion, table, rows)

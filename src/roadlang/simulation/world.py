@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
-from .arrivals import ARRIVED
+from .arrivals import ARRIVED, END_BRAKING
 from .bodies import Bodies
 from .lateral_motion import LateralMotion
 from .motion import Advance, Motion, Track, advance
@@ -22,9 +23,6 @@ from .route_table import RoadPosition, RouteTable
 from .stop_lines import StopLines
 from .sweeps import Sweeps
 from .verges import Verges
-
-END_BRAKING = 4.0
-"""m/s^2, at the end of a road."""
 
 
 @dataclass
@@ -135,19 +133,18 @@ class World:
         """
         bodies, motion = self.bodies, self.motion
         angle = np.minimum(np.maximum(steering, -bodies.max_steering), bodies.max_steering)
-        acceleration = np.where(self.halted, -END_BRAKING, self.limited(acceleration))
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
-        held = (np.tan(angle), acceleration)
-        placed = () if pose is None else (pose[0], ~self.halted, pose[1])
-        self.placing = Placing.of(self.poses, motion, *placed) if placed else None
+        held = (np.tan(angle), np.where(self.halted, -END_BRAKING, self.limited(acceleration)))
+        self.placing = pose and Placing.of(self.poses, motion, pose[0], ~self.halted, pose[1])
         self.placed_at = self.tick
         before, passed = (motion.along, motion.offset), []
         below = self.verges.below(bodies, motion, self.table, self.present)
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
-                between = replace(self, motion=replace(motion), lateral=replace(self.lateral))
+                between = copy(self)
+                between.motion, between.lateral = copy(motion), copy(self.lateral)
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()
                 between._arrive(before, end)
@@ -159,6 +156,8 @@ class World:
 
     def limited(self, acceleration: Floats) -> Floats:
         """(N,) accelerations with the braking of those who have arrived at the end of a road."""
+        if not self.at_end.any():
+            return acceleration
         most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
         return np.minimum(acceleration, most)
 
@@ -192,9 +191,10 @@ class World:
 
     def _leave(self) -> None:
         """Who has arrived is no longer there, unless it began where it would arrive."""
-        arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
-        if arrived.any():
-            self.present = self.filled & ~arrived
+        if self.at_end.any():
+            arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
+            if arrived.any():
+                self.present = self.filled & ~arrived
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
         front = before + 0.5 * self.bodies.length
