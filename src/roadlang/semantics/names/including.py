@@ -167,13 +167,13 @@ class _Loader:
         if name.text in BUILT_IN:
             self._program.spoiled.add(name.text)
             self._report(Code.BUILT_IN_NAME, name.span, name=name.text)
-        elif known is not None:
-            labels = [Label(known.name.span, "first declared here")]
-            self._report(Code.DUPLICATE_NAME, name.span, labels=labels, name=name.text)
-            self._program.spoiled.add(name.text)
+        elif known is None:
+            self._program.declarations[name.text] = Declaration(statement, folder, name=name)
         else:
-            found = Declaration(statement, folder, name=name)
-            self._program.declarations[name.text] = found
+            labels = [Label(known.name.span, "first declared here")]
+            if name.span.text:  # else it is missing, which was reported
+                self._report(Code.DUPLICATE_NAME, name.span, labels=labels, name=name.text)
+            self._program.spoiled.add(name.text)
 
     def _check_alias(self, name: ast.Word, space: Namespace) -> None:
         """A name is not that of an included file as well."""

@@ -32,9 +32,9 @@ from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_uni
 from .placement_habits import position_on_road
 from .sign_mistakes import (
     colon_before_monitor,
-    equal_for_word,
     extra_sign,
     power_of_python,
+    sign_for_word,
     stray_closer,
     third_dot,
     turned_comparison,
@@ -85,7 +85,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     interval_form,
     missing_name,
     wrong_sign,
-    equal_for_word,
+    sign_for_word,
     power_of_python,
     actor_order,
     bare_letter,

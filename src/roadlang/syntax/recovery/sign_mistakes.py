@@ -7,6 +7,9 @@ from ..words import CLOSERS
 from .error_position import Edit, ErrorPosition, Mistake
 from .token_names import expectation, finding
 
+_NAMED = ("IMAGE", "NETWORK", "ROAD", "AGENT", "OBJECT")
+"""Statements whose name is followed by a word."""
+
 
 def wrong_sign(place: ErrorPosition) -> Mistake | None:
     """`=` for `:`, `:` for `=`, `=` for `==`."""
@@ -32,20 +35,24 @@ def wrong_sign(place: ErrorPosition) -> Mistake | None:
     return None
 
 
-def equal_for_word(place: ErrorPosition) -> Mistake | None:
-    """`network town = photo` and `agent ego = car`: `=` where a word belongs."""
-    if place.kind() != "EQUAL":
+def sign_for_word(place: ErrorPosition) -> Mistake | None:
+    """`network town = photo`, `agent ego: car` and `ego = new Car`: a sign where a word belongs."""
+    after_name = place.index == 2 and place.first_kind in _NAMED
+    if place.kind() != "EQUAL" and not (place.kind() == "COLON" and after_name):
         return None
     word = next((word for word in ("from", "is") if place.expects(word.upper())), None)
-    if word is None or not place.continues(word.upper(), skip=1):
+    if word is None:
         return None
-    span = place.span()
+    last = int(word == "is" and place.word(1) == "new" and place.kind(2) == "NAME")
+    if not last and not place.continues(word.upper(), skip=1):
+        return None
+    span = place.span(0, last)
     found = diagnose(
         Code.UNEXPECTED_TOKEN, span, expected=f"`{word}`", found=finding(place),
         help=f"write `{word}`", fixes=[Fix(span, word)],
     )  # fmt: skip
     token = (word.upper(), word, span.start, span.end)
-    return Mistake(found, Edit(place.index, place.index + 1, (token,)))
+    return Mistake(found, Edit(place.index, place.index + last + 1, (token,)))
 
 
 def third_dot(place: ErrorPosition) -> Mistake | None:

@@ -90,7 +90,7 @@ def missing_name(place: ErrorPosition) -> Mistake | None:
     start = place.tokens[1][2]
     span = place.source.span(statement[2], statement[3])
     colon = () if named else (("COLON", ":", start, start),)
-    name = ("NAME", "unnamed", start, start)
+    name = ("NAME", "NAME", start, start)
     example = f"{statement[1]} NAME:"
     found = diagnose(
         Code.UNNAMED_REQUIREMENT, span, word=statement[1], help=f"write `{example} ...`"
