@@ -92,6 +92,20 @@ def test_roads_against_one_another_change_the_signs_of_lanes(tmp_path: Path) -> 
     assert turns_of(scene) == {("town/1", -1, "town/2", 1), ("town/2", -1, "town/1", 1)}
 
 
+def test_both_ends_of_a_loop_meet_a_street_in_one_junction(tmp_path: Path) -> None:
+    street = straight(1, 0, 0, inside=link(successor="road 2 start"))
+    turn = '<arc curvature="0.05"/>'
+    loop = road(
+        2, 40.0 * math.pi, piece(0, 60, 0, 0.0, 40.0 * math.pi, turn),
+        section(0, right=[lane(-1, inside=linked(-1, 1))]),
+        inside=link(predecessor="road 1 end", successor="road 1 end"),
+    )  # fmt: skip
+    scene = sampled(tmp_path, xodr(street, loop))
+    (junction,) = scene.networks[0].junctions
+    assert len(junction.arms) == 3
+    assert turns_of(scene) == {("town/1", -1, "town/2", -1), ("town/2", -1, "town/1", 1)}
+
+
 def test_agents_drive_through_a_map(tmp_path: Path) -> None:
     (tmp_path / "town.xodr").write_text(crossing())
     text = (

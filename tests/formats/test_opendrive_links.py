@@ -82,12 +82,13 @@ def test_lanes_that_begin_at_a_link_have_no_lane_before_them(tmp_path: Path) -> 
     assert {id: one is not None for id, one in links.items()} == {1: True, -1: True, -2: False}
 
 
-def test_an_end_at_two_joints_has_no_direct_link(tmp_path: Path) -> None:
+def test_an_end_that_two_roads_are_linked_to_is_at_one_junction(tmp_path: Path) -> None:
     """As where a road ends at both ends of a loop."""
     first = straight(1, 0, 0, inside=link(successor="road 2 start"))
     other = straight(3, 60, 0, inside=link(predecessor="road 1 end"))
     found, _ = emitted(tmp_path, first, SECOND, other)
-    assert len(list(found.root.iterfind("junction"))) == 2
+    (junction,) = found.root.iterfind("junction")
+    assert len(list(junction.iterfind("connection"))) == 4
     ways = found.root.iterfind("road[@junction='-1']/link/*[@elementType='road']")
     assert list(ways) == []
 

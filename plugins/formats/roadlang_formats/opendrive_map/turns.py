@@ -35,8 +35,9 @@ class TurnReader:
         for record in records.values():
             turns = [turn for item in record.connections for turn in self._connected(item, record)]
             self._add(found, turns, joint=False)
-        for one, other in self._followed():
-            self._add(found, list(self._passed(one, other)), joint=True)
+        for pairs in _meeting(self._followed()):
+            turns = [turn for one, other in pairs for turn in self._passed(one, other)]
+            self._add(found, turns, joint=len(pairs) == 1)
         return tuple(found)
 
     def _add(self, found: list[MapJunction], turns: list[MapTurn], *, joint: bool) -> None:
@@ -163,3 +164,13 @@ class TurnReader:
             if first is not None and second is not None:
                 yield MapTurn(first, second)
                 yield MapTurn(second, first)
+
+
+def _meeting(pairs: list[tuple[RoadEnd, RoadEnd]]) -> list[list[tuple[RoadEnd, RoadEnd]]]:
+    """Pairs that have an end in common are one junction, as where a street ends in a loop."""
+    groups: list[list[tuple[RoadEnd, RoadEnd]]] = []
+    for pair in pairs:
+        same = [group for group in groups if any(end in other for other in group for end in pair)]
+        groups = [group for group in groups if group not in same]
+        groups.append([*(other for group in same for other in group), pair])
+    return groups
