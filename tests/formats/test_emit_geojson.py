@@ -8,12 +8,14 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
 from roadlang import DiagnosticError, testing
 from roadlang.api import Scene
+from roadlang.cli.main import run
 from roadlang.geometry import Curve, Floats
 from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.emit_geojson import GeoJsonBackend
@@ -158,6 +160,20 @@ def test_lanes_of_a_loop_are_rings_with_a_hole() -> None:
         total += outer + inner
     (road,) = scene.roads
     assert total == pytest.approx(road.length * road.width[0], rel=0.01)
+
+
+def test_a_picture_that_has_no_place_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    picture = np.full((60, 90, 3), 255, np.uint8)
+    picture[28:34] = 60
+    cv2.imwrite("a.png", picture)
+    Path("a.pgw").write_text("0.5\n0\n0\n-0.5\n690000\n5335000\n")
+    Path("a.rl").write_text('image photo from "a.png"\nnetwork town from photo\nemit geojson\n')
+    assert run(["compile", "a.rl", "-n", "1"]) == 1
+    shown = capsys.readouterr().err
+    assert shown.index("RL439") < shown.index("RL480")
 
 
 def test_the_origin_is_that_of_the_map(tmp_path: Path) -> None:

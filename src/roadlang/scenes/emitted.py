@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
 from ..ir.scene import Scene, Verdict
@@ -47,11 +48,20 @@ def emitted(
     return [
         EmittedScene(
             replace(made, scene=outline_of(made.scene)),
-            tuple(outputs_of_scene(backends, made.scene)),
+            _outputs(backends, made),
             packed(made.scene) if keeps else None,
         )
         for made in concretize(candidates, numbers)
     ]
+
+
+def _outputs(backends: Sequence[KindInstance], made: ConcreteScene) -> tuple[Output, ...]:
+    """What refuses a scene is followed by the warnings of it: they may say why, as where a backend
+    needs a place on Earth that its picture does not have."""
+    try:
+        return tuple(outputs_of_scene(backends, made.scene))
+    except DiagnosticError as error:
+        raise DiagnosticError(*error.diagnostics, *made.warnings) from None
 
 
 def outline_of(scene: Scene) -> Scene:
