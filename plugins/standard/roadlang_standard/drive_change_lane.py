@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from roadlang.api import Controller, Duration, Flag, Integer, Length, option
 
 from .lane_traffic import SETTLING_TIME, has_room, lane_traffic
-from .steering import along_line
+from .passing import STANDSTILL
+from .pulling_out import CLEARED, PULL_OUT, can_creep_out, creeping_out, held_back
+from .steering import ahead_in_lane, along_line
 
 if TYPE_CHECKING:
     import numpy as np
@@ -22,7 +24,13 @@ SIGHT = 200.0
 SLOWEST = 1.0
 """m/s: a change begins no slower."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
-_PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME = range(5)
+CLEAR = 1.0
+"""Meters from the middle of the new lane from which on it drives on as always."""
+CLOSEST = 3.0
+"""Meters to what stands still that remain when it is clear of it."""
+CREEPING_ACCELERATION = 2.0
+"""m/s^2"""
+_PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME, _CLOSE = range(6)
 ABORT_GAP_SHARE = 0.4
 """Share of the room to begin a change that must remain on the first half of it."""
 BACK_TIME = 2.0
@@ -33,7 +41,7 @@ BACK_TIME = 2.0
 class ChangeLane(Controller):
     """Change lanes as soon as there is room, and stay in the new lane; the controller before it
     keeps the distance, and steers otherwise. It returns if the gap closes during the first half
-    of the change."""
+    of the change. Behind what stands still it waits for room where it can still pull out."""
 
     name: ClassVar[str] = "change_lane"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -58,10 +66,10 @@ class ChangeLane(Controller):
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, offsets of the new and of the old lane, time since the change has
-        begun, and time that it takes."""
+        begun, time that it takes, and whether it pulls out from close behind something."""
         import numpy as np
 
-        return np.zeros((count, 5))
+        return np.zeros((count, 6))
 
     def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
         import numpy as np
@@ -71,11 +79,12 @@ class ChangeLane(Controller):
         seen = observations
         line = np.full(len(seen.x), np.nan)
         time = np.ones(len(line))
+        acceleration = line.copy()
         if (state[:, _PHASE] != DONE).any():
             near = None if self.force else seen.nearby(SIGHT)
             self._turn_back(seen, near, state, line)
-            self._begin(seen, near, state, line)
-            time = state[:, _TIME].copy()
+            acceleration = self._begin(seen, near, state, line)
+            time = np.where(state[:, _CLOSE] > 0.0, 0.0, state[:, _TIME])
             state[:, _CLOCK] += seen.step
             settled = state[:, _CLOCK] >= state[:, _TIME] + SETTLING_TIME
             state[(state[:, _PHASE] == MOVING) & settled, _PHASE] = DONE
@@ -83,23 +92,38 @@ class ChangeLane(Controller):
         steering = open_
         if (state[:, _PHASE] == MOVING).any():
             steering = np.where(state[:, _PHASE] == MOVING, along_line(seen), np.nan)
-        return ControlBatch(steering, open_, line_offset=line, line_time=time)
+        close = (state[:, _PHASE] == MOVING) & (state[:, _CLOSE] > 0.0)
+        if close.any():
+            sharply, slow = creeping_out(seen, CREEPING_ACCELERATION)
+            steering, acceleration = (
+                np.where(close, now, before)
+                for now, before in ((sharply, steering), (slow, acceleration))
+            )
+            state[close & (np.abs(seen.road_offset - state[:, _TARGET]) < CLEAR), _CLOSE] = 0.0
+        return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
 
-    def _begin(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
-        """Those who wait and have room."""
+    def _begin(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> Floats:
+        """Those who wait and have room. (N,) acceleration of those who still wait behind something
+        that stands still, NaN for all others."""
         import numpy as np
 
         target = self._target(seen)
         time = self._time(seen)
-        fits = (state[:, _PHASE] == WAITING) & np.isfinite(target) & (seen.speed > SLOWEST)
+        waits = (state[:, _PHASE] == WAITING) & np.isfinite(target)
+        gap, pace = ahead_in_lane(seen)
+        least = np.where(seen.speed > SLOWEST, CLEARED * time * seen.speed + CLOSEST, PULL_OUT + 1.0)
+        close = (pace < STANDSTILL) & (gap <= least)
+        fits = waits & np.where(close, can_creep_out(seen, gap), seen.speed > SLOWEST)
         if near is not None:
             fits &= self._is_free(seen, near, target, time, 1.0)
         now = seen.road_offset - seen.cross_track_error
         for column, value in (
-            (_PHASE, MOVING), (_TARGET, target), (_ORIGIN, now), (_CLOCK, 0.0), (_TIME, time)
+            (_PHASE, MOVING), (_TARGET, target), (_ORIGIN, now), (_CLOCK, 0.0), (_TIME, time),
+            (_CLOSE, close),
         ):  # fmt: skip
             state[:, column] = np.where(fits, value, state[:, column])
         line[fits] = target[fits]
+        return held_back(seen, gap, pace, waits & ~fits)
 
     def _turn_back(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
         """Those on the first half whose room is taken."""

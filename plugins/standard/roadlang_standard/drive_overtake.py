@@ -28,7 +28,8 @@ from .lane_traffic import (
     target_among,
 )
 from .passing import STANDSTILL, PassingView, passing_distance, passing_time, standing_row
-from .steering import along_line, pursuit, toward
+from .pulling_out import BACK_OFF, CLEARED, can_creep_out, creeping_out, held_back
+from .steering import along_line
 
 if TYPE_CHECKING:
     import numpy as np
@@ -49,25 +50,7 @@ MARGIN = 2.0
 """Seconds between the end of the pass and meeting oncoming traffic, at least."""
 SPEED_GAIN = 2.0
 """1/s: acceleration for each m/s that the speed is off."""
-PULL_OUT = 8.0
-"""Meters before something that stands still at which it waits, so that it can pull out."""
-QUEUE = 5.0
-"""m/s: what is slower may be about to stand still."""
-EASE = 1.5
-"""m/s^2: from this deceleration on it brakes for what stands still."""
-BACK_OFF = 6.0
-"""m/s^2: deceleration of who gives up, at most."""
 WAITING, PASSING, RETURNING, GIVING_UP, DONE = 0.0, 1.0, 2.0, 3.0, 4.0
-TIGHTEST = 2.7
-"""Meters: from less behind something that stands still nobody can pull out."""
-CLEARED = 0.65
-"""Share of the time of a lane change after which it is clear of what it passes."""
-CREEPING = 1.5
-"""m/s at which it pulls out from close behind, with the wheels turned as far as they go."""
-SLOWEST, TURNED = 0.4, 0.1
-"""m/s until it has turned by so many radians: its wheels turn before it moves."""
-LOOKAHEAD = 3.0
-"""Meters on to which it steers then."""
 CLEAR = 1.0
 """Meters from the middle of the other lane from which on it drives on as always."""
 _PHASE, _ORIGIN, _LANE, _CLOCK, _CLOSE = range(5)
@@ -137,10 +120,8 @@ class Overtake(Controller):
         close = (phase == PASSING) & (state[:, _CLOSE] > 0.0)
         if close.any():
             time = np.where(close, 0.0, time)
-            steering = np.where(close, pursuit(seen, LOOKAHEAD), steering)
-            turned = np.abs(seen.heading_error) > TURNED
-            pace = np.where(turned, CREEPING, SLOWEST)
-            slow = toward(seen.speed, pace, self.acceleration, BACK_OFF)
+            sharply, slow = creeping_out(seen, self.acceleration)
+            steering = np.where(close, sharply, steering)
             acceleration = np.where(close, np.minimum(slow, acceleration), acceleration)
             state[close & (np.abs(seen.road_offset - state[:, _LANE]) < CLEAR), _CLOSE] = 0.0
         state[phase == RETURNING, _CLOCK] += seen.step
@@ -221,7 +202,7 @@ class Overtake(Controller):
         still = np.abs(plan.pace) < STANDSTILL
         aside = CLEARED * self.duration
         has_way = gap > aside * (seen.speed + 0.5 * self.acceleration * aside)
-        fits &= ~still | has_way | ((gap > TIGHTEST) & (seen.speed < 2.0 * CREEPING))
+        fits &= ~still | has_way | can_creep_out(seen, gap)
         if not fits.any():
             return
         time = np.zeros(len(gap)) + self.duration
@@ -288,10 +269,5 @@ class Overtake(Controller):
 
         gap = plan.gap(seen.length)
         nearest, _ = plan.home.nearest_ahead()
-        waits = plan.found & (plan.pace < QUEUE) & (gap > 0.0) & (np.abs(gap - nearest) < 1.0)
-        pace = np.where(plan.pace < STANDSTILL, 0.0, plan.pace)
-        closing = np.maximum(seen.speed * seen.speed - pace * pace, 0.0)
-        needed = closing / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
-        close = (gap < PULL_OUT + 0.5) & (seen.speed > 0.5 * pace)
-        needed = np.where(close, np.maximum(needed, 2.0 * EASE), needed)
-        return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)
+        waits = plan.found & (np.abs(gap - nearest) < 1.0)
+        return held_back(seen, gap, plan.pace, waits)

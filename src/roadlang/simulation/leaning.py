@@ -42,6 +42,20 @@ def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
     return RouteLine(source, tuple(_moved(leg, s, gone) for leg in line.legs))
 
 
+def moved_line(line: RouteLine, left: Floats) -> RouteLine:
+    """The line with each of its points (n,) so many meters to the left, and as much less of its
+    lane beside it."""
+    source = line.source
+    s, heading = source.s, source.heading
+    bend = np.gradient(heading, s)
+    x, y = source.x - np.sin(heading) * left, source.y + np.cos(heading) * left
+    turned = np.arctan2(np.gradient(left, s), np.maximum(1.0 - bend * left, 0.1))
+    gone = _chords(x, y)
+    width = np.maximum(source.width - 2.0 * np.abs(left), 0.1)
+    moved = LineSource(gone, x, y, heading + turned, width, source.closed)
+    return replace(line, source=moved, legs=tuple(_moved(leg, s, gone) for leg in line.legs))
+
+
 def leaned_source(
     source: LineSource, length: float, base: float, max_steering: float
 ) -> tuple[LineSource, Floats, Floats]:

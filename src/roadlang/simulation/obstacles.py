@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
+from .lines import Lines
 from .outlines import Outlines
 from .world import World
 
@@ -44,7 +45,7 @@ class Obstacles:
             if not objects:
                 continue
             if row not in known:
-                known[row] = _beside(world, row, Outlines.of(objects))
+                known[row] = things_beside(world.track.lines, row, Outlines.of(objects))
             found.append((np.full(len(known[row][0]), agent), *known[row]))
         if not found:
             none = np.zeros(0)
@@ -96,17 +97,17 @@ class Obstacles:
         return np.where(self.left > world.line_offset[self.agent], left, right)
 
 
-def _beside(world: World, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
+def things_beside(lines: Lines, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
     """Begin, middle and half of the width of the objects near one line, each time that it passes
     them. Where it bends there, those of their pieces."""
-    number, cell = _passes(world, row, objects)
-    places, turned = _at(world, row, objects.take(number), cell)
+    number, cell = _passes(lines, row, objects)
+    places, turned = _at(lines, row, objects.take(number), cell)
     bent = np.unique(number[turned > BENT])
     if not len(bent):
         return places
     pieces = objects.take(bent).pieces(PIECE)
-    which, there = _passes(world, row, pieces)
-    parts, _ = _at(world, row, pieces.take(which), there)
+    which, there = _passes(lines, row, pieces)
+    parts, _ = _at(lines, row, pieces.take(which), there)
     whole = ~np.isin(number, bent)
     begin, left, half = (
         np.concatenate([one[whole], two]) for one, two in zip(places, parts, strict=True)
@@ -114,10 +115,9 @@ def _beside(world: World, row: int, objects: Outlines) -> tuple[Floats, Floats, 
     return begin, left, half
 
 
-def _passes(world: World, row: int, objects: Outlines) -> tuple[Integers, Integers]:
+def _passes(lines: Lines, row: int, objects: Outlines) -> tuple[Integers, Integers]:
     """Numbers of the objects near one line, and the cells where it is nearest to them: one for each
     time that it comes by."""
-    lines = world.track.lines
     first, last = row * lines.cells, int(lines.last[row])
     cells = slice(first, first + last + 1)
     off_x = objects.x[:, None] - lines.x[cells]
@@ -131,11 +131,10 @@ def _passes(world: World, row: int, objects: Outlines) -> tuple[Integers, Intege
 
 
 def _at(
-    world: World, row: int, objects: Outlines, cell: Integers
+    lines: Lines, row: int, objects: Outlines, cell: Integers
 ) -> tuple[tuple[Floats, Floats, Floats], Floats]:
     """Begin, middle and half of the width of objects (P,), seen from cells of one line, and by how
     much that turns beside each, in radians."""
-    lines = world.track.lines
     first, last = row * lines.cells, int(lines.last[row])
     off_x, off_y = objects.x - lines.x[first + cell], objects.y - lines.y[first + cell]
     heading = lines.heading[first + cell]

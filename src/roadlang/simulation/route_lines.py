@@ -64,6 +64,8 @@ class RouteLine:
 
     source: LineSource
     legs: tuple[LineLeg, ...]
+    aside: float = 0.0
+    """meters by which it is moved, at or in a junction, to keep clear of what stands there"""
 
 
 @dataclass(frozen=True)
@@ -214,7 +216,7 @@ def _lane_part(
     offset = np.asarray(section.offset(step.lane, at))
     for end, other, length in changes:
         share = np.abs(at - end) / length
-        rise = _eased(np.maximum(0.5 - share, 0.0))
+        rise = eased(np.maximum(0.5 - share, 0.0))
         offset = offset + rise * (np.asarray(section.offset(other.lane, at)) - offset)
     heading = np.interp(at, stations, np.unwrap(np.array(road.heading)))
     curvature = np.interp(at, stations, np.array(road.curvature))
@@ -233,7 +235,7 @@ def _lane_part(
     return _Part(number, x, y, heading, np.array(width), at, changed=changed)
 
 
-def _eased(u: Floats) -> Floats:
+def eased(u: Floats) -> Floats:
     """From 0 to 1 without a jerk: 10 u^3 - 15 u^4 + 6 u^5."""
     return np.asarray(u * u * u * (10.0 + u * (6.0 * u - 15.0)))
 

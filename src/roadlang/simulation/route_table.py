@@ -75,6 +75,8 @@ class RouteTable:
     """meters before and after its begin in which the line changes to the lane of the leg; 0: not"""
     has_changes: bool
     """whether any line changes lanes"""
+    aside: Floats
+    """(L,) meters by which a line is moved at junctions, to keep clear of what stands there"""
 
     @classmethod
     def of(cls, lines: Sequence[RouteLine], line: Integers) -> RouteTable:
@@ -114,6 +116,7 @@ class RouteTable:
         return cls(
             line, begin, step, road, lane, limit, turn, tuple(turns), first, last, per_meter,
             np.concatenate(stations), direction, changed, bool(changed.any()),
+            np.array([route.aside for route in lines]),
         )  # fmt: skip
 
     def take(self, agents: Integers) -> RouteTable:

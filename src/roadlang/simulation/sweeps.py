@@ -40,7 +40,7 @@ class Sweeps:
             size = tuple(float(c[agent]) for c in (bodies.length, bodies.width, bodies.half_base))
             key = (float(row[agent]), *size)
             if key not in known:
-                found = _swept(lines, int(row[agent]), *size)
+                found = swept_beside(lines, int(row[agent]), *size)
                 known[key] = len(sides) if found is not None else 0
                 sides += [] if found is None else [found]
             table[agent] = known[key]
@@ -63,7 +63,7 @@ class Sweeps:
         return self.left[table, cell], self.right[table, cell]
 
 
-def _swept(lines: Lines, row: int, length: float, width: float, base: float) -> Floats | None:
+def swept_beside(lines: Lines, row: int, length: float, width: float, base: float) -> Floats | None:
     """(2, M) meters to the left and right; None for a line without bends that matter. The middle is
     on the line, and the vehicle points along the line at its rear axle; in a bend of curvature `k`,
     with `f` meters from there to its front, it covers `(f^2 - base^2) k / 2` more outside."""

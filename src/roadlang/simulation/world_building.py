@@ -14,9 +14,11 @@ from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
 from .lateral_motion import LateralMotion
+from .keeping_clear import kept_clear
 from .leaning import leaned
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
+from .outlines import Outlines
 from .route_lines import RouteLine, plain_line, route_line
 from .route_table import RouteTable
 from .starting import LineOffsets, start_of
@@ -76,7 +78,8 @@ def _slot(
     if placed.route is not None and key not in rows:
         rows[key] = len(sources)
         rows[key, 0] = len(routes)
-        routes.append(leaned(route_line(placed.route, scene, roads), placed))
+        line = leaned(route_line(placed.route, scene, roads), placed)
+        routes.append(kept_clear(line, placed, Outlines.of(scene.objects)))
         sources.append(routes[-1].source)
     elif key not in rows:
         rows[key] = len(sources)

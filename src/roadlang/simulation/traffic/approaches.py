@@ -19,7 +19,7 @@ HARDEST = 7.0
 """... unless it would have to brake harder than this, m/s^2."""
 WARNING = 3.0
 """Seconds before red from which on cars decide whether to stop, if yellow is shorter."""
-SIGN_SPEED, SIGN_DISTANCE = 0.15, 3.5
+SIGN_SPEED, SIGN_DISTANCE = 0.09, 3.5
 """Who was slower than this so close to a stop line has stopped there: m/s and meters."""
 FAR = 1e6
 """Seconds: no signal lasts longer."""

@@ -65,7 +65,7 @@ class RightOfWayGrants:
     def __init__(self, world: World) -> None:
         self._crossings = crossings = crossings_of(world)
         self._pedestrians = Pedestrians(world, crossings)
-        sizes, self._size = sizes_of(world.bodies)
+        sizes, self._size = sizes_of(world.bodies, world.table.aside[world.table.line])
         self._places = Places.of(crossings.junctions, world.scenes, sizes)
         count, scenes = len(world.present), len(world.scenes)
         self._oncoming = Oncoming(world)

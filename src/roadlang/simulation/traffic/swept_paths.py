@@ -36,11 +36,12 @@ class VehicleSize:
     max_steering: float
 
 
-def sizes_of(bodies: Bodies) -> tuple[tuple[VehicleSize, ...], Integers]:
-    """The different sizes of agents, and (N,) the number of that of each."""
+def sizes_of(bodies: Bodies, aside: Floats) -> tuple[tuple[VehicleSize, ...], Integers]:
+    """The different sizes of agents, and (N,) the number of that of each. Whose line is moved by
+    `aside` (N,) meters needs as much more to both sides."""
     rounded = (
         np.ceil(bodies.length / LENGTH_STEP - 1e-6) * LENGTH_STEP,
-        np.ceil(bodies.width / WIDTH_STEP - 1e-6) * WIDTH_STEP,
+        np.ceil((bodies.width + 2.0 * aside) / WIDTH_STEP - 1e-6) * WIDTH_STEP,
         np.round(bodies.half_base / WIDTH_STEP) * WIDTH_STEP,
         bodies.max_steering,
     )
