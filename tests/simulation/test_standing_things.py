@@ -84,3 +84,45 @@ def test_two_that_may_overlap_drive_through_each_other() -> None:
     """, duration=10)  # fmt: skip
     assert trace.events == ()
     assert trace.agents["one"].station[-1] > trace.agents["other"].station[-1] + 10.0
+
+
+def test_who_backs_out_waits_while_somebody_stands_behind_it() -> None:
+    (trace,) = drive(STREET + """
+    object parked is parked_car on street at 84m { lane: -1 }
+    agent backer is car on street at 95m {
+      lane: -1, start_speed: 0m/s, drive with reverse { distance: 12m }
+    }
+    """, duration=15)  # fmt: skip
+    backer = trace.agents["backer"]
+    assert trace.events == ()
+    assert backer.speed[-1] == 0.0
+    assert 84.0 + 4.5 < backer.station[-1] < 84.0 + 4.5 + 1.0
+
+
+def test_change_lane_waits_where_it_can_still_pull_out() -> None:
+    (trace,) = drive("""
+    road street { draw with segments { pieces: [straight(300m)] }, lanes: 2, oneway: true }
+    object broken is parked_car on street at 120m { lane: -2 }
+    agent ego is car on street at 20m {
+      lane: -2
+      drive with traffic { speed: 12m/s }
+      drive with change_lane { to: left, when: gap(ego, broken) < 30m }
+    }
+    agent flow is car on street at 15m {
+      lane: -1, count: 7, spacing: 15m, drive with traffic { speed: 9m/s }
+    }
+    """, duration=45)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    assert ego.speed.min() < 0.5
+    assert ego.station[-1] > 200.0
+
+
+def test_change_lane_right_of_the_last_lane_pulls_over_to_the_shoulder() -> None:
+    (trace,) = drive("""
+    road street {
+      draw with segments { pieces: [straight(300m)] }, right: [drive, shoulder(3m)], left: [drive]
+    }
+    agent ego is car on street at 20m { drive with traffic, drive with change_lane { to: right } }
+    """, duration=15)  # fmt: skip
+    assert trace.agents["ego"].lane[-1] == -2

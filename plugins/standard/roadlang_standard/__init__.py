@@ -51,6 +51,7 @@ _KINDS = {
     "drive walk": "drive_walk:Walk",
     "drive replay": "drive_replay:Replay",
     "drive reverse": "drive_reverse:Reverse",
+    "drive u_turn": "drive_u_turn:UTurn",
     "drive stop_at": "drive_stop_at:StopAt",
     "drive speed_profile": "drive_speed_profile:SpeedProfile",
     "sense camera": "sense_camera:Camera",

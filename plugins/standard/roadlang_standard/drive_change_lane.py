@@ -23,6 +23,10 @@ SIGHT = 200.0
 """Meters in which others are looked for."""
 SLOWEST = 1.0
 """m/s: a change begins no slower."""
+BESIDE = ("shoulder", "parking")
+"""Lanes beside those for traffic in which one may stand, in this order."""
+NEXT = 6.0
+"""Meters: a lane whose middle is farther away is not the next one."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 CLEAR = 1.0
 """Meters from the middle of the new lane from which on it drives on as always."""
@@ -37,6 +41,9 @@ BACK_TIME = 2.0
 """Seconds in which who turns back is in its lane again, at most."""
 
 
+_SIGNS = {"left": 1.0, "right": -1.0}
+
+
 @dataclass(frozen=True)
 class ChangeLane(Controller):
     """Change lanes as soon as there is room, and stay in the new lane; the controller before it
@@ -46,11 +53,12 @@ class ChangeLane(Controller):
     name: ClassVar[str] = "change_lane"
     leaves_open: ClassVar[str] = "the rest of the drive"
     to: Integer = option(
-        words=("left", "right"),
+        words=("left", "right", *BESIDE),
         minimum=-32,
         maximum=32,
-        help="the lane: `left` or `right`, the next one there whose traffic goes the same way; or "
-        "the id of a lane, also of oncoming traffic",
+        help="the lane: `left` or `right`, the next one there whose traffic goes the same way, or "
+        "where there is none the shoulder or parking lane; `shoulder` or `parking`; or the id of a "
+        "lane, also of oncoming traffic",
         example="left",
     )
     duration: Duration = option(4.0, above=0, maximum=60, help="duration of the lane change")
@@ -111,7 +119,9 @@ class ChangeLane(Controller):
         time = self._time(seen)
         waits = (state[:, _PHASE] == WAITING) & np.isfinite(target)
         gap, pace = ahead_in_lane(seen)
-        least = np.where(seen.speed > SLOWEST, CLEARED * time * seen.speed + CLOSEST, PULL_OUT + 1.0)
+        least = np.where(
+            seen.speed > SLOWEST, CLEARED * time * seen.speed + CLOSEST, PULL_OUT + 1.0
+        )
         close = (pace < STANDSTILL) & (gap <= least)
         fits = waits & np.where(close, can_creep_out(seen, gap), seen.speed > SLOWEST)
         if near is not None:
@@ -158,6 +168,8 @@ class ChangeLane(Controller):
         if isinstance(self.to, str) and not self.force:
             against = seen.direction_of_lane(self.to) < 0.0
             middle = np.where(against, np.nan, middle)
+            if self.to in _SIGNS:
+                middle = _else_beside(seen, middle, _SIGNS[self.to])
         return middle
 
     def _time(self, seen: ObservationBatch) -> Floats:
@@ -167,3 +179,15 @@ class ChangeLane(Controller):
         if self.distance is not None:
             return np.asarray(self.distance / np.maximum(seen.speed, SLOWEST))
         return np.zeros(len(seen.x)) + self.duration
+
+
+def _else_beside(seen: ObservationBatch, middle: Floats, side: float) -> Floats:
+    """(N,) the offsets of lanes; where there is none, that of a shoulder or parking lane which is
+    the next on that side."""
+    import numpy as np
+
+    for kind in BESIDE:
+        found = seen.offset_of_lane(kind)
+        away = side * (found - seen.road_offset)
+        middle = np.where(np.isnan(middle) & (away > 0.0) & (away < NEXT), found, middle)
+    return middle

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Acceleration, Angle, Controller, Length, Speed, option
 
+from .kinematic_moves import arc_move, touches
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -18,13 +20,16 @@ STANDING = 0.05
 """m/s: who is faster brakes first."""
 BRAKING = 4.0
 """m/s^2"""
+SIGHT, BEHIND = 15.0, 0.7
+"""Meters: how far it sees, and how close behind it something has to be for it to wait."""
 _GONE, _PACE = range(2)
 
 
 @dataclass(frozen=True)
 class Reverse(Controller):
-    """Drive backward, as out of a parking space: first straight, then on a circle, and stop. Tires
-    do not slip at such speeds: the rear axle goes exactly where the vehicle points."""
+    """Drive backward, as out of a parking space: first straight, then on a circle, and stop; its
+    `speed` is negative then. Tires do not slip at such speeds: the rear axle goes exactly where
+    the vehicle points. It waits while something is close behind it."""
 
     name: ClassVar[str] = "reverse"
     distance: Length = option(6.0, above=0, maximum=1000, help="how far it drives backward")
@@ -68,7 +73,11 @@ class Reverse(Controller):
         left = np.maximum(self.distance - state[:, _GONE], 0.0)
         faster = np.minimum(state[:, _PACE] + self.acceleration * seen.step, self.speed)
         pace = np.minimum(faster, np.sqrt(2.0 * self.acceleration * left))
-        step = np.where(waits, 0.0, np.minimum(pace * seen.step, left))
+        ahead = np.minimum(BEHIND, left)
+        behind = arc_move(seen, -ahead, np.zeros(len(left)))
+        waits = waits | (touches(seen, seen.nearby(SIGHT), behind) & (left > 0.0))
+        pace = np.where(waits, 0.0, pace)
+        step = np.minimum(pace * seen.step, left)
         turning = np.maximum(self.distance - self.straight, 1e-6)
         before = np.maximum(state[:, _GONE] - self.straight, 0.0)
         after = np.maximum(state[:, _GONE] + step - self.straight, 0.0)
@@ -79,7 +88,7 @@ class Reverse(Controller):
         middle, heading = seen.heading + 0.5 * turn, seen.heading + turn
         rear_x, rear_y = rear_x - step * np.cos(middle), rear_y - step * np.sin(middle)
         state[:, _GONE] += step
-        state[:, _PACE] = np.where(waits, 0.0, pace)
+        state[:, _PACE] = pace
         moving = np.where(left - step > 1e-6, -pace, 0.0)
         x, y = rear_x + half * np.cos(heading), rear_y + half * np.sin(heading)
         return np.stack((x, y, heading, moving), axis=1)

@@ -100,6 +100,8 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
     if is_fixed and (room < 0.0).any():
         other = blocker_of(actor, candidates) or actor.name
         help_ = "leave more room, or write `overlap: true` if that is meant"
+        if other == actor.name and "spacing" not in actor.options:
+            help_ = "put its copies in a row with `spacing: 8m`, or anywhere with `at random`"
         raise DiagnosticError(
             diagnose(Code.NO_ROOM, actor.span, name=actor.name, other=other, help=help_)
         )

@@ -13,8 +13,8 @@ from ..ir.scene import Scene, SceneActor
 from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
-from .lateral_motion import LateralMotion
 from .keeping_clear import kept_clear
+from .lateral_motion import LateralMotion
 from .leaning import leaned
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track

@@ -1,0 +1,48 @@
+"""Vehicles that turn around on the road."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from .driven_roads import drive
+
+STREET = """
+road street {{ draw with segments {{ pieces: [straight(200m)] }}, lanes: {lanes}, width: {width}m }}
+agent ego is car on street at 100m {{
+  lane: {lane}, drive with lane_follow {{ speed: 20km/h }}, drive with u_turn {{ {options} }}
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("lanes", "width", "lane", "moves"),
+    [(2, 7, -1, 5), (2, 7, 1, 5), (4, 14, -2, 1), (2, 16, -1, 1)],
+)
+def test_it_turns_in_as_many_moves_as_the_width_takes_and_goes_back_in_a_lane_of_the_other_side(
+    lanes: int, width: int, lane: int, moves: int
+) -> None:
+    text = STREET.format(lanes=lanes, width=width, lane=lane, options="when: time > 1s")
+    (trace,) = drive(text, duration=20.0)
+    ego = trace.agents["ego"]
+    backward = ego.speed < -0.1
+    assert 1 + 2 * int((np.diff(backward.astype(int)) == 1).sum()) == moves
+    assert ego.off_road.max() <= 0.0
+    assert abs(abs(np.degrees(ego.heading[-1] - ego.heading[0])) - 180.0) < 2.0
+    assert np.sign(ego.lane[-1]) == -np.sign(lane)
+    assert abs(ego.lane_offset[-1]) < 0.2
+    assert (ego.station[-1] - 100.0) * np.sign(lane) > 10.0
+
+
+def test_it_waits_for_a_gap_if_it_says_so() -> None:
+    text = STREET.format(lanes=2, width=7, lane=-1, options="wait_for: gap")
+    oncoming = """
+    agent oncoming is car on street at 150m {
+      facing: back, count: 2, spacing: 20m, drive with lane_follow { speed: 10m/s }
+    }
+    """
+    (trace,) = drive(text + oncoming, duration=30.0)
+    ego = trace.agents["ego"]
+    turns = ego.time[np.abs(ego.heading) > 0.3][0]
+    assert trace.agents["oncoming[1]"].station[np.searchsorted(ego.time, turns)] < 100.0
+    assert trace.events == ()
