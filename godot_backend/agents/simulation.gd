@@ -266,13 +266,11 @@ func _await_step() -> void:
 	var sent := 0
 	var pause := POLL_USEC
 	while mode == Mode.LOCKSTEP and tick >= _hold_until:
-		var now := Time.get_ticks_usec()
-		if now - sent > STATE_EVERY_USEC:
+		if Time.get_ticks_usec() - sent > STATE_EVERY_USEC:
 			_server.send_once(Protocol.STATE, Telemetry.state(_members, tick, _contacts.untold()))
-			sent = now
-			if _is_unseen:
-				_server.wait()
-		if not _server.poll(false) and not (_is_unseen and _server.wait()):
+			sent = Time.get_ticks_usec()
+		var waited := _is_unseen and _server.wait()
+		if not _server.poll(false) and not waited:
 			OS.delay_usec(pause)
 			pause = mini(pause + POLL_USEC, LONGEST_POLL_USEC)
 		while_waiting.call()
