@@ -81,7 +81,7 @@ def test_reference_lines_keep_to_the_roads_with_few_pieces(written: list[Written
         file = ReadFile.of(item.file.read_text(encoding="utf-8"))
         for part in road_parts(item.scene, 0.005, "one_way_roads"):
             read = file.roads[part.id]
-            count = max(2, int(read.length / 0.5))
+            count = max(2, int(read.length / 0.2))  # chords within 2 mm of a corner
             line = LineString([read.pose(read.length * k / count)[:2] for k in range(count + 1)])
             wanted = points(part.pose(part.stations)[:, :2])
             assert float(distances(wanted, line).max()) < CLOSE, (item.file.stem, part.id)
