@@ -179,6 +179,18 @@ def test_a_lane_shorter_than_the_stations_are_apart_is_no_fault(tmp_path: Path) 
     assert widths == pytest.approx({1: 3.5, -1: 3.5, -2: 0.0}, abs=1e-5)
 
 
+@pytest.mark.parametrize(
+    ("latitude", "longitude", "is_kept"),
+    [(89, -179, True), (-90, 180, True), (91, 0, False), (0, 181, False), (0, -200, False)],
+)
+def test_origins_that_are_not_on_earth_are_left_out(
+    read: Read, latitude: int, longitude: int, is_kept: bool
+) -> None:
+    header = f"<geoReference>+proj=tmerc +lat_0={latitude} +lon_0={longitude}</geoReference>"
+    expected = (latitude, longitude) if is_kept else None
+    assert read(xodr(straight(1, 0, 0), header=header)).origin == expected
+
+
 def test_heights_and_origin_are_kept(tmp_path: Path) -> None:
     profile = '<elevationProfile><elevation s="0" a="5" b="0.1" c="0" d="0"/></elevationProfile>'
     header = "<geoReference><![CDATA[+proj=tmerc +lat_0=48.1 +lon_0=11.5]]></geoReference>"

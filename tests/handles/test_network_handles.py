@@ -11,6 +11,7 @@ import roadlang
 from roadlang.diagnostics import DiagnosticError
 from roadlang.handles.handle import Handle
 from roadlang.handles.handles import dragged, handles_of, removed
+from roadlang.handles.networks import SPACING
 from roadlang.ir.scene import Scene
 
 PICTURE = '''image plan from """
@@ -66,6 +67,20 @@ def test_every_handle_of_a_network_is_where_it_was_dropped() -> None:
         assert changed is not None
         assert nearest(changed, to) < 0.01, handle
         assert "# mine\n  lanes: 2\n  moved_at" in changed
+
+
+def test_no_handle_of_a_network_lies_on_another() -> None:
+    """Nor do places that were moved, of which one is near a junction."""
+    text = TOWN
+    for sort, by in (("street", 6.0), ("junction", 5.0)):
+        handle = next(h for h in handles(text) if h.sort == sort)
+        changed = dragged(text, scene_of(text), handle, (handle.x + by, handle.y + by), "nudges")
+        assert changed is not None
+        text = changed
+        places = np.array([(h.x, h.y) for h in handles(text)])
+        apart = np.hypot(*(places[:, None] - places[None]).transpose(2, 0, 1))
+        assert len(places) > 8
+        assert apart[~np.eye(len(places), dtype=bool)].min() > 0.4 * SPACING
 
 
 def test_a_moved_place_goes_back() -> None:

@@ -103,6 +103,17 @@ def test_the_commands_show_the_options_of_a_statement(
     assert "rainfall rate" in printed
 
 
+def test_a_verb_before_a_name_shows_the_kind_and_not_the_statement(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert run(["plugins", "show", "car"]) == 0
+    alone = capsys.readouterr().out
+    assert run(["plugins", "show", "agent", "car"]) == 0
+    assert capsys.readouterr().out == alone
+    assert run(["plugins", "show", "agent"]) == 0
+    assert capsys.readouterr().out != alone
+
+
 def test_a_bare_number_gets_the_usual_unit_of_the_option(tmp_path: Path) -> None:
     text = "world { rain: 4, time_of_day: 14 }"
     _, found = check_text(text, tmp_path / "scene.rl", {}, load_registry())
