@@ -27,6 +27,16 @@ def test_values_in_words_and_json(trace: Any, capsys: pytest.CaptureFixture[str]
     assert found["values"]["limit"] == pytest.approx(3, abs=1e-4)
 
 
+def test_a_parameter_of_which_larger_values_fail_again_is_warned_of(
+    trace: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["mine", "always (e < p or e > p + 1.5)", "--param", "p=-9..9", trace]) == 0
+    printed = capsys.readouterr()
+    assert "warning[RL344]: the formula is not monotone in `p`" in printed.err
+    assert run(["mine", "always (e < p)", "--param", "p=-9..9", trace]) == 0
+    assert capsys.readouterr().err == ""
+
+
 @pytest.mark.parametrize(("bounds", "code"), [("limit=0..1", 1), ("limit", 2), ("x=0..1", 1)])
 def test_refusals(trace: Any, bounds: str, code: int) -> None:
     assert run(["mine", "always (e <= limit)", "--param", bounds, trace]) == code

@@ -202,6 +202,15 @@ def test_what_cannot_be_is_explained(settings: dict[str, Any], code: str, text: 
     assert text in str(found.value)
 
 
+@pytest.mark.parametrize(
+    ("duration", "step", "limit"), [(1.0, 0.1, 10), (1.26, 0.5, 3), (0.5, 0.5, 1), (0.1, 0.5, 1)]
+)
+def test_an_episode_has_as_many_steps_as_fit_and_one_at_least(
+    duration: float, step: float, limit: int
+) -> None:
+    assert EnvSettings(duration=duration, step=step).limit == limit
+
+
 def test_settings_are_checked() -> None:
     with pytest.raises(ValueError, match="step must be a number above 0"):
         EnvSettings(step=0.0)

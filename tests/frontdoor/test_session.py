@@ -81,6 +81,7 @@ def test_signals_and_robustness_along_the_road(file: Path) -> None:
     away = scene.signals["away"]
     near = scene.robustness["near"]
     assert away.unit == "m"
+    assert (near.unit, near.text) == ("", "always (away < 3m)")
     np.testing.assert_allclose(near.values, 3.0 - away.values, atol=1e-9)
     assert near.values.min() == pytest.approx(scene.requirements["near"].robustness)
     assert away.stations[-1] == pytest.approx(scene.roads["main"].reference_stations[-1])
