@@ -34,6 +34,14 @@ def test_check_imports_neither_numpy_nor_scipy_nor_opencv(folder: Path) -> None:
     assert not imported_by("check", "scene.rl", cwd=folder) & {"numpy", "scipy", "cv2"}
 
 
+def test_scenes_without_pictures_are_compiled_without_opencv(tmp_path: Path) -> None:
+    (tmp_path / "scene.rl").write_text("road r { draw with segments { pieces: [straight(9m)] } }\n")
+    found = imported_by("compile", "scene.rl", "-o", "out", cwd=tmp_path)
+    assert (tmp_path / "out" / "scene-0000.svg").exists()
+    assert "numpy" in found
+    assert "cv2" not in found
+
+
 def test_help_lists_the_commands(tmp_path: Path) -> None:
     done = roadlang("--help", cwd=tmp_path)
     assert done.returncode == 0

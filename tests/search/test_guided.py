@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+import roadlang
 from roadlang.scenes.sampling import SamplingResult
 from roadlang.search.diversity import expected_nearest, mean_nearest
 from tests.straight_road import STRAIGHT
@@ -107,6 +109,16 @@ def test_diversity_has_the_value_to_expect_beside_it(sample: Sample) -> None:
     assert collapsed.diversity is not None
     assert collapsed.expected_diversity is not None
     assert collapsed.diversity < 0.3 * collapsed.expected_diversity
+
+
+def test_scenes_that_are_much_alike_are_warned_of(tmp_path: Path) -> None:
+    rare = box_scene(((0.4, 0.5), (0.4, 0.5)))
+    file = tmp_path / "scene.rl"
+    codes = []
+    for how in ("pilot: 100, fallback: never", "fallback: never"):
+        file.write_text(rare + "sample with guided { " + how + " }\n")
+        codes.append([found.code for found in roadlang.load(file).sample(30).diagnostics])
+    assert codes == [["RL603"], []]
 
 
 @pytest.mark.parametrize(

@@ -100,6 +100,23 @@ def test_bad_traces_are_refused(positions: Any, signals: Any, code: str, told: s
     assert told in found.message
 
 
+@pytest.mark.parametrize(
+    ("signals", "told"),
+    [
+        ({"cross-track": [1, 2]}, "did you mean `` `cross-track` `` (in back quotes)?"),
+        ({"cros": [1, 2]}, "did you mean `cros`?"),
+        (
+            {"cross": stl.OwnGrid([0, 1], [1, 2]), "track": [1, 2]},
+            "signals with grids of their own need `semantics`: `held` or `linear`",
+        ),
+    ],
+)
+def test_what_to_write_instead_is_told(signals: Any, told: str) -> None:
+    with pytest.raises(DiagnosticError) as refusal:
+        stl.parse("cross-track > 0").rho([0, 1], signals)
+    assert refusal.value.diagnostics[0].help[0] == told
+
+
 def test_a_value_that_is_no_number_is_found_in_any_chunk() -> None:
     positions, signals = _walks(3000, 100)
     signals["d"][2345, 67] = np.nan

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -160,6 +159,8 @@ def _refusal(
 
 
 def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
+    import cv2
+
     # Only color mode honors the orientation that cameras note in JPEG files.
     mode = cv2.IMREAD_COLOR if header.format == "JPEG" else cv2.IMREAD_UNCHANGED
     level = _set_log_level(_SILENT)
@@ -174,6 +175,8 @@ def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
 
 def _set_log_level(level: int) -> int:
     """Of OpenCV, which moved the function between 4 and 5; returns the level before."""
+    import cv2
+
     old = getattr(cv2, "setLogLevel", None)
     return int((old or cv2.utils.logging.setLogLevel)(level))
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -129,6 +128,8 @@ class _Frame:
 
 
 def _drawn(pixels: Pixels, frame: _Frame) -> PlacedPixels:
+    import cv2
+
     right, up = frame.sides
     scale = math.sqrt(abs(float(right[0] * up[1] - right[1] * up[0])))
     if not scale > 0.0:

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..geometry.arrays import Booleans, Floats
+from ..ir.read_only import Floats as FloatNumbers
 from ..ir.scenario import NamedSignal
 from ..ir.scene import Profile, RoadPlace, SceneSignal, Verdict
 from ..ir.values import Condition
@@ -106,10 +107,10 @@ def _of_road(trace: _Along, candidates: CandidateBatch) -> list[Profile | None]:
         if trace.absent is not None and trace.absent[row]:  # a group without any copy
             found.append(None)
         elif whole[row]:
-            found.append(Profile(trace.road, stations, tuple(values.tolist())))
+            found.append(Profile(trace.road, stations, FloatNumbers(values.tolist())))
         else:
             shown = station_numbers(trace.stations[inside[row]], candidates.scenario)
-            found.append(Profile(trace.road, shown, tuple(values[inside[row]].tolist())))
+            found.append(Profile(trace.road, shown, FloatNumbers(values[inside[row]].tolist())))
     return found
 
 

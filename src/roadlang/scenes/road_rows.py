@@ -107,7 +107,7 @@ def _fewest_of_rows(widths: Floats, even: Booleans) -> list[Numbers]:
     if even.all() and (widths[:, 0] == widths[0, 0]).all():
         return [(float(widths[0, 0]),)]
     rows = zip(widths, even.tolist(), strict=True)
-    return [(float(row[0]),) if is_even else tuple(row.tolist()) for row, is_even in rows]
+    return [(float(row[0]),) if is_even else FloatNumbers(row.tolist()) for row, is_even in rows]
 
 
 def _fewest(numbers: list[float]) -> Numbers:

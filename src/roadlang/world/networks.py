@@ -37,6 +37,7 @@ from .perturbation import perturbed
 from .pictures import LoadedPicture, load_picture
 from .reading import read_file
 from .root_roads import undisplaced_road
+from .seen_pictures import seen_before
 from .stations import StationSpacing, station_spacing
 from .verified import verified
 
@@ -255,9 +256,14 @@ def found_in_picture(
     loaded = load_picture(image.name, candidates)
     built = build(call, candidates, single=True)
     span = call.span or network.span
-    with plugin_guard(built.entry, span):
-        found = built.kind.extract(loaded.picture)
-    check_extraction(found, built.entry, span)
+
+    def extract() -> Extraction:
+        with plugin_guard(built.entry, span):
+            found: Extraction = built.kind.extract(loaded.picture)
+        check_extraction(found, built.entry, span)
+        return found
+
+    found = seen_before(built.kind, loaded.picture, extract)
     return verified(call, network.name, found, candidates), loaded
 
 

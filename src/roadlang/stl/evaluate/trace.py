@@ -10,7 +10,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...diagnostics import Code, DiagnosticError, did_you_mean
+from ...diagnostics import Code, DiagnosticError
+from ...diagnostics.nearest import nearest
 from ..errors import stl_error
 from ..formula.terms import name_text
 from .position_text import position_text
@@ -19,6 +20,9 @@ from .windows import BoolArray
 FloatArray: TypeAlias = NDArray[np.float64]
 Positions: TypeAlias = ArrayLike
 Signals: TypeAlias = Mapping[str, ArrayLike]
+
+
+_OWN_GRID = "signals with grids of their own need `semantics`: `held` or `linear`"
 
 
 class InfiniteSignal(Exception):
@@ -160,11 +164,19 @@ def _shown(name: str) -> str:
     return text if text.startswith("`") else f"`{text}`"
 
 
+def _written(name: str) -> str:
+    """A name as it has to be written: with the back quotes that it needs."""
+    text = name_text(name)
+    return f"`` {text} `` (in back quotes)" if text.startswith("`") else f"`{text}`"
+
+
 def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArray[np.generic]:
     if name not in signals:
         known = ", ".join(map(_shown, sorted(signals))) or "none"
-        hints = (*did_you_mean(name, signals), f"the signals given are: {known}")
-        raise stl_error(Code.MISSING_SIGNAL, name=name, help=hints)
+        meant = nearest(name, signals)
+        hints = () if meant is None else (f"did you mean {_written(meant)}?",)
+        help = (*hints, f"the signals given are: {known}")
+        raise stl_error(Code.MISSING_SIGNAL, name=name, help=help)
     array = _unmasked(signals[name])
     if array.dtype.kind not in "fiub":
         raise stl_error(
@@ -172,6 +184,7 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
             what=f"`{name}`",
             expected="be numbers",
             found=f"is of type {array.dtype}",
+            help=_OWN_GRID if hasattr(signals[name], "positions") else (),
         )
     samples = stations.size
     if array.ndim > 2 or (array.ndim > 0 and array.shape[-1] not in (1, samples)):

@@ -48,8 +48,11 @@ def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic
     """Says how formulas of other tools can be read, and how names of columns are written."""
     hints = [hint for pattern, hint in _ORIGINS if pattern.search(text)][:1]
     name = _column(text, errors[0]) if errors else None
-    meant = meant_temporal(name.partition(" ")[0]) if name is not None else None
-    if meant is not None:
+    first = name.partition(" ")[0] if name is not None else ""
+    meant = meant_temporal(first) if name is not None else None
+    if first in BY_WORD:  # of the words that may be names too
+        hints.append(f"what follows `{first}` stands in parentheses: `{first} (x > 0)`")
+    elif meant is not None:
         hints.append(f"did you mean `{meant}`?")
     elif name is not None:
         hints.append(f"the name of a column stands in back quotes: `` `{name}` ``")
@@ -67,6 +70,6 @@ def _column(text: str, error: Diagnostic) -> str | None:
         return text[start:end]
     before = re.search(r"([A-Za-z_]\w*) +$", text[:start])
     words = before is not None and re.fullmatch(r"[A-Za-z_]\w*", text[start:end])
-    if error.code != Code.UNEXPECTED_TOKEN or before is None or not words or before[1] in BY_WORD:
+    if error.code != Code.UNEXPECTED_TOKEN or before is None or not words:
         return None
     return f"{before[1]} {text[start:end]}"

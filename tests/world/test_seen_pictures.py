@@ -1,0 +1,53 @@
+"""Pictures are extracted again only where they, or how they are read, have changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang import LoadedScenario, testing
+from roadlang.api import Extractor, Length, option
+from roadlang.plugins.discovery import registry_of
+
+TEXT = 'image photo from "photo.png" { scale: 0.5m/px }\nnetwork town from photo '
+seen: list[tuple[int, float]] = []
+
+
+@dataclass(frozen=True)
+class Strip(Extractor):
+    name: ClassVar[str] = "strip"
+    width: Length = option(5.0)
+
+    def extract(self, picture: Any) -> Any:
+        row = int(picture.pixels[:, 0, 0].argmax())
+        seen.append((row, self.width))
+        return picture.network([np.array([[0.0, row], [80.0, row]])], self.width * 2.0)
+
+
+def photo(row: int) -> NDArray[np.uint8]:
+    pixels = np.zeros((60, 90, 3), np.uint8)
+    pixels[row] = 255
+    return pixels
+
+
+def test_the_same_picture_is_extracted_once(tmp_path: Path) -> None:
+    registry = registry_of({"acme": testing.plugin_of(Strip)})
+
+    def road(row: int, options: str = "") -> tuple[float, float]:
+        cv2.imwrite(str(tmp_path / "photo.png"), photo(row))
+        text = TEXT + "{ extract with strip" + options + " }\n"
+        scene = LoadedScenario(text, tmp_path / "scene.rl", {}, registry).sample(1)[0]
+        (found,) = scene.roads.values()
+        return float(found.y[0]), float(found.width[0])
+
+    seen.clear()
+    first, other = road(20), road(30)
+    assert first[0] - other[0] == 5.0
+    assert (road(20), road(30), road(20)) == (first, other, first)
+    assert road(20, " { width: 6m }") == (first[0], 6.0)
+    assert seen == [(20, 5.0), (30, 5.0), (20, 6.0)]
