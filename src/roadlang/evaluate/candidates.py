@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..geometry.arrays import Floats, Integers
 from ..ir.batch import BatchRandom, unit_interval
+from ..ir.read_only import frozen
 from .candidate_rows import rows_of
 from .draw_record import DrawRecord
 from .indexed_scenario import IndexedScenario
@@ -50,11 +51,18 @@ class CandidateBatch:
         self.known_tries = known_tries or {}
         self._computed: dict[Hashable, Any] = {}
         self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
+        self._keyed: set[str] = set()  # shared with all that are made of these candidates
 
     @cached_property
     def keys(self) -> Words:
         """(V,) one word for each candidate, of which its draws are made."""
+        self._keyed.add("keys")
         return variant_keys(self.seed, self.scenes, self.attempts)
+
+    @property
+    def is_keyed(self) -> bool:
+        """Whether anything so far depends on scene and attempt, not on coordinates alone."""
+        return bool(self._keyed)
 
     @property
     def count(self) -> int:
@@ -68,7 +76,7 @@ class CandidateBatch:
             self.scenario, self.seed, self.scenes[rows], self.attempts[rows], coordinates
         )
         chosen.known_tries = {name: tries[rows] for name, tries in self.known_tries.items()}
-        chosen._parent = (self, rows)
+        chosen._parent, chosen._keyed = (self, rows), self._keyed
         return chosen
 
     def take_recorded(self, rows: NDArray[np.intp]) -> CandidateBatch:
@@ -76,6 +84,15 @@ class CandidateBatch:
         assert self.record is not None
         chosen = self.take(rows)
         chosen.record = self.record.take(rows, self.count)
+        return chosen
+
+    def renumbered(
+        self, rows: NDArray[np.intp], scenes: NDArray[np.int64], attempts: NDArray[np.int64]
+    ) -> CandidateBatch:
+        """The same as other scenes and attempts, where nothing so far depends on these."""
+        assert not self.is_keyed
+        chosen = self.take_recorded(rows)
+        chosen.scenes, chosen.attempts, chosen._keyed = scenes, attempts, set()
         return chosen
 
     def once(self, key: Hashable, compute: Callable[[], T], *, inherited: bool = True) -> T:
@@ -137,17 +154,25 @@ class _PassRandom(BatchRandom):
     """Numbers that a search may choose: coordinate `place:stream:j` is the j-th of a stream."""
 
     def __init__(self, candidates: CandidateBatch, place: str, element: int) -> None:
-        super().__init__(place_keys(candidates.keys, place, element))
         self._candidates = candidates
+        self._place = place, element
         self._name = coordinate_name(place, element)
 
+    @cached_property
+    def keys(self) -> Words:  # type: ignore[override]  # computed for those kinds that draw
+        """(V,) one word for each candidate."""
+        words: Words = frozen(place_keys(self._candidates.keys, *self._place))
+        return words
+
     def uniform(self, count: int, stream: int = 0) -> Floats:
-        numbers = super().uniform(count, stream)
         record, coordinates = self._candidates.record, self._candidates.coordinates
+        names = [f"{self._name}:{stream}:{column}" for column in range(count)]
+        is_chosen = bool(names) and coordinates.keys() >= set(names)
+        shape = self._candidates.count, count
+        numbers = np.empty(shape) if is_chosen else super().uniform(count, stream)
         if record is None and not coordinates:
             return numbers
-        for column in range(count):
-            name = f"{self._name}:{stream}:{column}"
+        for column, name in enumerate(names):
             if name in coordinates:
                 numbers[:, column] = coordinates[name]
             if record is not None:

@@ -36,6 +36,7 @@ class CopyBatch(CandidateBatch):
         scenes, attempts = candidates.scenes[rows], candidates.attempts[rows]
         super().__init__(candidates.scenario, candidates.seed, scenes, attempts)
         self.candidates = candidates
+        self._keyed = candidates._keyed
         self.rows = rows
         self.copies = copies
         self.tries = np.zeros(len(rows), np.int64) if tries is None else tries

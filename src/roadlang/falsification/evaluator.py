@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -31,6 +31,8 @@ AFTER_VIOLATION = "after_violation"
 """The option of simulators that can end a drive early."""
 _PILOT, _PILOT_SIZE = -2, 64
 """Candidates that the usual size of violations is learned from."""
+_WORTH_IT = 8
+"""Candidates of one screening, at least, that are not measured again."""
 _SCREENED = -3
 """The scene of points that are only screened: it keys what no axis chooses."""
 
@@ -62,6 +64,15 @@ class Proposal:
     is_random: bool = False
 
 
+@dataclass(frozen=True)
+class _Screened:
+    """Candidates that were screened; `rows`: by the bytes of their points."""
+
+    rows: Mapping[bytes, int]
+    candidates: CandidateBatch
+    measured: Measurements
+
+
 class Evaluator:
     """Nothing of an outcome depends on what is evaluated with it."""
 
@@ -69,6 +80,7 @@ class Evaluator:
         self.task = task
         self.scenario = index_scenario(task.scenario, task.registry)
         self.acceptance = Acceptance(self.scenario)
+        self._screened: list[_Screened] = []
 
     @cached_property
     def _axes(self) -> tuple[Axis, ...]:
@@ -90,38 +102,40 @@ class Evaluator:
 
     def evaluate(self, proposals: Sequence[Proposal]) -> list[Outcome]:
         """The outcome of each, in order. Raises DiagnosticError where no scene can be driven."""
-        candidates = self._candidates(proposals)
-        measured = self.acceptance.measure(candidates)
-        violations = self._violations(measured)
-        is_valid = measured.satisfied.all(axis=0)
-        outcomes = {
-            row: self._invalid(proposals[row], float(violations[row]), measured.rho[:, row])
-            for row in np.flatnonzero(~is_valid).tolist()
-        }
+        outcomes: dict[int, Outcome] = {}
         scenes: dict[int, Scene] = {}
-        rows = np.flatnonzero(is_valid)
-        valid = candidates.take_recorded(rows)
-        numbers = [proposals[row].index for row in rows.tolist()]
-        made = driven_scenes_or_faults(valid, numbers, self.task.overrides) if numbers else []
-        for row, found in zip(rows.tolist(), made, strict=True):
-            if isinstance(found, Scene):
-                scenes[row] = self._with_simulator(found)
-                continue
-            if not _is_of_draws(found):
-                raise found
-            worst = float(len(self.acceptance.requirements) + 1)
-            outcomes[row] = self._invalid(proposals[row], worst, measured.rho[:, row])
+        rho = np.empty((len(self.acceptance.requirements), len(proposals)))
+        for rows, valid, measured in self._measured(proposals):
+            rho[:, rows] = measured.rho
+            violations, is_valid = self._violations(measured), measured.satisfied.all(axis=0)
+            for row, violation in zip(rows[~is_valid].tolist(), violations[~is_valid], strict=True):
+                outcomes[row] = self._invalid(proposals[row], float(violation), rho[:, row])
+            rows = rows[is_valid]
+            numbers = [proposals[row].index for row in rows.tolist()]
+            made = driven_scenes_or_faults(valid, numbers, self.task.overrides) if numbers else []
+            for row, found in zip(rows.tolist(), made, strict=True):
+                if isinstance(found, Scene):
+                    scenes[row] = self._with_simulator(found)
+                    continue
+                if not _is_of_draws(found):
+                    raise found
+                worst = float(len(self.acceptance.requirements) + 1)
+                outcomes[row] = self._invalid(proposals[row], worst, rho[:, row])
         if scenes:
             driven = drive_scenes(list(scenes.values()), self.task.registry, None, {})
             for row, drive in zip(scenes, driven, strict=True):
-                outcomes[row] = self.outcome(proposals[row], drive, measured.rho[:, row])
+                outcomes[row] = self.outcome(proposals[row], drive, rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
 
     def screen(self, points: Floats) -> Floats:
         """(n,) of points (n, axes): 0 where the requirements hold, else 1 and by how much they are
         violated, as for a search."""
         unused = np.zeros(len(points), np.int64)
-        measured = self.acceptance.measure(self._batch(points, unused + _SCREENED, unused))
+        candidates = self._batch(points, unused + _SCREENED, unused)
+        measured = self.acceptance.measure(candidates)
+        if not candidates.is_keyed:
+            rows = {point.tobytes(): row for row, point in enumerate(points)}
+            self._screened.append(_Screened(rows, candidates, measured))
         return np.where(measured.satisfied.all(axis=0), 0.0, 1.0 + self._violations(measured))
 
     def full_scene(self, proposal: Proposal) -> Scene:
@@ -190,6 +204,32 @@ class Evaluator:
             for requirement, value in zip(self.acceptance.requirements, rho, strict=True)
             if not requirement.implied
         }
+
+    def _measured(
+        self, proposals: Sequence[Proposal]
+    ) -> Iterator[tuple[Integers, CandidateBatch, Measurements]]:
+        """The rows of proposals in parts, of each the candidates that satisfy the requirements, and
+        the measurements of all. What was screened since the last call is not measured again."""
+        screened, self._screened = self._screened, []
+        points = [np.array(proposal.point).tobytes() for proposal in proposals]
+        indices = np.array([proposal.index for proposal in proposals], np.int64)
+        rest = np.arange(len(proposals))
+        for part in screened:
+            places = np.array([part.rows.get(points[row], -1) for row in rest.tolist()], np.int64)
+            rows, places = rest[places >= 0], places[places >= 0]
+            if len(rows) < _WORTH_IT:
+                continue
+            rest = np.setdiff1d(rest, rows)
+            measured = part.measured.take(places)
+            is_valid = measured.satisfied.all(axis=0)
+            attempts = indices[rows[is_valid]]
+            numbers = np.zeros_like(attempts), attempts
+            yield rows, part.candidates.renumbered(places[is_valid], *numbers), measured
+        if len(rest):
+            candidates = self._candidates([proposals[row] for row in rest.tolist()])
+            measured = self.acceptance.measure(candidates)
+            valid = candidates.take_recorded(np.flatnonzero(measured.satisfied.all(axis=0)))
+            yield rest, valid, measured
 
     def _candidates(self, proposals: Sequence[Proposal]) -> CandidateBatch:
         points = np.array([proposal.point for proposal in proposals])

@@ -50,6 +50,10 @@ class Measurements:
     rho: Floats
     satisfied: Booleans
 
+    def take(self, rows: Integers) -> Measurements:
+        """Those of some candidates."""
+        return Measurements(self.rho[:, rows], self.satisfied[:, rows])
+
 
 class Acceptance:
     """All requirements of a scenario, in the order in which they are tried."""
