@@ -12,10 +12,13 @@ import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, Falsification, Scene
+from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.falsification.evaluator import Evaluator, Proposal
 from roadlang.falsification.outcome import Outcome
 from roadlang.geometry.arrays import Floats
-from roadlang.plugins.kinds import Axis, Search, Searcher
+from roadlang.ir.batch import RoadBatch
+from roadlang.judging.acceptance import Acceptance, Measurements
+from roadlang.plugins.kinds import Axis, Perturber, Search, Searcher
 from roadlang.session.loading import LoadedScenario
 from roadlang.testing import scenario
 from tests.falsification.slider import TEXT, Slider
@@ -308,3 +311,39 @@ def test_a_batch_size_that_is_none_is_the_searchers_fault(size: Any) -> None:
     (found,) = caught.value.diagnostics
     assert found.code == "RL474"
     assert f"gave the batch size {size!r}, which is no whole number from 1 to 20" in found.message
+
+
+@dataclass(frozen=True)
+class Wander(Perturber):
+    """Draws from a generator that no search chooses the numbers of."""
+
+    name: ClassVar[str] = "wander"
+
+    def displacement(self, road: RoadBatch, rng: np.random.Generator) -> Floats:
+        wave = np.sin(road.stations / road.stations[-1] * np.pi)
+        return np.asarray(wave * rng.uniform(-9.0, 9.0))
+
+
+@pytest.mark.parametrize("kind", ["harmonics { modes: 6, amplitude: 30m }", "wander"])
+def test_what_was_screened_gives_the_same_outcomes_and_is_measured_once(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = TEXT.replace("1 / 14m", "1 / 38m").replace(PERTURBED, f"perturb with {kind}")
+    search = scenario(text, kinds=[Slider, Wander]).falsify(**FEW)
+    task = search.evaluator.task
+    proposals = [Proposal(index, search.outcomes[index].point) for index in range(100, 140)]
+    alone = Evaluator(task).evaluate(proposals)
+    screening = Evaluator(task)
+    for part in (slice(0, 20), slice(20, 30)):  # the last ten are new
+        screening.screen(np.array([proposal.point for proposal in proposals[part]]))
+    measured: list[int] = []
+    measure = Acceptance.measure
+
+    def counted(self: Acceptance, candidates: CandidateBatch) -> Measurements:
+        measured.append(candidates.count)
+        return measure(self, candidates)
+
+    monkeypatch.setattr(Acceptance, "measure", counted)
+    assert screening.evaluate(proposals) == alone
+    # What depends on the number of the candidate as well is another one when it is evaluated.
+    assert measured == ([40] if kind == "wander" else [10])

@@ -28,7 +28,7 @@ class Harmonics(Perturber):
         """
         import numpy as np
 
-        modes = np.broadcast_to(self.modes, (len(random.keys), 1))
+        modes = np.broadcast_to(self.modes, (random.variants, 1))
         most = int(modes.max())
         order = np.arange(1, most + 1)
         drawn = 2.0 * random.uniform(2 * most) - 1.0

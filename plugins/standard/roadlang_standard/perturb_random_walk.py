@@ -34,7 +34,7 @@ class RandomWalk(Perturber):
         """
         import numpy as np
 
-        count = len(random.keys)
+        count = random.variants
         length = roads.period if roads.period is not None else float(roads.stations[-1])
         gap = np.broadcast_to(np.asarray(self.correlation, float).reshape(-1, 1), (count, 1))
         gap = np.maximum(gap, length / MOST_KNOTS)

@@ -159,10 +159,15 @@ class _PassRandom(BatchRandom):
         self._name = coordinate_name(place, element)
 
     @cached_property
-    def keys(self) -> Words:  # type: ignore[override]  # computed for those kinds that draw
-        """(V,) one word for each candidate."""
+    def keys(self) -> Words:
+        """(V,) one word for each candidate, computed for those kinds alone that look."""
         words: Words = frozen(place_keys(self._candidates.keys, *self._place))
         return words
+
+    @property
+    def variants(self) -> int:
+        """That of the candidates."""
+        return self._candidates.count
 
     def uniform(self, count: int, stream: int = 0) -> Floats:
         record, coordinates = self._candidates.record, self._candidates.coordinates

@@ -127,6 +127,11 @@ class BatchRandom:
     def __init__(self, keys: NDArray[np.uint64]) -> None:
         self.keys = frozen(keys)
 
+    @property
+    def variants(self) -> int:
+        """For how many variants there are numbers, V."""
+        return len(self.keys)
+
     def uniform(self, count: int, stream: int = 0) -> Floats:
         """(V, count) numbers in [0, 1); another `stream`, other numbers."""
         return unit_interval(self.keys[:, None], count, stream)
