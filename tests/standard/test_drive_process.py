@@ -91,8 +91,17 @@ FAILING = {
         GREET
         time.sleep(60)
     """,
-    "is no JSON object: 'ready'": 'print("ready", flush=True)\ntime.sleep(60)',
+    """has to be {"protocol": "roadlang.drive/1"}, not 'ready'""": """
+        print("ready", flush=True)
+        time.sleep(60)
+    """,
     "its first line has to be": 'print("{}", flush=True)\ntime.sleep(60)',
+    "is no JSON object: 'ready'": """
+        sys.stdin.readline()
+        GREET
+        print("ready", flush=True)
+        time.sleep(60)
+    """,
     "`steering` has to be a finite number": """
         sys.stdin.readline()
         GREET
@@ -146,6 +155,11 @@ def test_a_command_that_is_not_there() -> None:
     text = scene(Path("x.py")).replace(sys.executable, "/nowhere/driver")
     with pytest.raises(roadlang.DiagnosticError, match="cannot be started"):
         driven(text)
+
+
+def test_a_command_line_in_one_text_is_shown_word_by_word() -> None:
+    with pytest.raises(ProgramFailed, match=r'; write \["python3", "x.py"\]: each word by itself'):
+        ControllerProcess(["python3 x.py"])
 
 
 def test_the_agent_may_brake_instead_and_the_others_go_on(tmp_path: Path) -> None:

@@ -37,8 +37,8 @@ def greeting(seen: ObservationBatch, row: int) -> str:
 
 def check_greeting(line: str) -> None:
     """The answer to the first line. Raises ProgramFailed."""
-    answer = _object(line)
-    if answer.get("protocol") != PROTOCOL:
+    answer = _parsed(line)
+    if not isinstance(answer, dict) or answer.get("protocol") != PROTOCOL:
         reason = f'its first line has to be {{"protocol": "{PROTOCOL}"}}, not {_short(line)}'
         raise ProgramFailed(reason)
 
@@ -107,11 +107,16 @@ def control(line: str) -> tuple[float, float]:
     return found[0], found[1]
 
 
-def _object(line: str) -> dict[str, Any]:
+def _parsed(line: str) -> Any:
+    """None of what is no JSON."""
     try:
-        answer = json.loads(line)
+        return json.loads(line)
     except (ValueError, RecursionError):
-        answer = None
+        return None
+
+
+def _object(line: str) -> dict[str, Any]:
+    answer = _parsed(line)
     if not isinstance(answer, dict):
         raise ProgramFailed(f"its answer is no JSON object: {_short(line)}")
     return answer

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import queue
 import signal
@@ -41,7 +42,7 @@ class ControllerProcess:
                 start_new_session=True,
             )
         except (OSError, ValueError) as error:
-            raise ProgramFailed(f"it cannot be started: {error}") from error
+            raise ProgramFailed(f"it cannot be started: {error}{_words_of(command)}") from error
         self._errors: deque[bytes] = deque(maxlen=TAIL)
         self._answers: queue.Queue[bytes] = queue.Queue()
         process = self._process
@@ -130,3 +131,9 @@ def _end(process: subprocess.Popen[bytes]) -> None:
             process.kill()
     with contextlib.suppress(subprocess.TimeoutExpired):
         process.wait(PATIENCE)
+
+
+def _words_of(command: Sequence[str]) -> str:
+    """What to write in place of a command line in one text."""
+    words = command[0].split() if len(command) == 1 else []
+    return f"; write {json.dumps(words)}: each word by itself" if len(words) > 1 else ""
