@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
@@ -347,3 +348,21 @@ def test_what_was_screened_gives_the_same_outcomes_and_is_measured_once(
     assert screening.evaluate(proposals) == alone
     # What depends on the number of the candidate as well is another one when it is evaluated.
     assert measured == ([40] if kind == "wander" else [10])
+
+
+def test_candidates_are_freed_with_their_last_use(
+    search: Falsification, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[weakref.ref[CandidateBatch]] = []
+    batch = Evaluator._batch
+
+    def noted(self: Evaluator, *arguments: Any) -> CandidateBatch:
+        found = batch(self, *arguments)
+        made.append(weakref.ref(found))
+        return found
+
+    monkeypatch.setattr(Evaluator, "_batch", noted)
+    evaluator = Evaluator(search.evaluator.task)
+    evaluator.evaluate([Proposal(index, search.outcomes[index].point) for index in range(20)])
+    assert made
+    assert all(found() is None for found in made)  # at once, with what they hold

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import weakref
 
 import numpy as np
 import pytest
@@ -40,6 +41,19 @@ def seen(more: str, pieces: str = STRAIGHT) -> tuple[ObservationBatch, View]:
 # The drivable lanes lie in the middle: lane 1 is 3 m left, -1 is 3 m, -2 is 4 m wide.
 FORTH = "agent a is car on main at 40m { lane: -1, drive with brake }\n"
 BACK = "agent b is car on main at 80m { lane: 1, facing: back, drive with brake }\n"
+
+
+def test_what_is_seen_is_freed_with_its_last_use() -> None:
+    both, view = seen(FORTH + BACK)
+    zero = np.zeros(2)
+    both.line_ahead(1.0), both.path_ahead(zero), both.speed_for_bends(3.0, 3.0, 0.0)
+    both.vehicle_ahead(), both.obstacle_ahead(), both.lane_end(), both.lane_place()
+    both.offset_of_lane("left"), both.direction_of_lane("left"), both.speed_limit_ahead(3.0, 0.0)
+    both.stop_ahead(), both.right_of_way(zero, zero), both.junction_ahead()
+    both.nearby(9.0), both.nearest(1)
+    left = weakref.ref(view)
+    del both, view
+    assert left() is None  # at once, not when the garbage collector comes
 
 
 def test_lanes_are_seen_from_the_direction_of_travel() -> None:

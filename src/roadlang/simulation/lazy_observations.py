@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -91,39 +92,46 @@ def _road_width(seen: LazyObservations) -> Floats:
     return np.where(has_road, seen.view.poses.road_width[seen.rows], math.inf)
 
 
-def _speed_for_bends(seen: LazyObservations) -> Callable[..., Floats]:
-    bends, world = seen.view.surroundings.bends, seen.view.world
-    return lambda *limits: bends.at(world, seen.rows, *limits)
-
-
 def _lane(quantity: str) -> Callable[[LazyObservations], Callable[..., Floats]]:
-    return lambda seen: lambda which: seen.view.of_lane(seen.chosen, which, quantity)
+    def found(seen: LazyObservations) -> Callable[..., Floats]:
+        view, chosen = seen.view, seen.chosen
+        return lambda which: view.of_lane(chosen, which, quantity)
+
+    return found
 
 
-def _nearest(seen: LazyObservations) -> Callable[[int], tuple[Floats, ...]]:
-    world, poses = seen.view.world, seen.view.poses
-    return lambda count: nearest(world, poses, seen.chosen, count)
+def _stop_ahead(seen: LazyObservations) -> Callable[[], Floats]:
+    view, chosen = seen.view, seen.chosen
+    return lambda: view.right_of_way(chosen)[0]
+
+
+def _right_of_way(seen: LazyObservations) -> Callable[..., tuple[Floats, ...]]:
+    view, chosen = seen.view, seen.chosen
+    return lambda *temper: view.right_of_way(chosen, temper)
 
 
 _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     "steering": lambda seen: np.arctan(seen.view.world.motion.tangent[seen.rows]),
     "heading_error": _heading_error,
     "road_width": _road_width,
-    "line_ahead": lambda seen: lambda distance: seen.view.line_ahead(seen.rows, distance),
-    "path_ahead": lambda seen: lambda distances: seen.view.path_ahead(seen.rows, distances),
-    "speed_for_bends": _speed_for_bends,
-    "vehicle_ahead": lambda seen: lambda: seen.view.vehicle_ahead(seen.rows),
-    "obstacle_ahead": lambda seen: lambda: seen.view.obstacle_ahead(seen.rows),
-    "lane_end": lambda seen: lambda: seen.view.lane_end(seen.chosen),
-    "lane_place": lambda seen: lambda: seen.view.lane_place(seen.chosen),
+    "line_ahead": lambda seen: partial(seen.view.line_ahead, seen.rows),
+    "path_ahead": lambda seen: partial(seen.view.path_ahead, seen.rows),
+    "speed_for_bends": lambda seen: partial(
+        seen.view.surroundings.bends.at, seen.view.world, seen.rows
+    ),
+    "vehicle_ahead": lambda seen: partial(seen.view.vehicle_ahead, seen.rows),
+    "obstacle_ahead": lambda seen: partial(seen.view.obstacle_ahead, seen.rows),
+    "lane_end": lambda seen: partial(seen.view.lane_end, seen.chosen),
+    "lane_place": lambda seen: partial(seen.view.lane_place, seen.chosen),
     "offset_of_lane": _lane("middles"),
     "direction_of_lane": _lane("direction"),
-    "speed_limit_ahead": lambda seen: lambda *at: seen.view.speed_limit_ahead(seen.chosen, *at),
+    "speed_limit_ahead": lambda seen: partial(seen.view.speed_limit_ahead, seen.chosen),
     "sensors": lambda seen: seen.view.readings(seen.chosen),
-    "stop_ahead": lambda seen: lambda: seen.view.right_of_way(seen.chosen)[0],
-    "right_of_way": lambda seen: lambda *temper: seen.view.right_of_way(seen.chosen, temper),
-    "junction_ahead": lambda seen: lambda: seen.view.junction_ahead(seen.chosen),
-    "nearby": lambda seen: lambda distance: seen.view.nearby(seen.chosen, distance),
-    "nearest": _nearest,
+    "stop_ahead": _stop_ahead,
+    "right_of_way": _right_of_way,
+    "junction_ahead": lambda seen: partial(seen.view.junction_ahead, seen.chosen),
+    "nearby": lambda seen: partial(seen.view.nearby, seen.chosen),
+    "nearest": lambda seen: partial(nearest, seen.view.world, seen.view.poses, seen.chosen),
 }
-"""Of the chosen agents alone."""
+"""Of the chosen agents alone. None of them refers to the observations, which keep it: a step is
+freed when the next one comes."""

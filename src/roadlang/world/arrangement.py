@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from typing import Any
+from weakref import ref
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,12 +40,19 @@ class Arrangement:
     """The agents and objects of the candidates that were placed so far, in order."""
 
     def __init__(self, candidates: CandidateBatch) -> None:
-        self.candidates = candidates
+        self._candidates = ref(candidates)  # which hold this: all is freed with the last use
         self.order = placement_order(candidates.scenario)
         self.numbers = {actor.name: index for index, actor in enumerate(self.order)}
         self._done = 0
         self._noted = 0
         self._neighbors = PlacedRectangles()
+
+    @property
+    def candidates(self) -> CandidateBatch:
+        """What is arranged, as long as anybody else has it."""
+        found = self._candidates()
+        assert found is not None
+        return found
 
     def placed(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
         """Arrays (V, N): those of `PlacedBatch`, `tries`, at which try each copy was placed,
