@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 from roadlang.api import ObjectKind
-from roadlang_standard import agents, objects, street_objects
+from roadlang_standard import kinds_of
 
-_CATEGORIES: dict[str, str] = {
-    kind.name: kind.category
-    for module in (street_objects, objects, agents)
-    for kind in vars(module).values()
-    if getattr(kind, "name", "") and hasattr(kind, "category")
-}
+_CATEGORIES: dict[str, str] = {kind.name: kind.category for kind in kinds_of("agent", "object")}
 
 
 def category_of_kind(kind: str) -> str:

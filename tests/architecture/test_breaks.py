@@ -36,7 +36,11 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     ),
     (rules.the_core_imports_no_kind_and_no_api, "semantics/check.py", "from ..api import option"),
     (rules.the_core_imports_no_kind_and_no_api, "cli/main.py", "from .. import api"),
-    (rules.the_core_imports_no_kind_and_no_api, "cli/main.py", "import roadlang_standard.agents"),
+    (
+        rules.the_core_imports_no_kind_and_no_api,
+        "cli/main.py",
+        "import roadlang_standard.agent_car",
+    ),
     (
         rules.the_core_imports_no_kind_and_no_api,
         "session/loading.py",

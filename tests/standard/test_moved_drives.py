@@ -14,7 +14,10 @@ from numpy.typing import ArrayLike
 
 from roadlang.ir.trace import AgentTrace
 from roadlang_standard import metrics
-from roadlang_standard.drive_signals import DistanceSignal, GapSignal, LateralAcceleration, YawRate
+from roadlang_standard.drive_signal_distance import DistanceSignal
+from roadlang_standard.drive_signal_gap import GapSignal
+from roadlang_standard.drive_signal_lateral_acceleration import LateralAcceleration
+from roadlang_standard.drive_signal_yaw_rate import YawRate
 from roadlang_standard.drive_signals_conflict import (
     PostEncroachmentTime,
     TimeHeadway,

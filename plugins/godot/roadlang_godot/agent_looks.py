@@ -6,9 +6,7 @@ import colorsys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from roadlang_standard import agents as standard_agents
-from roadlang_standard import objects as standard_objects
-from roadlang_standard import street_objects
+from roadlang_standard import kinds_of
 from roadlang_standard.engine_tables import BODIES
 
 from .names import plain_name
@@ -33,10 +31,8 @@ _VARIED = {"tree", "building", "parked_car", "parked_van", "parked_truck", "park
 """Objects that the engine gives several colors, where a scene chooses none."""
 _DEFAULT_COLORS: Mapping[str, str] = {
     kind.name: kind.color
-    for module in (standard_agents, standard_objects, street_objects)
-    for kind in vars(module).values()
+    for kind in kinds_of("agent", "object")
     if isinstance(getattr(kind, "color", None), str)
-    and isinstance(getattr(kind, "name", None), str)
 }
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from importlib import import_module
+from typing import Any
 
 from roadlang.api import hookimpl
 
@@ -120,43 +122,43 @@ _KINDS = {
     "drive_signal speed_limit": "drive_signals_lane:SpeedLimitSignal",
     "drive_signal off_road": "drive_signals_lane:OffRoad",
     "drive_signal red_light": "drive_signals_lane:RedLight",
-    "drive_signal present": "drive_signals:Present",
+    "drive_signal present": "drive_signal_present:Present",
     "drive_signal collision": "drive_signals_conflict:Collision",
     "drive_signal time_headway": "drive_signals_conflict:TimeHeadway",
-    "drive_signal speed": "drive_signals:Speed",
-    "drive_signal acceleration": "drive_signals:AccelerationSignal",
-    "drive_signal cross_track_error": "drive_signals:CrossTrack",
-    "drive_signal progress": "drive_signals:Progress",
-    "drive_signal station": "drive_signals:Station",
-    "drive_signal steering": "drive_signals:Steering",
-    "drive_signal heading": "drive_signals:HeadingSignal",
-    "drive_signal lateral_acceleration": "drive_signals:LateralAcceleration",
-    "drive_signal jerk": "drive_signals:JerkSignal",
-    "drive_signal yaw_rate": "drive_signals:YawRate",
-    "drive_signal contacts": "drive_signals:Contacts",
-    "drive_signal distance": "drive_signals:DistanceSignal",
-    "drive_signal gap": "drive_signals:GapSignal",
-    "drive_signal x": "drive_signals:East",
-    "drive_signal y": "drive_signals:North",
+    "drive_signal speed": "drive_signal_speed:Speed",
+    "drive_signal acceleration": "drive_signal_acceleration:AccelerationSignal",
+    "drive_signal cross_track_error": "drive_signal_cross_track_error:CrossTrack",
+    "drive_signal progress": "drive_signal_progress:Progress",
+    "drive_signal station": "drive_signal_station:Station",
+    "drive_signal steering": "drive_signal_steering:Steering",
+    "drive_signal heading": "drive_signal_heading:HeadingSignal",
+    "drive_signal lateral_acceleration": "drive_signal_lateral_acceleration:LateralAcceleration",
+    "drive_signal jerk": "drive_signal_jerk:JerkSignal",
+    "drive_signal yaw_rate": "drive_signal_yaw_rate:YawRate",
+    "drive_signal contacts": "drive_signal_contacts:Contacts",
+    "drive_signal distance": "drive_signal_distance:DistanceSignal",
+    "drive_signal gap": "drive_signal_gap:GapSignal",
+    "drive_signal x": "drive_signal_x:East",
+    "drive_signal y": "drive_signal_y:North",
     "drive_signal time_to_collision": "drive_signals_conflict:TimeToCollision",
     "drive_signal post_encroachment_time": "drive_signals_conflict:PostEncroachmentTime",
-    "drive_signal time": "drive_signals:Time",
-    "agent car": "agents:Car",
-    "agent van": "agents:Van",
-    "agent truck": "agents:Truck",
-    "agent bus": "agents:Bus",
-    "agent motorcycle": "agents:Motorcycle",
-    "agent bicycle": "agents:Bicycle",
-    "agent pedestrian": "agents:Pedestrian",
-    "agent animal": "agents:Animal",
-    "agent taxi": "agents:Taxi",
-    "agent police_car": "agents:PoliceCar",
-    "agent ambulance": "agents:Ambulance",
-    "agent fire_truck": "agents:FireTruck",
-    "agent tractor": "agents:Tractor",
-    "agent scooter": "agents:Scooter",
-    "agent child": "agents:Child",
-    "agent dog": "agents:Dog",
+    "drive_signal time": "drive_signal_time:Time",
+    "agent car": "agent_car:Car",
+    "agent van": "agent_van:Van",
+    "agent truck": "agent_truck:Truck",
+    "agent bus": "agent_bus:Bus",
+    "agent motorcycle": "agent_motorcycle:Motorcycle",
+    "agent bicycle": "agent_bicycle:Bicycle",
+    "agent pedestrian": "agent_pedestrian:Pedestrian",
+    "agent animal": "agent_animal:Animal",
+    "agent taxi": "agent_taxi:Taxi",
+    "agent police_car": "agent_police_car:PoliceCar",
+    "agent ambulance": "agent_ambulance:Ambulance",
+    "agent fire_truck": "agent_fire_truck:FireTruck",
+    "agent tractor": "agent_tractor:Tractor",
+    "agent scooter": "agent_scooter:Scooter",
+    "agent child": "agent_child:Child",
+    "agent dog": "agent_dog:Dog",
     "object tree": "objects:Tree",
     "object bush": "objects:Bush",
     "object building": "objects:Building",
@@ -197,6 +199,14 @@ _KINDS = {
 def roadlang_kinds() -> Mapping[str, str]:
     """Verb and name to where the class is."""
     return {kind: f"{__name__}.{target}" for kind, target in _KINDS.items()}
+
+
+def kinds_of(*verbs: str) -> Iterator[type[Any]]:
+    """The classes of some verbs, imported."""
+    for kind, target in _KINDS.items():
+        if kind.partition(" ")[0] in verbs:
+            module, _, name = target.partition(":")
+            yield getattr(import_module(f"{__name__}.{module}"), name)
 
 
 @hookimpl

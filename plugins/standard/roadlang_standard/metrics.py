@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .drive_signals import JerkSignal, LateralAcceleration
+from .drive_signal_jerk import JerkSignal
+from .drive_signal_lateral_acceleration import LateralAcceleration
 from .drive_signals_conflict import TimeHeadway, TimeToCollision
 
 if TYPE_CHECKING:

@@ -1,4 +1,8 @@
-"""Options that kinds have without declaring them: all of a verb have the same."""
+"""Options that kinds have without declaring them: all of a verb have the same.
+
+The classes are tables of options, read by `schema_of`. None is ever an object, so they need none of
+the methods of a dataclass, whose making is what costs time when they are imported.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +35,7 @@ Points = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
 RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_integer=True))]
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class PlacementOptions:
     """Options of `agent` and `object`: where it is, relative to `on` and `at`."""
 
@@ -98,7 +102,7 @@ class PlacementOptions:
     overlap: Flag = option(False, help="whether it may stand in other agents and objects")
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class AgentOptions(PlacementOptions):
     """Options of `agent`."""
 
@@ -127,7 +131,7 @@ class AgentOptions(PlacementOptions):
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class IntervalOptions:
     """Options of what may be on a part of a road only."""
 
@@ -139,7 +143,7 @@ class IntervalOptions:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class PerturbOptions(IntervalOptions):
     """Options of every `perturb with`."""
 
@@ -148,7 +152,7 @@ class PerturbOptions(IntervalOptions):
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class NetworkPerturbOptions(PerturbOptions):
     """Options of every `perturb with` in a network."""
 
@@ -157,7 +161,7 @@ class NetworkPerturbOptions(PerturbOptions):
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class ControlOptions:
     """Options of every `control with`."""
 
@@ -174,7 +178,7 @@ class ControlOptions:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class DriveOptions:
     """Options of every `drive with`."""
 
@@ -191,7 +195,7 @@ class DriveOptions:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class SenseOptions:
     """Options of every `sense with`. Times are rounded to decisions of the controllers."""
 
@@ -215,7 +219,7 @@ class SenseOptions:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class FalsifyOptions:
     """Options of every `falsify with`."""
 

@@ -12,7 +12,7 @@ SAME_WIDTH = 1e-3
 """Meters by which the lanes that are written may differ from the width of their road."""
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class LaneOptions:
     """Options of every kind of lane."""
 

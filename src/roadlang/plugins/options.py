@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+import inspect
+import sys
 import typing
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 from .annotations import read_annotation
@@ -132,7 +135,7 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
     name = getattr(kind, "__name__", kind)
     if not dataclasses.is_dataclass(kind) or _is_undecorated(kind):
         raise TypeError(f"{name} is not decorated with `@dataclass(frozen=True)`")
-    hints = typing.get_type_hints(kind, include_extras=True)
+    hints = _field_types(kind)
     options = []
     for field in dataclasses.fields(kind):
         try:
@@ -149,6 +152,20 @@ def _schema_of(kind: Any) -> tuple[OptionSchema, ...]:
             default = MutableDefault("default_factory")
         options.append(OptionSchema(field.name, type_, default, constraints))
     return tuple(options)
+
+
+def _field_types(kind: Any) -> dict[str, Any]:
+    """What the annotations of the fields mean. Those of class variables, which every kind has more
+    of, are not evaluated."""
+    names = {field.name for field in dataclasses.fields(kind)}
+    found: dict[str, Any] = {}
+    for owner in reversed(kind.__mro__):
+        written = inspect.get_annotations(owner)
+        fields = SimpleNamespace(__annotations__={n: written[n] for n in written if n in names})
+        module = getattr(sys.modules.get(owner.__module__), "__dict__", {})
+        # In this order the names of the module count before those of the fields, as for a class.
+        found |= typing.get_type_hints(fields, dict(vars(owner)), module, include_extras=True)
+    return found
 
 
 def _is_undecorated(kind: Any) -> bool:

@@ -13,8 +13,6 @@ from typing import Any
 from ..diagnostics import Diagnostic
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..files.reading import UnreadableFile, read_file, read_start
-from ..images.image_header import read_header
-from ..images.image_scale import scale_in_file, unusable_world_file
 from ..ir.scenario import (
     FileSource,
     Scenario,
@@ -68,6 +66,8 @@ def _missing_scales(scenario: IndexedScenario) -> Iterator[Diagnostic]:
     for network in scenario.networks.values():
         image = scenario.source_of(network)
         if isinstance(image, ScenarioImage) and not _has_scale(image, scenario):
+            from ..images.image_scale import unusable_world_file
+
             sources = [link.source for link in scenario.chain(image)]
             files = [Path(file.resolved) for file in sources if isinstance(file, FileSource)]
             yield missing_scale(image, unusable_world_file(files[0]) if files else None)
@@ -83,6 +83,9 @@ def _has_scale(image: ScenarioImage, scenario: IndexedScenario) -> bool:
 
 
 def _file_has_scale(source: FileSource) -> bool:
+    from ..images.image_header import read_header
+    from ..images.image_scale import scale_in_file
+
     path = Path(source.resolved)
     try:
         start = read_start(path, 64)

@@ -14,7 +14,7 @@ from ...plugins.options import option
 LaneList = Annotated[tuple[Any, ...], ListType(CallType("lane"))]
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(init=False, repr=False, eq=False)
 class PatchOptions(IntervalOptions):
     """A stretch of a road of another surface."""
 
@@ -31,7 +31,7 @@ class PatchOptions(IntervalOptions):
 Patches = Annotated[tuple[Any, ...], ListType(RecordType(PatchOptions))]
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class SurfaceOptions:
     """Options of `road` and `network`: what they are made of or covered by."""
 
@@ -49,7 +49,7 @@ class SurfaceOptions:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class CrossSectionOptions:
     """Options of `road` and `network`: which lanes there are."""
 

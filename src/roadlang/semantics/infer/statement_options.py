@@ -44,7 +44,7 @@ _STATION_SPACING = (
 LatitudeLongitude = Annotated[tuple[float, float], PointType(ANGLE, ANGLE)]
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class ImageOptions:
     """Options of `image`."""
 
@@ -73,7 +73,7 @@ class ImageOptions:
 Weights = Annotated[dict[str, float], MapType(QuantityType(PURE))]
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class FormulaOptions:
     """Options of `require` and `expect` with a formula. None of the measures of robustness changes
     what satisfies the formula."""
@@ -108,7 +108,7 @@ class FormulaOptions:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class NetworkOptions(SurfaceOptions, CrossSectionOptions):
     """Options of `network`."""
 
@@ -159,7 +159,7 @@ class NetworkOptions(SurfaceOptions, CrossSectionOptions):
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class RoadOptions(SurfaceOptions, CrossSectionOptions):
     """Options of `road`."""
 
@@ -196,7 +196,7 @@ class RoadOptions(SurfaceOptions, CrossSectionOptions):
     )
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class SunOptions:
     """Position of the sun."""
 
@@ -215,7 +215,7 @@ class SunOptions:
 Sun = Annotated[dict[str, float], RecordType(SunOptions)]
 
 
-@dataclass(frozen=True)
+@dataclass(init=False, repr=False, eq=False)
 class WorldOptions:
     """Options of `world`: light, weather and friction. A backend warns of those it ignores."""
 

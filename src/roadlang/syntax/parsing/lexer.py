@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
 from ...diagnostics import Source
-from ..recovery.unlexable import SUSPECTS, UnlexableText, explain_unlexable
+from ..recovery.suspect_tokens import SUSPECTS
 from ..recovery.unprintable import binary, surrogates
 from ..tree.nodes import Comment
 from .grammar import END
@@ -25,7 +27,7 @@ def lex(source: Source, tables: Tables) -> Lexed:
     while position < length:
         position = _scan(source, tables, lexed, position)
         if position < length:
-            position = _read_unlexable(UnlexableText(source, tables, lexed, position))
+            position = _read_unlexable(source, tables, lexed, position)
         if len(lexed.diagnostics) > _MOST_REPORTED:
             # Whatever this is, it is no scene file: what comes behind would tell nothing new.
             lexed.tokens.clear()
@@ -49,7 +51,7 @@ def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
         word = text[start:end]
         if kind == "NAME":
             kind = keywords.get(word, kind)
-            if word in letters and letters[word].match(text, start):
+            if word in letters and re.compile(letters[word]).match(text, start):
                 kind = word.upper()
         elif kind in SUSPECTS and SUSPECTS[kind](lexed, text, start, end):
             return start
@@ -60,10 +62,12 @@ def _scan(source: Source, tables: Tables, lexed: Lexed, position: int) -> int:
     return len(text)
 
 
-def _read_unlexable(place: UnlexableText) -> int:
-    found, position = explain_unlexable(place)
+def _read_unlexable(source: Source, tables: Tables, lexed: Lexed, start: int) -> int:
+    from ..recovery.unlexable import UnlexableText, explain_unlexable
+
+    found, position = explain_unlexable(UnlexableText(source, tables, lexed, start))
     if found is not None:
-        place.lexed.diagnostics.append(found)
+        lexed.diagnostics.append(found)
     return position
 
 

@@ -50,8 +50,9 @@ class Tables:
     scanner: re.Pattern[str]
     """One token, with the white space before it; the name of the group is its kind."""
     keywords: dict[str, str]
-    letters: dict[str, re.Pattern[str]]
-    """`G`, `F`, `next`, ...: words that are such only before what their pattern looks for."""
+    letters: dict[str, str]
+    """`G`, `F`, `next`, ...: words that are such only before what their pattern looks for. Patterns
+    are compiled when their word is met: few of the 30 are in one file."""
     soft: frozenset[str]
     """Kinds of words that are names where the grammar has no other use for them."""
     rules: tuple[Rule, ...]
@@ -86,7 +87,7 @@ def _load(stored: dict[str, Any]) -> Tables:
     return Tables(
         scanner=re.compile(rf"{stored['space']}(?:{groups}|(?P<BAD>[\s\S])|\Z)"),
         keywords=stored["keywords"],
-        letters={letter: re.compile(pattern) for letter, pattern in stored["letters"].items()},
+        letters=stored["letters"],
         soft=frozenset(stored["soft"]).union(word.upper() for word in stored["letters"]),
         rules=tuple(
             Rule(origin, size, build, tuple(take), take == list(range(size)))

@@ -10,18 +10,17 @@ from typing import TypeAlias
 from ...diagnostics import Code, Diagnostic, Fix, Source, diagnose
 from ..parsing.tables import Tables
 from ..parsing.tokens import Lexed, Token
-from ..tree.strings import ESCAPE, ESCAPES
+from ..tree.strings import ESCAPE
 from ..words import STATEMENTS
 from .expression_habits import CONDITIONAL
 from .foreign_notation import SYMBOLS, from_latex
+from .suspect_tokens import COLOR, is_unknown_escape
 
 _WORD = re.compile(r"\w+")
 _LATEX = re.compile(r"\$[^$\n]*\$|\\[A-Za-z]+|\\")
 _SINGLE = re.compile(r"'([^'\r\n]*)'|[“”„«]([^“”»\"\r\n]*)[“”»]")
 _CLOSED = re.compile(r'"(?:[^"\\\r\n]|\\[^\r\n])*"')
 _BARE_STRING = re.compile(r"\"[\w./\\-]*(?=\s*[{,)\]}:])")
-_COLOR = re.compile(r"#(?:[0-9a-fA-F]{8}|[0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![^\s,:)\]}])")
-_KEY = re.compile(r"\s*:")
 _MARGIN_STATEMENT = re.compile(rf"^(?:{'|'.join(STATEMENTS)})\b", re.MULTILINE)
 
 
@@ -86,17 +85,15 @@ def _text(place: UnlexableText) -> Answer:
 def _escape(place: UnlexableText, end: int) -> Answer:
     """A string with an escape that means nothing; the string is read all the same."""
     place.read_as("STRING", place.text[place.start : end], end)
-    match = next(match for match in ESCAPE.finditer(place.text, place.start, end) if _bad(match))
+    match = next(
+        match for match in ESCAPE.finditer(place.text, place.start, end) if is_unknown_escape(match)
+    )
     span = place.source.span(*match.span())
     meant = "\\" + match[0]
     help = f"a backslash is written `\\\\`: `{meant}`"
     return diagnose(
         Code.UNKNOWN_ESCAPE, span, escape=match[0], help=help, fixes=[Fix(span, meant)]
     ), end
-
-
-def _bad(match: re.Match[str]) -> bool:
-    return match[1] not in ESCAPES
 
 
 def _string(place: UnlexableText) -> Answer:
@@ -204,7 +201,7 @@ def _letter(place: UnlexableText) -> Answer | None:
 
 def _color(place: UnlexableText) -> Answer | None:
     """`key: #2e7d32`: a comment that looks like a color where a value is expected."""
-    match = _COLOR.match(place.text, place.start)
+    match = COLOR.match(place.text, place.start)
     if match is None:
         return None
     meant = f'"{match[0]}"'
@@ -255,34 +252,3 @@ _EXPLAINERS: tuple[Callable[[UnlexableText], Answer | None], ...] = (
     _percent,
     _letter,
 )
-
-
-def _looks_like_color(lexed: Lexed, text: str, start: int, end: int) -> bool:
-    match = _COLOR.match(text, start)
-    if match is None or not lexed.tokens:
-        return False
-    before = lexed.tokens[-1][0]
-    if before in ("COLON", "EQUAL") or _KEY.match(text, match.end()):
-        return True
-    digits = match[0][1:]
-    return len(digits) >= 6 and not digits.isalpha() and before in ("LPAR", "LSQB", "COMMA")
-
-
-def _faulty_string(lexed: Lexed, text: str, start: int, end: int) -> bool:
-    """`\"\"\"` that no other one closes is read as an empty string before a quote."""
-    if end - start == 2:
-        return text.startswith('"', end)
-    return "\\" in text[start:end] and any(map(_bad, ESCAPE.finditer(text, start, end)))
-
-
-def _foreign_comment(lexed: Lexed, text: str, start: int, end: int) -> bool:
-    return text.startswith(("/", "*"), end)
-
-
-SUSPECTS: dict[str, Callable[[Lexed, str, int, int], bool]] = {
-    "BAD": lambda lexed, text, start, end: True,
-    "COMMENT": _looks_like_color,
-    "STRING": _faulty_string,
-    "DIVIDE": _foreign_comment,
-}
-"""Kinds of token that may be a mistake, and when they are."""

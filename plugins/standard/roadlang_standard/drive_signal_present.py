@@ -1,0 +1,25 @@
+"""`ego.present` over the time of a drive."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import AgentName, DriveSignal, option
+
+if TYPE_CHECKING:
+    from roadlang.geometry import Floats
+
+
+@dataclass(frozen=True)
+class Present(DriveSignal):
+    """1 while the agent is there, 0 once it has left at the end of its road or route."""
+
+    name: ClassVar[str] = "present"
+    unit: ClassVar[str] = ""
+    looks_back: ClassVar[float] = 0
+    agent: AgentName = option(help="the agent")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.present
+        return values

@@ -1,0 +1,25 @@
+"""`ego.y` over the time of a drive."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from roadlang.api import AgentName, DriveSignal, option
+
+if TYPE_CHECKING:
+    from roadlang.geometry import Floats
+
+
+@dataclass(frozen=True)
+class North(DriveSignal):
+    """Position north of the origin, of the center of the agent."""
+
+    name: ClassVar[str] = "y"
+    unit: ClassVar[str] = "m"
+    looks_back: ClassVar[float] = 0
+    agent: AgentName = option(help="the agent")
+
+    def values(self) -> Floats:
+        values: Floats = self.agent.y
+        return values
