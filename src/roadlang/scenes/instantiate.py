@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache, partial
-from importlib.metadata import PackageNotFoundError, version
+from functools import partial
 from pathlib import PurePath
 from typing import Any
 
@@ -24,6 +23,7 @@ from ..ir.values import Condition, PassCall, Value
 from ..judging.profiles import scene_signals, with_profiles
 from ..judging.verdicts import verdict, verdicts
 from ..judging.window_warnings import road_window_warnings
+from ..version import __version__
 from ..world.aliasing import aliasing_remarks, has_silent_passes
 from ..world.copies import is_group
 from ..world.networks import network_root
@@ -255,7 +255,7 @@ def _provenances(
     scenario, seed = rows.scenario, rows.candidates.seed
     inputs = FrozenDict({item.path: item.sha256 for item in _inputs(rows.candidates)})
     plugins, source = FrozenDict(scenario.origins()), _scene_file(scenario)
-    stated, roadlang = FrozenDict(overrides), _version("roadlang")
+    stated, roadlang = FrozenDict(overrides), __version__
     return [
         Provenance(roadlang, seed, number, attempt, inputs, plugins, source, stated)
         for number, attempt in zip(numbers, rows.candidates.attempts.tolist(), strict=True)
@@ -266,14 +266,6 @@ def _scene_file(scenario: IndexedScenario) -> str:
     """The name of the scene file, wherever it lies; empty for a scenario that is of no file."""
     inputs = scenario.source.inputs
     return PurePath(inputs[0].path).name if inputs else ""
-
-
-@cache
-def _version(distribution: str) -> str:
-    try:
-        return version(distribution)
-    except PackageNotFoundError:
-        return "0+unknown"
 
 
 def _inputs(candidates: CandidateBatch) -> list[Input]:

@@ -15,7 +15,6 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import scalar
-from ..images.image_file import open_image
 from ..images.image_scale import unusable_world_file
 from ..ir.picture import Picture
 from ..ir.scenario import FileSource, Input, ScenarioImage, TextSource
@@ -131,6 +130,8 @@ def _from_file(
     def make() -> _UnscaledPicture:
         if has_reader:
             return _read(source, image, scenario)
+        from ..images.image_file import open_image  # it loads OpenCV
+
         opened = open_image(Path(source.resolved), source.path, image.span)
         inputs = tuple(Input(*item) for item in opened.inputs)
         picture, shown = Picture(opened.pixels, 1.0, path=source.path), opened.shown

@@ -15,7 +15,6 @@ from ..evaluate.candidates import fixed_candidate
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import Curve, Road, RoadNetwork
-from ..images.image_file import read_input
 from ..ir.picture import Extraction
 from ..ir.scenario import FileSource, Input
 from ..ir.values import PassCall
@@ -92,6 +91,8 @@ def _input_of(source: FileSource, scenario: IndexedScenario, span: Span | None) 
     """The file with its sha256, read once for all candidates."""
 
     def make() -> Input:
+        from ..images.image_file import read_input  # it loads OpenCV
+
         content = read_input(Path(source.resolved), source.path, span)
         return Input(source.path, hashlib.sha256(content).hexdigest())
 

@@ -1,0 +1,88 @@
+"""Processes that work on jobs, each with a copy of what the jobs share."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from functools import partial
+from typing import Any
+
+from .ordered_results import results_in_order
+
+_RESTARTS = 3
+"""How often processes that died are replaced before the work is given up."""
+
+
+class WorkerProcesses:
+    """`count` processes, which are started when the first jobs are handed out to them."""
+
+    def __init__(self, state: Any, count: int) -> None:
+        self._state = state
+        self._count = count
+        self._executor: ProcessPoolExecutor | None = None
+        self._other_children = frozenset(multiprocessing.active_children())
+
+    def map(self, work: Callable[[Any, Any], Any], jobs: Sequence[Any]) -> Iterator[Any]:
+        """`work(state, job)` of each job, in order. A job whose process died is done again by
+        another. Raises `BrokenExecutor` where that happens again and again."""
+        done, deaths = 0, 0
+        while done < len(jobs):
+            try:
+                submit: Callable[..., Any] = self._started().submit
+                for result in results_in_order(
+                    partial(submit, _run, work), jobs[done:], self._count
+                ):
+                    done += 1
+                    deaths = 0
+                    yield result
+            except BrokenExecutor:
+                self.end(at_once=True)
+                deaths += 1
+                if deaths > _RESTARTS:
+                    raise
+
+    def end(self, *, at_once: bool) -> None:
+        """Ends the processes; `at_once` without waiting for what they are doing."""
+        if self._executor is None:
+            return
+        if at_once:
+            for process in set(multiprocessing.active_children()) - self._other_children:
+                process.terminate()
+        self._executor.shutdown(wait=True, cancel_futures=True)
+        self._executor = None
+
+    def _started(self) -> ProcessPoolExecutor:
+        if self._executor is None:
+            self._executor = ProcessPoolExecutor(
+                self._count,
+                # Spawned: a fork may copy the locked locks of threads that OpenCV has started.
+                mp_context=multiprocessing.get_context("spawn"),
+                initializer=_start,
+                initargs=(self._state,),
+            )
+        return self._executor
+
+
+_process_state: list[Any] = []
+"""The state of a worker process: an executor has no other place for what its jobs share.
+Filled once, when the process starts; empty in the process that hands out the work."""
+
+
+def _start(state: Any) -> None:
+    _process_state.append(state)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """A worker whose parent was killed would work on for nobody, and then wait forever."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+def _run(work: Callable[[Any, Any], Any], job: Any) -> Any:
+    return work(_process_state[0], job)
