@@ -356,3 +356,17 @@ def test_the_seed_is_0_where_none_is_given_and_one_value_can_be_chosen_from(file
     road = "road main { draw with segments { pieces: [straight(99m)] }, width: a }"
     text = f"param a = choice(5m)\n{road}"
     assert roadlang.loads(text).sample()[0].values["a"] == 5.0
+
+
+def test_numbers_of_scenes_and_seeds_are_whole_numbers(file: Path) -> None:
+    scenario = roadlang.load(file)
+    assert repr(scenario.sample(np.int64(1), seed=np.int64(3))).startswith("<1 scene of ")
+    wrong: tuple[tuple[type[Exception], dict[str, Any]], ...] = (
+        (ValueError, {"n": 0}),
+        (TypeError, {"n": "2"}),
+        (TypeError, {"seed": "x"}),
+        (ValueError, {"seed": -1}),
+    )
+    for error, arguments in wrong:
+        with pytest.raises(error, match=f"`{next(iter(arguments))}` must be"):
+            scenario.sample(**arguments)

@@ -15,6 +15,7 @@ from ..diagnostics.render import in_order
 from .outputs import check_outputs
 from .params import ParamValue, param_texts
 from .scene_files import read_scene_file
+from .whole_numbers import whole_number
 
 if TYPE_CHECKING:
     from ..ir.scenario import Scenario
@@ -160,8 +161,9 @@ class LoadedScenario:
         of processes (`jobs`) changes one, nor does an `executor` (anything with `submit`, of `jobs`
         workers). `progress` is called with the scenes done and wanted, `after_pass` with the number
         of a scene, each pass and what it made (in one process).
-        Raises `DiagnosticError` for what is wrong with the file, its inputs or a plugin, and
-        `NoSceneError` (RL600, RL601) where no candidate satisfies the requirements.
+        Raises `ValueError` where `n` is below 1 or `seed` below 0, `DiagnosticError` for what is
+        wrong with the file, its inputs or a plugin, and `NoSceneError` (RL600,
+        RL601) where no candidate satisfies the requirements.
         """
         if params:
             changed = self.with_params(params)
@@ -176,6 +178,8 @@ class LoadedScenario:
         from ..search.worker_pool import Workers
         from .scene_set import sampled
 
+        n = None if n is None else whole_number("n", n, least=1)
+        seed = whole_number("seed", seed, least=0)
         return sampled(self, n, seed, Workers(jobs, executor, progress), after_pass)
 
     def falsify(  # noqa: PLR0913 - one parameter for each option
@@ -206,6 +210,7 @@ class LoadedScenario:
         from ..search.worker_pool import Workers
         from .falsification import Drives, falsified
 
+        seed = whole_number("seed", seed, least=0)
         names = [expects] if isinstance(expects, str) else expects
         all_settings = {"expects": names, **settings}
         return falsified(

@@ -66,7 +66,9 @@ class SceneSet(Sequence[Scene]):
         self._scenes = tuple(Scene(record, loaded) for record in result.scenes)
 
     def __repr__(self) -> str:
-        return f"<{len(self)} scenes of {self.candidates:,} candidates>"
+        scenes = f"{len(self)} {'scene' if len(self) == 1 else 'scenes'}"
+        candidates = f"{self.candidates:,} {'candidate' if self.candidates == 1 else 'candidates'}"
+        return f"<{scenes} of {candidates}>"
 
     def __len__(self) -> int:
         return len(self._scenes)
