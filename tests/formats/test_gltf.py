@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -49,6 +51,14 @@ def file(scene: Scene) -> ReadGlb:
     content = GltfBackend().files(scene)["glb"]
     assert GltfBackend().files(scene)["glb"] == content
     return ReadGlb.of(content)
+
+
+def test_a_file_bears_the_title_of_its_scene_or_its_name() -> None:
+    scene = testing.sample("road main { draw with waypoints { points: [(0m, 0m), (9m, 0m)] } }")[0]
+    for title in ("A street", ""):
+        content = GltfBackend().files(replace(scene.record, title=title))["glb"]
+        said = ReadGlb.of(content).document["asset"]["extras"]
+        assert said == {"title": title or scene.name, "scene": scene.index}
 
 
 def area(triangles: np.ndarray) -> float:

@@ -83,3 +83,19 @@ def test_a_failure_is_driven_again_as_in_the_search() -> None:
         assert again.to_csv() == failure.drive.to_csv()
         assert again.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
         assert again.trace.time[-1] <= first_violation(again.trace) + 2.0 + 1e-9
+
+
+def test_where_agents_are_on_the_road_is_known_before_the_drive_is_over() -> None:
+    """Lanes and what lies off the road are looked up while it is driven."""
+    text = SLIPPERY.replace("width: 8m", "width: 8m, lanes: 2").replace(
+        "expect in_lane: always (abs(ego.cross_track_error) < 2m)",
+        "expect in_lane: always (abs(ego.lane_offset) < 1.5m)\n"
+        "expect on_road: always (ego.off_road <= 0m)",
+    )
+    full = drive(text).agents["ego"]
+    out = np.maximum.reduce(
+        [np.argmax(np.abs(full.lane_offset) >= 1.5), np.argmax(full.off_road > 0.0)]
+    )
+    assert 0 < out < len(full.x) - 20
+    short = drive(text, after_violation=1.0)
+    assert short.time[-1] == drive(text).time[out] + 1.0
