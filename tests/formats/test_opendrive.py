@@ -370,6 +370,16 @@ def test_stretches_of_other_surfaces_are_materials_of_their_lanes() -> None:
     assert [row[0] for row in right] == pytest.approx([0.0, 20.0, 30.0], abs=CLOSE)
 
 
+def test_clothoids_are_spirals_up_to_the_stations_that_they_share_with_others() -> None:
+    _, file = exported(ROADS["pieces"])
+    (road,) = file.roads.values()
+    shapes = [(piece[0].tag, number(piece, "length")) for piece in road.pieces()]
+    tags = ["line", "paramPoly3", "spiral", "paramPoly3", "arc", "line"]
+    assert [tag for tag, _ in shapes] == tags
+    for (tag, length), whole in zip(shapes, (60.0, 0.0, 40.0, 0.0, 52.36, 25.0), strict=True):
+        assert abs(length - whole) < 1.2, tag
+
+
 def test_perturbed_curves_have_a_knot_per_five_meters_at_most() -> None:
     """Turns included, and with lanes as near as others."""
     scene = random_scene("ramp", 4, 0)

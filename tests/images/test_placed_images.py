@@ -138,7 +138,7 @@ def test_other_grids_need_pyproj_and_keep_their_scale(
     assert (found.scale, found.shown.origin) == (2.0, None)
     assert found.shown.warning is not None
     assert found.shown.warning.code == "RL439"
-    assert "EPSG:2056 needs the Python package `pyproj`" in found.shown.warning.message
+    assert "EPSG:2056 needs `pyproj`: pip install" in found.shown.warning.message
 
 
 def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:

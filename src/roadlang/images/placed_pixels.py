@@ -81,7 +81,7 @@ def _to_degrees(grid: str) -> tuple[ToDegrees | None, str]:
     try:
         import pyproj
     except ImportError:
-        return None, f"its grid {name} needs the Python package `pyproj`, which is not installed"
+        return None, f'its grid {name} needs `pyproj`: pip install "roadlang[maps]"'
     try:
         transformer = pyproj.Transformer.from_crs(grid, "EPSG:4326", always_xy=True)
     except pyproj.exceptions.CRSError:

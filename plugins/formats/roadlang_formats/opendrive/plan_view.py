@@ -25,6 +25,8 @@ _LONGEST = 100.0
 """Meters of a cubic."""
 _WORTH_IT = 5.0
 """Meters from which on an exact piece is preferred to a longer cubic."""
+_MIXED = 3
+"""Spans of stations, at most, that one exact piece ends in and the next one begins in."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,7 @@ def _longest(
     line: SampledLine, first: int, tolerance: float
 ) -> tuple[int, Callable[[int, float], ReferencePiece]]:
     """How far one piece reaches from a station, and what makes it."""
-    exact = _reach(line, first, lambda end: _is_clothoid(line, first, end))
+    exact = _exact_reach(line, first)
     free = max(first + 1, _reach(line, first, lambda end: _is_cubic(line, first, end, tolerance)))
     span = line.stations[exact] - line.stations[first]
     free = _before_exact(line, first, free)
@@ -75,8 +77,14 @@ def _longest(
 
 
 def _before_exact(line: SampledLine, first: int, free: int) -> int:
-    """Where the cubic that could end at `free` is to end: where a line or an arc begins that is
-    worth it and reaches farther."""
+    """Where the cubic that could end at `free` is to end: where a line, an arc or a clothoid begins
+    that is worth it and reaches farther, or is twice as long. A clothoid is looked for only after
+    the spans of stations in which another piece ends."""
+    for start in range(first + 1, min(first + 1 + _MIXED, free)):
+        reached = _exact_reach(line, start)
+        span = line.stations[reached] - line.stations[start]
+        if span >= (_WORTH_IT if reached >= free else 2.0 * _WORTH_IT):
+            return start
     beyond = min(free + 1, len(line.stations) - 1)
     even = np.abs(line.curvature[first:beyond] - line.curvature[beyond - 1]) < STRAIGHT
     start = beyond - int(np.argmin(even[::-1])) if not even.all() else first
@@ -86,11 +94,16 @@ def _before_exact(line: SampledLine, first: int, free: int) -> int:
     return free
 
 
+def _exact_reach(line: SampledLine, first: int) -> int:
+    """How far a line, an arc or a clothoid reaches from a station."""
+    return _reach(line, first, lambda end: _is_clothoid(line, first, end))
+
+
 def _is_followed(line: SampledLine, first: int, end: int) -> bool:
     """Whether a short exact piece leads to one that is worth it."""
     if end == first or end == len(line.stations) - 1:
         return False
-    after = _reach(line, end, lambda next_end: _is_clothoid(line, end, next_end))
+    after = _exact_reach(line, end)
     return float(line.stations[after] - line.stations[end]) >= _WORTH_IT
 
 
