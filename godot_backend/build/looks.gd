@@ -32,6 +32,9 @@ const COVERS: Array[Array] = [
 	[Color(0.2, 0.3, 0.12), 0.0, 0.0, 2.0, false],
 ]
 
+## The mark of meshes that label cameras do not see: twins in label colors, and what is but shade.
+const UNLABELED := &"label_twin"
+
 static var _materials: Dictionary = {}
 static var _wetness := 0.0
 static var _snow := 0.0

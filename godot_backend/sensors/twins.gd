@@ -6,12 +6,12 @@ const Objects := preload("../build/objects.gd")
 const Falling := preload("../build/falling.gd")
 const Stage := preload("../build/stage.gd")
 const Labels := preload("labels.gd")
+const Looks := preload("../build/looks.gd")
 const LabelShader := preload("labels.gdshader")
 const Protocol := preload("../net/protocol.gd")
 
 ## Beyond the 20 layers that cameras see unless told otherwise.
 const LAYER := 1 << 20
-const META := &"label_twin"
 const SCENERY_META := &"scenery"
 ## The key of all that has no label of its own.
 const OTHERS := 0
@@ -56,7 +56,7 @@ func _add_twins(node: Node, label: Vector3i, owner: Thing) -> void:
 	elif label.z != 0 and owner is Objects and node is RigidBody3D:
 		label.y += (owner as Objects).number_of(node, 0)
 	for child in node.get_children():
-		if not child.has_meta(META) and not child is Falling:
+		if not child.has_meta(Looks.UNLABELED) and not child is Falling:
 			_add_twins(child, label, owner)
 	if node is MeshInstance3D or node is MultiMeshInstance3D:
 		_give_twin(node, label)
@@ -79,7 +79,7 @@ static func _made_twin(original: GeometryInstance3D) -> GeometryInstance3D:
 	else:
 		twin = MultiMeshInstance3D.new()
 		twin.multimesh = (original as MultiMeshInstance3D).multimesh
-	twin.set_meta(META, true)
+	twin.set_meta(Looks.UNLABELED, true)
 	twin.layers = LAYER
 	twin.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	twin.visibility_range_begin = original.visibility_range_begin
@@ -89,7 +89,7 @@ static func _made_twin(original: GeometryInstance3D) -> GeometryInstance3D:
 
 static func _twin_of(original: Node) -> GeometryInstance3D:
 	for child in original.get_children():
-		if child.has_meta(META):
+		if child.has_meta(Looks.UNLABELED):
 			return child
 	return null
 

@@ -4,12 +4,20 @@ extends Node3D
 const Paints := preload("paints.gd")
 const VehicleShapes := preload("vehicle_shapes.gd")
 const Lamp := preload("lamp.gd")
+const Looks := preload("../build/looks.gd")
 
 ## Share of the way down at which headlamps point.
 const DIP := 0.17
 ## Meters that the light comes from above the lamps: else the road, which it meets at a small angle,
 ## would stay darker than all that stands on it.
 const RAISED := 2.0
+## Of the light that a vehicle keeps from the ground below it, whatever the sky; height and distance
+## in meters at which and to which that is drawn.
+const SHADE := 0.6
+const SHADE_HEIGHT := 0.015
+const SHADE_FAR := 120.0
+
+static var _shade_paint: StandardMaterial3D
 
 var _radius := 0.32
 var _hubs: Array[Node3D] = []
@@ -39,6 +47,7 @@ func assemble(
 	_rear.mesh = VehicleShapes.lamps(category, size, false)
 	add_child(_front)
 	add_child(_rear)
+	_add_shade(size)
 	_headlight = Lamp.new()
 	var place := VehicleShapes.lamp_place(category, size, true) * Vector3(0, 1, 1)
 	_headlight.position = place + Vector3(0, RAISED, 0.1)
@@ -81,6 +90,39 @@ func _show_lamps() -> void:
 	var bright := Color(1.0, 0.08, 0.05) if _is_braking else VehicleShapes.TAIL
 	var energy := 2.5 if _is_braking else (1.0 if _is_dark else 0.0)
 	_rear.material_override = Paints.lamp(bright, energy)
+
+
+## What is dark below a vehicle under an overcast sky, too. Cameras that label see through it.
+func _add_shade(size: Vector3) -> void:
+	var shade := MeshInstance3D.new()
+	var plane := PlaneMesh.new()
+	plane.size = Vector2(1.15 * size.z, 1.06 * size.x)
+	plane.material = _shade()
+	shade.mesh = plane
+	shade.position.y = SHADE_HEIGHT
+	shade.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	shade.visibility_range_end = SHADE_FAR
+	shade.set_meta(Looks.UNLABELED, true)
+	add_child(shade)
+
+
+static func _shade() -> StandardMaterial3D:
+	if _shade_paint == null:
+		var gradient := Gradient.new()
+		gradient.offsets = PackedFloat32Array([0.0, 0.55, 1.0])
+		gradient.colors = PackedColorArray(
+			[Color(0, 0, 0, SHADE), Color(0, 0, 0, 0.8 * SHADE), Color(0, 0, 0, 0)]
+		)
+		var texture := GradientTexture2D.new()
+		texture.gradient = gradient
+		texture.fill = GradientTexture2D.FILL_SQUARE
+		texture.fill_from = Vector2(0.5, 0.5)
+		texture.fill_to = Vector2(1.0, 0.5)
+		_shade_paint = StandardMaterial3D.new()
+		_shade_paint.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+		_shade_paint.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+		_shade_paint.albedo_texture = texture
+	return _shade_paint
 
 
 func _add_wheel(mesh: ArrayMesh, at: Vector3) -> void:

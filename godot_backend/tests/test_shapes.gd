@@ -1,6 +1,7 @@
 extends RefCounted
 ## What things look like, by the corners of their meshes.
 
+const Looks := preload("../build/looks.gd")
 const VehicleShapes := preload("../shapes/vehicle_shapes.gd")
 const VehicleLook := preload("../shapes/vehicle_look.gd")
 const WalkerLook := preload("../shapes/walker_look.gd")
@@ -91,6 +92,20 @@ func test_wheels_stand_on_the_ground_and_turn() -> String:
 	var is_turned := not before.is_equal_approx((hub.get_child(0) as Node3D).basis)
 	look.free()
 	return "" if absf(lowest) < 0.01 and is_turned else "wheels at %f" % lowest
+
+
+func test_vehicles_shade_the_ground_below_them_and_not_its_labels() -> String:
+	var look := VehicleLook.new()
+	var mounts: PackedVector3Array = [
+		Vector3(0.8, 0, 1.3), Vector3(-0.8, 0, 1.3), Vector3(0.8, 0, -1.3), Vector3(-0.8, 0, -1.3)
+	]
+	look.assemble("car", SIZES["car"], mounts, Color.RED, false)
+	var covered := AABB()
+	for child in look.get_children():
+		if child.has_meta(Looks.UNLABELED):
+			covered = (child as MeshInstance3D).mesh.get_aabb()
+	look.free()
+	return "" if covered.size.x > 1.8 and covered.size.z > 4.5 else str(covered)
 
 
 func test_legs_move_with_the_way_and_feet_stay_near_the_ground() -> String:

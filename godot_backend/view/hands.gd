@@ -20,7 +20,7 @@ const RADIUS := 6.0
 ## Meters beyond which a camera on the ground shows no handles.
 const FAR := 300.0
 const ABOVE := 0.2
-const TELL_USEC := 33000
+const TELL_USEC := 20000
 const NOTHING := {"id": 0, "index": 0}
 const COLORS: Array[Color] = [
 	Color(1.0, 0.8, 0.2),
