@@ -6,6 +6,7 @@ import csv
 import dataclasses
 import html
 import json
+import math
 import re
 import shutil
 from pathlib import Path
@@ -118,6 +119,11 @@ def test_a_path_is_where_the_trace_has_it(search: Path) -> None:
     time, x = sum(drive["time"]) / 1000, sum(agent["x"]) / 100
     assert time == pytest.approx(trace["time"][-1], abs=1e-3)
     assert x == pytest.approx(trace["agents"]["ego"]["x"][-1], abs=0.01)
+    turned = np.cumsum(agent["heading"]) / 1000
+    assert turned[-1] > 0.1
+    assert math.remainder(turned[-1] - trace["agents"]["ego"]["heading"][-1], math.tau) == (
+        pytest.approx(0.0, abs=2e-3)
+    )
 
 
 def test_what_sets_failures_apart_is_their_speed(search: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 from xml.etree import ElementTree
 
@@ -54,6 +55,14 @@ def test_the_robustness_and_each_signal_have_a_panel() -> None:
         assert [y for _, y in curve(root, line)] == pytest.approx(expected, abs=0.06)
     assert {"robustness of e < 6", "e", "time (s)", "always (e < 6)"} <= set(texts(root))
     assert (root.get("width"), root.get("height")) == ("860", str(76 + 2 * 174 + 22))
+
+
+def test_a_trace_that_begins_later_has_the_same_curves() -> None:
+    formula, e = stl.parse("always (e < 6)"), {"e": np.array([1.0, 3.0, 5.0, 7.0, 5.0])}
+    plots = [plot_svg(formula, TIME + shift, e, axis="time (s)") for shift in (0.0, 7.0)]
+    drawn = [re.findall(r'(?:points|<rect class="violated" x)="[^"]*"', plot) for plot in plots]
+    assert len(drawn[0]) > 2
+    assert drawn[0] == drawn[1]
 
 
 def test_thresholds_are_dashed_lines_with_their_comparison() -> None:
