@@ -13,7 +13,9 @@ from roadlang import testing
 from roadlang.drive.trace_files import from_json, to_csv, to_json
 from roadlang.geometry.rings import outside_ring
 from roadlang.ir.scene_junctions import SceneControl, SignalPhase
-from roadlang.simulation.lane_columns import OnRoad, corner_offsets
+from roadlang.simulation.lane_columns import LANE_COLUMNS, OnRoad, corner_offsets
+from roadlang.simulation.lane_reader import NEEDED, LaneReader
+from roadlang.simulation.world_building import world_of
 
 from .driven_roads import drive, driven
 from .followed_drives import followed
@@ -61,6 +63,19 @@ def test_off_road_is_the_distance_of_the_worst_corner_from_the_edge() -> None:
     )
     assert out.off_road.max() > 0.5
     assert out.off_road[0] == pytest.approx(1.75 + out.width / 2 - 3.5, abs=0.03)
+
+
+@pytest.mark.parametrize("name", LANE_COLUMNS)
+def test_a_column_alone_is_the_same_as_with_all_others(name: str) -> None:
+    scene = testing.sample(on_avenue("bus", ", lane: -2"), 1)[0].record
+    world = world_of([scene], {}, 0.02, 0.1)
+    random = np.random.default_rng(5)
+    columns = {needed: random.uniform(-4.0, 4.0, (1, 40)) for needed in NEEDED}
+    columns["along"] = columns["station"] = random.uniform(0.0, 50.0, (1, 40))
+    reader, agents = LaneReader(world), np.zeros(1, dtype=np.int64)
+    alone = reader.read(agents, columns, (name,))
+    assert list(alone) == [name]
+    np.testing.assert_array_equal(alone[name], reader.read(agents, columns)[name])
 
 
 def test_against_the_direction_of_the_road_left_is_left_of_the_agent() -> None:

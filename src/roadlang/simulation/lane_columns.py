@@ -71,8 +71,12 @@ class LaneSection:
             "lane": lane,
             "lane_offset": np.where(backward, -from_middle, from_middle),
             "speed_limit": self.zones.limits[self.zones.zone(on.station), place],
-            "off_road": self.outside(on, corner_offsets(on, length, width)).max(axis=0),
+            "off_road": self.off_road(on, length, width),
         }
+
+    def off_road(self, on: OnRoad, length: Floats, width: Floats) -> Floats:
+        """(R, T) that of `columns` alone."""
+        return np.asarray(self.outside(on, corner_offsets(on, length, width)).max(axis=0))
 
     def outside(self, on: OnRoad, offsets: Floats) -> Floats:
         """(C, R, T) how far points beside the curve are outside the drivable lanes, meters; below

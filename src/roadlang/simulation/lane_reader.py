@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,8 @@ from .lane_columns import LANE_COLUMNS, LaneSection, OnRoad, on_road
 from .route_lines import RouteConnection
 from .world import World
 
+NEEDED = ("along", "offset", "x", "y", "heading", "station", "cross_track_error")
+"""What lanes are read of: arc lengths of the lines and offsets from them, and columns of traces."""
 _ON_A_ROAD = -1
 _ALONE = -2
 _ROUNDING = 0.05
@@ -34,31 +36,35 @@ class LaneReader:
         self._known: dict[Any, int] = {}
         self._number = np.array([self._group(agent) for agent in range(len(world.present))])
 
-    def read(self, agents: Integers, columns: Mapping[str, Floats]) -> dict[str, Floats]:
-        """`LANE_COLUMNS` (n, T) of some agents. `columns` (n, T): `along` and `offset` of their
-        lines, and of a trace `x`, `y`, `heading`, `station` and `cross_track_error`.
+    def read(
+        self,
+        agents: Integers,
+        columns: Mapping[str, Floats],
+        names: Sequence[str] = LANE_COLUMNS,
+    ) -> dict[str, Floats]:
+        """(n, T) some of `LANE_COLUMNS`, of some agents. `columns` (n, T): those of `NEEDED`.
 
         What has no road has no lane: NaN. On the connection of a junction an agent is in the lane
         from which it leads.
         """
         shape = columns["along"].shape
-        out = {name: np.full(shape, math.nan) for name in LANE_COLUMNS}
+        out = {name: np.full(shape, math.nan) for name in names}
         numbers = self._number[agents]
         for number in np.unique(numbers):
             rows = np.flatnonzero(numbers == number)
-            part = {name: column[rows] for name, column in columns.items()}
+            part = {name: columns[name][rows] for name in NEEDED}
             if number >= 0:
-                self._fill(out, rows, self._plain(agents[rows], part, self._lanes[number]))
+                self._fill(out, rows, self._plain(agents[rows], part, self._lanes[number], names))
             elif number == _ALONE:
                 for row in rows:
-                    row_columns = {name: column[row] for name, column in columns.items()}
+                    row_columns = {name: columns[name][row] for name in NEEDED}
                     found = _along_route(self._world, int(agents[row]), row_columns)
                     self._fill(out, row, found)
         return out
 
     def _fill(self, out: dict[str, Floats], rows: Any, found: Mapping[str, Floats]) -> None:
-        for name, values in found.items():
-            out[name][rows] = values
+        for name, column in out.items():
+            column[rows] = found[name]
 
     def _group(self, agent: int) -> int:
         world = self._world
@@ -77,7 +83,11 @@ class LaneReader:
         return len(self._lanes) - 1
 
     def _plain(
-        self, agents: Integers, columns: Mapping[str, Floats], lanes: LaneSection
+        self,
+        agents: Integers,
+        columns: Mapping[str, Floats],
+        lanes: LaneSection,
+        names: Sequence[str],
     ) -> dict[str, Floats]:
         """Of agents without a route, whose lines are the center lines of their roads."""
         world = self._world
@@ -93,6 +103,8 @@ class LaneReader:
             sign * curvature.reshape(shape),
         )  # fmt: skip
         size = world.bodies.length[agents][:, None], world.bodies.width[agents][:, None]
+        if tuple(names) == ("off_road",):
+            return {"off_road": lanes.off_road(on, *size)}
         found = dict(lanes.columns(on, backward, *size))
         found["road"] = np.broadcast_to(world.road[agents][:, None], shape)
         return found

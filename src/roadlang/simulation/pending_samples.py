@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
 from .conditions import unsupported
 from .lane_columns import LANE_COLUMNS
-from .lane_reader import LaneReader
-from .recorded_columns import PLACES, RECORDED
+from .lane_reader import NEEDED, LaneReader
+from .recorded_columns import PLACES
 from .world import World
 
 
@@ -52,7 +50,7 @@ class PendingSamples:
             size: Floats = getattr(self._world.bodies, name)[self._agents[agents]]
             return size
         if name in LANE_COLUMNS:
-            return self._lane_columns(agents, depth)[name]
+            return self._lane_columns(agents, depth, name)
         if name not in PLACES:
             raise unsupported(name)
         place = PLACES[name]
@@ -63,9 +61,8 @@ class PendingSamples:
         self._agents = self._agents[agents]
         self._samples = [sample[:, agents] for sample in self._samples]
 
-    def _lane_columns(self, agents: Integers, depth: int) -> Mapping[str, Floats]:
+    def _lane_columns(self, agents: Integers, depth: int, name: str) -> Floats:
         if self._reader is None:
             self._reader = LaneReader(self._world)
-        known = {name: self.column(name, agents, depth).T for name in RECORDED}
-        found = self._reader.read(self._agents[agents], known)
-        return {name: values.T for name, values in found.items()}
+        known = {needed: self.column(needed, agents, depth).T for needed in NEEDED}
+        return self._reader.read(self._agents[agents], known, (name,))[name].T

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import fields
 
 import numpy as np
@@ -12,7 +13,7 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.trace import AgentTrace, Trace
 from .columns import COLUMNS
 from .lane_columns import LANE_COLUMNS
-from .lane_reader import LaneReader
+from .lane_reader import NEEDED, LaneReader
 from .poses import Poses
 from .world import World
 
@@ -83,7 +84,7 @@ class Samples:
     def column(self, name: str, agents: Integers, depth: int) -> Floats:
         """(K, R) a member of the `AgentTrace` of some agents; sizes are (R,)."""
         if name in LANE_COLUMNS:
-            return self._lane_columns(agents, depth)[name]
+            return self._lane_columns(agents, depth, (name,))[name]
         now = self._present(name)[agents]
         if name in _SIZES:
             return now
@@ -98,7 +99,7 @@ class Samples:
             record, first = self._world.scenes[scene], scene * self._world.slots
             rows = first + np.arange(len(record.agents))
             columns = {name: self.column(name, rows, len(time)) for name in _RECORDED}
-            columns |= self._lane_columns(rows, len(time))
+            columns |= self._lane_columns(rows, len(time), LANE_COLUMNS)
             agents = {
                 actor.name: AgentTrace(
                     name=actor.name,
@@ -118,11 +119,13 @@ class Samples:
             self._now[name] = np.array(COLUMNS[name](self._world, self._poses))
         return self._now[name]
 
-    def _lane_columns(self, agents: Integers, depth: int) -> dict[str, Floats]:
-        """(K, R) of some agents."""
+    def _lane_columns(
+        self, agents: Integers, depth: int, names: Sequence[str]
+    ) -> dict[str, Floats]:
+        """(K, R) some of `LANE_COLUMNS`, of some agents."""
         if self._reader is None:
             self._reader = LaneReader(self._world)
             self._index = np.arange(len(self._world.present))
-        known = {name: self.column(name, agents, depth).T for name in COLUMNS if name not in _SIZES}
-        found = self._reader.read(self._index[agents], known)
+        known = {name: self.column(name, agents, depth).T for name in NEEDED}
+        found = self._reader.read(self._index[agents], known, names)
         return {name: values.T for name, values in found.items()}
