@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,24 @@ def write(folder: Path) -> None:
 
 def test_new_files_replace_old_ones_and_what_is_removed_goes(tmp_path: Path) -> None:
     write(filled(tmp_path))
+    assert contents(tmp_path) == {"b.txt": b"old b", **AFTER}
+
+
+def test_what_ends_the_program_while_old_files_are_removed_leaves_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    remove, calls = shutil.rmtree, []
+
+    def interrupted(room: Path, ignore_errors: bool) -> None:
+        calls.append(room)
+        if len(calls) == 1:
+            next(room.iterdir()).unlink()
+            raise KeyboardInterrupt
+        remove(room, ignore_errors=ignore_errors)
+
+    monkeypatch.setattr(shutil, "rmtree", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write(filled(tmp_path))
     assert contents(tmp_path) == {"b.txt": b"old b", **AFTER}
 
 

@@ -97,7 +97,11 @@ def _dissolve(room: Path) -> None:
     for name in (_JOURNAL, _UNDO):
         with contextlib.suppress(OSError):
             (room / name).unlink()
-    shutil.rmtree(room, ignore_errors=True)
+    try:
+        shutil.rmtree(room, ignore_errors=True)
+    except BaseException:  # SIGTERM or Ctrl-C in the middle of it
+        shutil.rmtree(room, ignore_errors=True)
+        raise
 
 
 def is_plain(name: str) -> bool:
