@@ -79,6 +79,16 @@ def test_it_starts_where_at_says_and_passes_every_point(sample: Sample) -> None:
     assert math.hypot(ego.x - 85.0, ego.y - 15.0) < 3.0
 
 
+def test_a_first_point_just_behind_the_start_has_been_passed(sample: Sample) -> None:
+    scene = sampled(sample, """
+        agent lead is car on town { route: [(20m, 45m), (85m, 15m)] }
+        agent ego is car on town at ahead_of(lead, 3m) { route: [(20m, 45m), (85m, 15m)] }
+    """)  # fmt: skip
+    lead, ego = scene.agents
+    assert lead.route is not None and ego.route is not None
+    assert [step.road for step in ego.route.steps] == [step.road for step in lead.route.steps]
+
+
 def test_an_agent_that_drives_in_a_network_has_a_random_route(sample: Sample) -> None:
     text = (
         f"agent ego is car on town at random {{ {DRIVES} }}\nagent still is car on town at random"

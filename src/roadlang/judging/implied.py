@@ -99,7 +99,8 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
     room = room_among_others(actor, candidates)
     if is_fixed and (room < 0.0).any():
         other = blocker_of(actor, candidates) or actor.name
-        help_ = "leave more room, or write `overlap: true` if that is meant"
+        help_ = f"leave {-float(room.min()):.2g}m more, or write `apart: 0.1m` for less room, "
+        help_ += "or `overlap: true` if they may stand in each other"
         if other == actor.name and "spacing" not in actor.options:
             help_ = "put its copies in a row with `spacing: 8m`, or anywhere with `at random`"
         raise DiagnosticError(

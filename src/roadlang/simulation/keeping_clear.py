@@ -13,14 +13,14 @@ import numpy as np
 from ..geometry.arrays import Floats
 from ..ir.scene_actor import SceneActor
 from .bodies import vehicle_parameters
-from .leaning import LONG, moved_line
+from .leaning import LONG, least_radius, moved_line
 from .lines import Lines
 from .obstacles import MARGIN, things_beside
 from .outlines import Outlines
 from .route_lines import RouteLine, eased
 from .sweeps import swept_beside
 
-FARTHEST = 1.0
+FARTHEST = 2.5
 """Meters that a line is moved: who would have to go farther stops."""
 DEEPEST = 0.3
 """Meters by which a thing may stand in the way of the width of the vehicle alone."""
@@ -30,6 +30,8 @@ EASED = 12.0
 """Meters before and after in which a line is moved and comes back."""
 ROUNDS = 4
 """How often the line is moved: it covers other ground then."""
+AVERAGED = 2.5
+"""Meters over which the bends of a line are averaged."""
 BEFORE = 6.0
 """Meters before a connection from which on the others at a junction have to know of it."""
 
@@ -43,8 +45,19 @@ def kept_clear(line: RouteLine, actor: SceneActor, things: Outlines) -> RouteLin
         left = _shift(line, actor, things)
         if not left.any():
             break
-        line = _moved(line, left, actor)
+        moved = _moved(line, left, actor)
+        if _tightest(moved) > max(_tightest(line), 1.0 / least_radius(actor)):
+            break
+        line = moved
     return line
+
+
+def _tightest(line: RouteLine) -> float:
+    """The greatest curvature of a line, 1/m, averaged over about `AVERAGED` meters."""
+    source = line.source
+    even = np.arange(0.0, source.length, AVERAGED)
+    heading = np.interp(even, source.s, source.heading)
+    return float(np.abs(np.diff(heading)).max(initial=0.0)) / AVERAGED
 
 
 def _shift(line: RouteLine, actor: SceneActor, things: Outlines) -> Floats:

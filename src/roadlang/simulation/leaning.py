@@ -42,6 +42,16 @@ def leaned(line: RouteLine, actor: SceneActor) -> RouteLine:
     return RouteLine(source, tuple(_moved(leg, s, gone) for leg in line.legs))
 
 
+def least_radius(actor: SceneActor) -> float:
+    """Meters: of the bends that the middle of a vehicle can follow."""
+    car = vehicle_parameters(actor)
+    return _tightest_radius(0.5 * car.wheelbase, car.max_steering)
+
+
+def _tightest_radius(base: float, max_steering: float) -> float:
+    return math.hypot(2.0 * base / math.tan(max_steering), base)
+
+
 def moved_line(line: RouteLine, left: Floats) -> RouteLine:
     """The line with each of its points (n,) so many meters to the left, and as much less of its
     lane beside it."""
@@ -62,7 +72,7 @@ def leaned_source(
     """The line of the middle of a vehicle, and arc lengths of `source` with those of that line at
     the same places. `base`: half of the wheelbase."""
     front = base + 0.5 * length
-    least = SPARE * math.hypot(2.0 * base / math.tan(max_steering), base)
+    least = SPARE * _tightest_radius(base, max_steering)
     gain = max(0.0, 0.25 * front * front - 0.5 * base * base)
     s, gone, x, y, heading = _even(source, least)
     bend = _mean_bend(gone, heading, source.closed, length)

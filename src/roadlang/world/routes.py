@@ -25,6 +25,8 @@ from .turning import sharpest_turn
 
 DEFAULT_LENGTH = 2_000.0
 """Meters of a random route whose length is not said"""
+PASSED = 30.0
+"""Meters behind the start at which the first point of a route may lie."""
 
 
 def has_route(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
@@ -86,7 +88,7 @@ def _plan(
             continue
         route: PlannedRoute | int | None
         if points is not None:
-            route = shortest_route(lanes, [(start,), *points.stages(row)])
+            route = _through(lanes, start, points.stages(row))
         elif "route" in actor.options:
             assert numbers is not None
             bend = sharpest_turn(kinds.instances[row].kind)
@@ -95,6 +97,21 @@ def _plan(
             lead = leads[row] if leads is not None else None
             route = _after(lanes, start, lead)
         into.reshape(-1)[row] = route if isinstance(route, PlannedRoute) else None
+
+
+def _through(
+    lanes: LaneGraph, start: RoutePlace, stages: list[tuple[RoutePlace, ...]]
+) -> PlannedRoute | int:
+    """The route through one place of each stage. A first one that lies just behind the start in its
+    lane has been passed already."""
+    found = shortest_route(lanes, [(start,), *stages])
+    if isinstance(found, PlannedRoute):
+        return found
+    is_passed = len(stages) > 1 and any(
+        place.lane == start.lane and abs(place.station - start.station) < PASSED
+        for place in stages[0]
+    )
+    return shortest_route(lanes, [(start,), *stages[1:]]) if is_passed else found
 
 
 def _after(lanes: LaneGraph, start: RoutePlace, lead: PlannedRoute | None) -> PlannedRoute:
