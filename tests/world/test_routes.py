@@ -85,7 +85,8 @@ def test_a_first_point_just_behind_the_start_has_been_passed(sample: Sample) -> 
         agent ego is car on town at ahead_of(lead, 3m) { route: [(20m, 45m), (85m, 15m)] }
     """)  # fmt: skip
     lead, ego = scene.agents
-    assert lead.route is not None and ego.route is not None
+    assert lead.route is not None
+    assert ego.route is not None
     assert [step.road for step in ego.route.steps] == [step.road for step in lead.route.steps]
 
 
