@@ -126,3 +126,19 @@ def test_change_lane_right_of_the_last_lane_pulls_over_to_the_shoulder() -> None
     agent ego is car on street at 20m { drive with traffic, drive with change_lane { to: right } }
     """, duration=15)  # fmt: skip
     assert trace.agents["ego"].lane[-1] == -2
+
+
+def test_change_lane_goes_on_where_the_one_ahead_stops_during_the_change() -> None:
+    (trace,) = drive("""
+    road street { draw with segments { pieces: [straight(300m)] }, lanes: 2, oneway: true }
+    agent cab is car on street at 60m {
+      lane: -2, drive with traffic { speed: 11m/s }, drive with stop_at { station: 120m }
+    }
+    agent ego is car on street at behind(cab, 12m) {
+      drive with traffic { speed: 13m/s }
+      drive with change_lane { to: left, when: cab.speed < 2m/s }
+    }
+    agent flow is car on street at 40m { lane: -1, count: 3, spacing: 20m, drive with traffic }
+    """, duration=30)  # fmt: skip
+    assert trace.events == ()
+    assert trace.agents["ego"].station[-1] > trace.agents["cab"].station[-1] + 10.0

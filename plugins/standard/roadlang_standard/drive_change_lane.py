@@ -93,7 +93,8 @@ class ChangeLane(Controller):
             self._turn_back(seen, near, state, line)
             acceleration = self._begin(seen, near, state, line)
             time = np.where(state[:, _CLOSE] > 0.0, 0.0, state[:, _TIME])
-            state[:, _CLOCK] += seen.step
+            self._stopped_short(seen, state)
+            state[state[:, _CLOSE] == 0.0, _CLOCK] += seen.step
             settled = state[:, _CLOCK] >= state[:, _TIME] + SETTLING_TIME
             state[(state[:, _PHASE] == MOVING) & settled, _PHASE] = DONE
         open_ = np.full(len(line), np.nan)
@@ -123,7 +124,9 @@ class ChangeLane(Controller):
             seen.speed > SLOWEST, CLEARED * time * seen.speed + CLOSEST, PULL_OUT + 1.0
         )
         close = (pace < STANDSTILL) & (gap <= least)
-        fits = waits & np.where(close, can_creep_out(seen, gap), seen.speed > SLOWEST)
+        side = np.sign(target - (seen.road_offset - seen.cross_track_error))
+        aside = np.maximum(np.where(waits, side * seen.cross_track_error, 0.0), 0.0)
+        fits = waits & np.where(close, can_creep_out(seen, gap, aside), seen.speed > SLOWEST)
         if near is not None:
             fits &= self._is_free(seen, near, target, time, 1.0)
         now = seen.road_offset - seen.cross_track_error
@@ -134,6 +137,17 @@ class ChangeLane(Controller):
             state[:, column] = np.where(fits, value, state[:, column])
         line[fits] = target[fits]
         return held_back(seen, gap, pace, waits & ~fits)
+
+    def _stopped_short(self, seen: ObservationBatch, state: Any) -> None:
+        """Those on their way before whom somebody has stopped creep out."""
+        import numpy as np
+
+        gap, pace = ahead_in_lane(seen)
+        aside = np.abs(seen.road_offset - state[:, _ORIGIN])
+        left = np.abs(seen.road_offset - state[:, _TARGET])
+        short = (state[:, _PHASE] == MOVING) & (pace < STANDSTILL) & (gap < PULL_OUT)
+        short &= (seen.speed < SLOWEST) & (left > CLEAR) & can_creep_out(seen, gap, aside)
+        state[short, _CLOSE] = 1.0
 
     def _turn_back(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
         """Those on the first half whose room is taken."""

@@ -45,9 +45,10 @@ def held_back(seen: ObservationBatch, gap: Floats, pace: Floats, waits: Booleans
     return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)
 
 
-def can_creep_out(seen: ObservationBatch, gap: Floats) -> Booleans:
-    """(N,) who is slow and far enough behind what stands `gap` meters ahead."""
-    return (gap > TIGHTEST) & (seen.speed < 2.0 * CREEPING)
+def can_creep_out(seen: ObservationBatch, gap: Floats, aside: Floats | float = 0.0) -> Booleans:
+    """(N,) who is slow and far enough behind what stands `gap` meters ahead; who is `aside` meters
+    on its way already needs less."""
+    return (gap > TIGHTEST - aside) & (seen.speed < 2.0 * CREEPING)
 
 
 def creeping_out(seen: ObservationBatch, acceleration: Floats | float) -> tuple[Floats, Floats]:
