@@ -123,7 +123,7 @@ _KINDS = {
     "drive_signal off_road": "drive_signals_lane:OffRoad",
     "drive_signal red_light": "drive_signals_lane:RedLight",
     "drive_signal present": "drive_signal_present:Present",
-    "drive_signal collision": "drive_signals_conflict:Collision",
+    "drive_signal collision": "drive_signal_collision:Collision",
     "drive_signal time_headway": "drive_signals_conflict:TimeHeadway",
     "drive_signal speed": "drive_signal_speed:Speed",
     "drive_signal acceleration": "drive_signal_acceleration:AccelerationSignal",

@@ -1,12 +1,11 @@
-"""How near agents come to a collision: `time_to_collision(ego, lead)`, headway, encroachment, and
-the impact itself."""
+"""How near agents come to a collision: `time_to_collision(ego, lead)`, headway, encroachment."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import AgentName, AgentOrObject, DriveSignal, geometry, option
+from roadlang.api import AgentOrObject, DriveSignal, geometry, option
 
 from .headway import time_headway
 from .separation import footprints, nearest
@@ -51,20 +50,6 @@ class TimeHeadway(DriveSignal):
 
     def values(self) -> Floats:
         return nearest(self.first, self.second, time_headway)
-
-
-@dataclass(frozen=True)
-class Collision(DriveSignal):
-    """Relative speed of the hardest impact of the agent so far; 0 before the first."""
-
-    name: ClassVar[str] = "collision"
-    unit: ClassVar[str] = "m/s"
-    looks_back: ClassVar[float] = 0
-    agent: AgentName = option(help="the agent")
-
-    def values(self) -> Floats:
-        values: Floats = self.agent.collision
-        return values
 
 
 @dataclass(frozen=True)

@@ -17,9 +17,9 @@ from ..infer.statement_options import (
     ImageOptions,
     NetworkOptions,
     RoadOptions,
-    WorldOptions,
 )
 from ..infer.statement_spec import StatementSpec
+from ..infer.weather_options import WorldOptions
 from .actors import lower_actor
 from .constraints import lower_constraint
 from .geometry import lower_geometry
