@@ -61,19 +61,19 @@ def test_bars_of_coverage_are_as_tall_as_their_counts() -> None:
     chart = ElementTree.fromstring(
         coverage_chart("gap", Coverage(2.0, 10.0, scenes, failures), "m")
     )
-    bars = [
-        (part.attrib["class"], *(float(part.attrib[n]) for n in ("x", "y", "width", "height")))
-        for part in chart.iter()
-        if part.tag.endswith("rect")
+    rects = [part.attrib for part in chart.iter() if part.tag.endswith("rect")]
+    kinds = [rect["class"] for rect in rects]
+    x, y, heights = ([float(rect[name]) for rect in rects] for name in ("x", "y", "height"))
+    counts = [
+        (kind, round(height / max(heights) * 8))
+        for kind, height in zip(kinds, heights, strict=True)
     ]
-    tallest = max(height for *_, height in bars)
-    counts = [(kind, round(height / tallest * 8)) for kind, _, _, _, height in bars]
     assert counts == [
         ("bar safe", 4), ("bar failed", 1), ("bar safe", 8), ("bar failed", 6), ("bar safe", 1),
     ]  # fmt: skip
-    assert len({y + height for _, _, y, _, height in bars}) == 1
-    steps = [b[1] - a[1] for a, b in zip(bars, bars[2:], strict=False)]
+    assert len({top + height for top, height in zip(y, heights, strict=True)}) == 1
+    steps = [after - before for before, after in zip(x, x[2:], strict=False)]
     assert steps == pytest.approx([2 * steps[2], 2 * steps[2], steps[2]], abs=0.2)
     found = labels(chart)
     assert set(found) == {("8", True), ("2 m", False), ("10 m", False)}
-    assert found["2 m", False][0] < min(bar[1] for bar in bars) <= found["10 m", False][0]
+    assert found["2 m", False][0] < min(x) <= found["10 m", False][0]

@@ -12,9 +12,8 @@ DEFAULT_APART = 0.5
 def missing_scale(image: ScenarioImage, world_file: str | None = None) -> Diagnostic:
     """RL406: neither the image nor its file says how large a pixel is. `world_file`: what is wrong
     with the one beside it."""
-    help_ = ("add `scale: 0.35m/px` with the true number",)
-    if world_file is not None:
-        help_ = (world_file, *help_)
+    beside = () if world_file is None else (world_file,)
+    help_ = (*beside, "add `scale: 0.35m/px` with the true number")
     return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
 
 
