@@ -69,6 +69,7 @@ class LoadedScenario:
         self._settings: dict[str, str | Source] = dict(params or {})
         self.outputs = None if outputs is None else tuple(outputs)
         self._registry = registry
+        self._by_outputs: dict[tuple[str, ...], LoadedScenario] = {}
 
     def __repr__(self) -> str:
         params = "".join(f", {name}={value!r}" for name, value in self.params.items())
@@ -122,8 +123,11 @@ class LoadedScenario:
         One without options that the file has an `emit` for means that `emit`. Raises
         `DiagnosticError` RL930 for a kind that is not there, RL928 for none at all.
         """
-        check_outputs(outputs, self.registry)
-        return self._changed(outputs=outputs)
+        key = tuple(outputs)
+        if key not in self._by_outputs:  # checking a file takes longer than to write a scene
+            check_outputs(outputs, self.registry)
+            self._by_outputs[key] = self._changed(outputs=outputs)
+        return self._by_outputs[key]
 
     def _changed(self, **parts: Any) -> LoadedScenario:
         same = {name: getattr(self, name) for name in _PARTS}
