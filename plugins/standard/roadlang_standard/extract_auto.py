@@ -20,6 +20,7 @@ class Auto(Extractor):
     """Detect the type of image (photo, drawing, mask, legend) and use the matching extractor."""
 
     name: ClassVar[str] = "auto"
+    is_pure: ClassVar[bool] = True
     is_default: ClassVar[bool] = True
     threshold: Number | Literal["auto"] = option(
         "auto", above=0, below=1, help="threshold of `aerial` or `contour`"

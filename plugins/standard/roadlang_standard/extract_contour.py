@@ -16,6 +16,7 @@ class Contour(Extractor):
     """Blur, threshold, contour, spline: for images in which the road has a tone of its own."""
 
     name: ClassVar[str] = "contour"
+    is_pure: ClassVar[bool] = True
     blur: Pixels = option(
         0.0, minimum=0, maximum=100, help="standard deviation of the Gaussian blur, the first step"
     )

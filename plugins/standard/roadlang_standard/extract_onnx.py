@@ -18,6 +18,7 @@ class OnnxExtractor(Aerial):
     """Your own network: RGB in 0..255 (1, 3, h, w) to one or two maps in 0..1 of half that size."""
 
     name: ClassVar[str] = "onnx"
+    is_pure: ClassVar[bool] = False  # the file of the network may change
     model: File = option(
         help="ONNX file; outputs the road surface and, optionally, the center line"
     )

@@ -263,7 +263,8 @@ def found_in_picture(
         check_extraction(found, built.entry, span)
         return found
 
-    found = seen_before(built.kind, loaded.picture, extract)
+    is_pure = built.kind.is_pure
+    found = seen_before(built.kind, loaded.picture, extract) if is_pure else extract()
     return verified(call, network.name, found, candidates), loaded
 
 

@@ -1,7 +1,7 @@
 """What extractors found in the pictures that were seen last.
 
-The scenes of a scenario are often sampled again and again. An extractor is a pure function of its
-options and the picture, so that the same two give what they gave before.
+The scenes of a scenario are often sampled again and again. An extractor that says `is_pure` is a
+function of its options and the picture, so that the same two give what they gave before.
 """
 
 from __future__ import annotations

@@ -33,10 +33,15 @@ class Adjuster(Kind):
 
 
 class Extractor(Kind):
-    """`extract with`: finds the roads of an image."""
+    """`extract with`: finds the roads of an image.
+
+    `is_pure`: what it finds depends on the picture and its options alone, on no file and no setting
+    elsewhere. It is then not asked again about a picture that it saw a moment ago.
+    """
 
     verb: ClassVar[str] = "extract"
     required_methods: ClassVar[tuple[str, ...]] = ("extract",)
+    is_pure: ClassVar[bool] = False
 
     def extract(self, picture: Picture) -> Extraction:
         """Find the roads and, with a legend, the objects of a picture.
