@@ -85,8 +85,11 @@ def test_what_no_tile_shows_has_the_color_of_borders(tmp_path: Path) -> None:
     ("changed", "reason"),
     [
         ({"size": 0.6}, "the pixels of `maps/b.png` and `maps/a.png` differ in size"),
-        ({"prj": PRJ.replace("32632", "32633")}, "are of different grids"),
-        ({"at": (30_000_000, 0)}, "they span 30000020 x 20 px: 100 million pixels can be read"),
+        ({"prj": PRJ.replace("32632", "32633")}, "use different coordinate systems"),
+        (
+            {"at": (30_000_000, 0)},
+            "they span 30000020 x 20 px, and at most 100 million pixels can be read",
+        ),
     ],
 )
 def test_tiles_that_do_not_fit(tmp_path: Path, changed: dict[str, Any], reason: str) -> None:
@@ -101,7 +104,7 @@ def test_tiles_that_do_not_fit(tmp_path: Path, changed: dict[str, Any], reason: 
 def test_tiles_without_a_place(tmp_path: Path) -> None:
     written(tmp_path / "a.png", np.zeros((20, 20, 3), np.uint8))
     cv2.imwrite(str(tmp_path / "b.png"), np.zeros((20, 20, 3), np.uint8))
-    with pytest.raises(DiagnosticError, match=r"`maps/b.png` does not say where it is"):
+    with pytest.raises(DiagnosticError, match=r"`maps/b.png` is not georeferenced"):
         opened(tmp_path / "?.png")
 
 

@@ -27,9 +27,9 @@ _GONE, _PACE = range(2)
 
 @dataclass(frozen=True)
 class Reverse(Controller):
-    """Drive backward, as out of a parking space: first straight, then on a circle, and stop; its
-    `speed` is negative then. Tires do not slip at such speeds: the rear axle goes exactly where
-    the vehicle points. It waits while something is close behind it."""
+    """Drive backward, as out of a parking space: first straight, then on a circle, and stop. Its
+    `speed` is negative while it backs up. Tires do not slip at such speeds: the rear axle goes
+    exactly where the vehicle points. It waits while something is close behind it."""
 
     name: ClassVar[str] = "reverse"
     distance: Length = option(6.0, above=0, maximum=1000, help="how far it drives backward")

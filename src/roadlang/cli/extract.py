@@ -112,9 +112,9 @@ def command(
 ) -> None:
     """Extract the roads of IMAGE.
 
-    Several images are tiles of one: each says where on Earth it is, as a GeoTIFF or by a world
-    file. Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y
-    runs down. Without `-o` the JSON goes to standard output.
+    Several images are tiles of one picture; each must be georeferenced (GeoTIFF or world file).
+    Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
+    down. Without `-o` the JSON goes to standard output.
     """
     if edit is not None:
         _edit(images, edit, settings["scale"], not no_browser)

@@ -54,7 +54,7 @@ def open_image(path: Path, written: str, span: Span | None) -> OpenedImage:
         for file in files_matching(path)
     ]
     if not found:
-        reason = "no file has a name like that"
+        reason = "no file matches this name"
         raise _refusal(Code.UNREADABLE_INPUT, span, written, reason=reason)
     return open_tiles(found, written, span)
 

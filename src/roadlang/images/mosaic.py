@@ -39,7 +39,7 @@ class Tile:
         """Its place. Raises TilesDoNotFit where there is none."""
         found = self.found.reference
         if found is None or not np.linalg.det(np.reshape(found.matrix, (2, 3))[:, :2]):
-            raise TilesDoNotFit(f"`{self.name}` does not say where it is")
+            raise TilesDoNotFit(f"`{self.name}` is not georeferenced")
         return found
 
     @property
@@ -63,8 +63,8 @@ def mosaic(tiles: Sequence[Tile], most_pixels: int) -> tuple[Pixels, FoundScale]
     # A hair of a pixel is rounding of coordinates, not a further column.
     low, high = np.floor(corners.min(axis=0) + 0.01), np.ceil(corners.max(axis=0) - 0.01)
     if not float(np.prod(high - low)) <= most_pixels:
-        most = f"{most_pixels // 1_000_000} million pixels can be read"
-        raise TilesDoNotFit(f"they span {high[0] - low[0]:.0f} x {high[1] - low[1]:.0f} px: {most}")
+        most = f"and at most {most_pixels // 1_000_000} million pixels can be read"
+        raise TilesDoNotFit(f"they span {high[0] - low[0]:.0f} x {high[1] - low[1]:.0f} px, {most}")
     width, height = (int(side) for side in high - low)
     canvas = np.empty((height, width, 3), np.uint8)
     canvas[:] = border_color([tile.pixels for tile in tiles])
@@ -78,7 +78,7 @@ def mosaic(tiles: Sequence[Tile], most_pixels: int) -> tuple[Pixels, FoundScale]
 
 def _check(tile: Tile, first: Tile) -> None:
     if tile.reference.grid != first.reference.grid:
-        raise TilesDoNotFit(f"`{tile.name}` and `{first.name}` are of different grids")
+        raise TilesDoNotFit(f"`{tile.name}` and `{first.name}` use different coordinate systems")
     own, other = (math.sqrt(abs(np.linalg.det(each.matrix[:2, :2]))) for each in (tile, first))
     if not abs(own - other) <= _SAME_SIZE * other:
         raise TilesDoNotFit(f"the pixels of `{tile.name}` and `{first.name}` differ in size")

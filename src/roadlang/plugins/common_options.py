@@ -44,8 +44,8 @@ class PlacementOptions:
         minimum=-1000,
         maximum=1000,
         help="lateral offset, positive to the left, from the center line or from the center of "
-        "`lane`; with `side`, outward from the road edge. Who drives in a lane steers to its "
-        "middle from there; with `lane: none` it keeps its offset",
+        "`lane`; with `side`, outward from the road edge. An agent that drives in a lane steers "
+        "to its center from there; with `lane: none` it keeps its offset",
         example="0.5m",
     )
     lane: LaneChoice = option(

@@ -36,7 +36,7 @@ class Extractor(Kind):
     """`extract with`: finds the roads of an image.
 
     `is_pure`: what it finds depends on the picture and its options alone, on no file and no setting
-    elsewhere. It is then not asked again about a picture that it saw a moment ago.
+    elsewhere. Its result for a picture may then be reused.
     """
 
     verb: ClassVar[str] = "extract"

@@ -163,7 +163,7 @@ def _options(
         checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text, help=help_)
         return None, NO_OPTIONS
     if "lane" in bound.stated and "side" in bound.stated:
-        help_ = "of two lanes of a kind, `facing: back` takes the one on the other side"
+        help_ = "if both sides have such a lane, `facing: back` takes the one on the other side"
         checker.report(Code.LANE_AND_SIDE, bound.stated["side"].span, help=help_)
         return None, NO_OPTIONS
     placement, rest = divided(bound.values, names)
