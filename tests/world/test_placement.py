@@ -65,6 +65,11 @@ LANES = (
         ("lane: parking", 3),
         ("lane: sidewalk", -4),
         ("lane: sidewalk, facing: back", 4),
+        ("lane: sidewalk, side: left", 4),
+        ("lane: drive, side: right", -2),
+        ("lane: outer, side: left", 1),
+        ("lane: drive, side: left, facing: forward", 1),
+        ("lane: none, side: right", None),
         ("lane: none", None),
         ("side: right", None),
     ],
@@ -93,9 +98,10 @@ def test_a_lane_drawn_among_words_differs_by_copy(sample: Sample) -> None:
     assert {car.lane for car in things.values()} == {-1, None}
 
 
-def test_a_kind_of_lane_that_is_not_there_is_refused(sample: Sample) -> None:
+@pytest.mark.parametrize("side", ["", ", side: left"])
+def test_a_kind_of_lane_that_is_not_there_is_refused(sample: Sample, side: str) -> None:
     with pytest.raises(DiagnosticError) as caught:
-        sample(STRAIGHT + "agent ego is car on main at 3m { lane: parking }\n")
+        sample(STRAIGHT + f"agent ego is car on main at 3m {{ lane: parking{side} }}\n")
     assert caught.value.diagnostics[0].code == "RL613"
     assert "1 (drive), -1 (drive)" in caught.value.diagnostics[0].help[0]
 
@@ -113,6 +119,22 @@ def test_a_kind_of_lane_that_is_not_there_is_refused(sample: Sample) -> None:
 def test_a_car_points_the_way_of_its_lane(sample: Sample, options: str, degrees: float) -> None:
     car = placed(sample, f"agent ego is car on main at 9m {{ {options} }}")["ego"]
     assert math.cos(car.heading - math.radians(degrees)) == pytest.approx(1)
+
+
+@pytest.mark.parametrize(
+    ("options", "degrees"),
+    [
+        ("lane: parking", 180),
+        ("lane: parking, side: left", 180),
+        ("lane: parking, facing: forward", 0),
+    ],
+)
+def test_a_parked_car_points_the_way_of_the_traffic_beside_it(
+    sample: Sample, options: str, degrees: float
+) -> None:
+    (scene,) = sample(LANES + f"object van is parked_van on main at 9m {{ {options} }}").scenes
+    assert scene.objects[0].lane == 3
+    assert math.cos(scene.objects[0].heading - math.radians(degrees)) == pytest.approx(1)
 
 
 def test_without_a_road_a_point_of_the_world_is_meant(sample: Sample) -> None:

@@ -23,7 +23,11 @@ ROUND_THE_CORNER = f"agent ego is car on town {{ route: [(105m, 135m), (135m, 70
 def sampled(sample: Sample, text: str) -> Scene:
     """One scene in a town with streets 240 and 90 m long between junctions at x 135 and 375 m,
     y 135 and 45 m."""
-    (scene,) = sample(town(scale=30) + text).scenes
+    return sampled_with(sample, "lanes: 2", text)
+
+
+def sampled_with(sample: Sample, options: str, text: str) -> Scene:
+    (scene,) = sample(town(options, scale=30) + text).scenes
     return scene
 
 
@@ -53,6 +57,32 @@ def test_ahead_of_an_agent_is_round_the_corner_that_it_will_take(sample: Sample)
     along = length_of(scene, ego, step.road) + abs(lead.start - step.start)
     assert along - 4.5 == pytest.approx(35.0, abs=1e-3)
     assert lead.lane == step.lane
+
+
+@pytest.mark.parametrize(
+    ("options", "lane", "turned"),
+    [
+        ("lane: parking", -2, False),
+        ("lane: parking, side: left", 2, True),
+        ("lane: outer, side: left", 1, True),
+        ("lane: drive, side: right", -1, False),
+        ("lane: 1", 1, True),
+        ("side: left", None, False),
+    ],
+)
+def test_a_lane_on_a_side_is_that_of_the_road_of_the_other(
+    sample: Sample, options: str, lane: int | None, turned: bool
+) -> None:
+    lanes = "left: [drive(3m), parking(2m)], right: [drive(3m), parking(2m)]"
+    text = f"agent ego is car on town at (150m, 135m) {{ {DRIVES} }}\n"
+    text += f"agent van is van at ahead_of(ego, 12m) {{ {options} }}\n"
+    text += "agent row is van on town at random { lane: parking, side: left, count: 3 }\n"
+    scene = sampled_with(sample, lanes, text)
+    ego, van = agent(scene), agent(scene, "van")
+    assert (van.road, van.lane) == (ego.road, lane)
+    assert math.cos(van.heading - ego.heading) == pytest.approx(-1 if turned else 1, abs=0.02)
+    assert distance(ego, van) > 12.0
+    assert [agent(scene, f"row[{number}]").lane for number in range(3)] == [2, 2, 2]
 
 
 def test_what_would_stand_in_a_junction_stands_beyond_it(sample: Sample) -> None:

@@ -197,6 +197,14 @@ class CrossSection:
         ]
         return tuple(sorted(ids, key=lambda id: (abs(id), id)))
 
+    def runs_backward(self, id: int) -> bool:
+        """Whether traffic in a lane runs against the road; in a lane without a direction, such as
+        one for parking, that of the driving lanes on its side. Raises GeometryError."""
+        own = self.lane(id)
+        beside = [lane.direction for lane in self.lanes if lane.drivable and lane.id * id > 0]
+        directions = beside if own.direction == "none" and beside else [own.direction]
+        return all(direction == "backward" for direction in directions)
+
     def lane_at(self, offset: ArrayLike, s: ArrayLike) -> Integers:
         """The id of the lane at each lateral offset, 0 beside the road. The two broadcast.
 

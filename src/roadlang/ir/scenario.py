@@ -8,7 +8,7 @@ from ..diagnostics import Span
 from .dimension import Dimension
 from .read_only import FrozenDict
 from .schema import UNWRITTEN
-from .values import NO_OPTIONS, NO_SPANS, Condition, Options, PassCall, Value
+from .values import NO_OPTIONS, NO_SPANS, Condition, Options, PassCall, TextValue, Value
 
 SCENARIO_SCHEMA = "roadlang.scenario/2"
 
@@ -172,6 +172,12 @@ class ScenarioActor:
     def span_of(self, name: str) -> Span | None:
         """Where `at` or an option is written; the statement, where it is not."""
         return self.option_spans.get(name, self.span)
+
+    @property
+    def is_beside_road(self) -> bool:
+        """Whether `side` places it next to its road; with a kind of lane it says on which side the
+        lane is."""
+        return "side" in self.options and self.options.get("lane") in (None, TextValue("none"))
 
 
 @dataclass(frozen=True, slots=True)

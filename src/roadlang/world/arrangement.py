@@ -223,7 +223,7 @@ class _Turn:
         missing, blocker = missing_room(boxes, rows, self.apart[index], placed)
         if again and self.actor.on is not None:
             missing = np.maximum(missing, self._beyond_road(index, poses))
-            if _has(self.actor, "side"):
+            if self.actor.is_beside_road:
                 missing = np.maximum(missing, self._in_lanes(boxes, rows, poses))
         return missing, blocker
 
@@ -237,7 +237,8 @@ class _Turn:
             return np.zeros(len(index))
         length = length_of_rows(name, self.candidates, index // self._most)
         half = np.zeros(len(index))
-        if self.actor.name in self.candidates.scenario.agents and not _has(self.actor, "side"):
+        is_agent = self.actor.name in self.candidates.scenario.agents
+        if is_agent and not self.actor.is_beside_road:
             half = np.minimum(self.kinds.lengths[index], length) / 2
         beyond = np.maximum(half - start, start + half - length)
         return np.where(beyond > 1e-9 * length, beyond, 0.0)

@@ -12,10 +12,12 @@ from ..evaluate.copies import CopyBatch
 from ..geometry.routes.lane_graph import LaneGraph
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
+from .lane_places import is_on_side
 from .road_poses import WrittenPlace, option_value
 
-LaneChoice: TypeAlias = tuple[str | int, str]
-"""`any`, a number, `outer` or a kind of lane; and `forward`, `back` or neither"""
+LaneChoice: TypeAlias = tuple[str | int, str, str]
+"""`any`, a number, `outer` or a kind of lane; `forward`, `back` or neither; `left`, `right` or
+neither"""
 
 
 def lane_choices(
@@ -24,23 +26,23 @@ def lane_choices(
     """(R) what each copy may be in; None of what is in no lane."""
     value = option_value(actor, "lane", copies)
     if value is None:
-        in_lane = actor.name in copies.scenario.agents and "side" not in actor.options
+        in_lane = actor.name in copies.scenario.agents and not actor.is_beside_road
         items: list[Any] = ["any" if in_lane else "none"]
     elif isinstance(value, np.ndarray):
         items = value.reshape(-1).tolist()
     else:
         items = [value]
     items = items * copies.count if len(items) == 1 else items
-    facing = place.facing.tolist()
-    return [_choice(item, direction) for item, direction in zip(items, facing, strict=True)]
+    said = zip(items, place.facing.tolist(), place.side.tolist(), strict=True)
+    return [_choice(item, facing, side) for item, facing, side in said]
 
 
-def _choice(item: Any, facing: str) -> LaneChoice | None:
+def _choice(item: Any, facing: str, side: str) -> LaneChoice | None:
     if isinstance(item, PassCall):
         item = item.kind.rpartition(".")[2]
     if item == "none":
         return None
-    return (item if isinstance(item, str) else round(item)), facing
+    return (item if isinstance(item, str) else round(item)), facing, side
 
 
 def is_for_vehicles(choice: LaneChoice, lanes: LaneGraph) -> bool:
@@ -55,7 +57,11 @@ def allowed_lanes(
 ) -> frozenset[int]:
     """The lanes of a network that a choice allows. Raises RL613 if it is none."""
     default_kind = copies.scenario.registry.default("lane").name
-    found = frozenset(number for number in _of_choice(lanes, choice[0], default_kind))
+    found = frozenset(
+        number
+        for number in _of_choice(lanes, choice[0], default_kind)
+        if is_on_side(lanes.lanes[number].lane, choice[2])
+    )
     facing = {"forward": False, "back": True}.get(choice[1])
     if facing is not None:
         found = frozenset(lane for lane in found if lanes.lanes[lane].backward == facing)

@@ -57,24 +57,36 @@ def lane_places(
                 within = lane[chosen] == id
                 index = _place_of(actor, lanes, id)
                 middle[chosen[within]] = (borders[index] + borders[index + 1])[within] / 2.0
-                backward[chosen[within]] = lanes.pattern.lanes[index].direction == "backward"
+                backward[chosen[within]] = lanes.pattern.runs_backward(id)
     return LaneOffsets(left, right, middle, backward)
 
 
 def lanes_by_word(
-    name: str, actor: ScenarioActor, copies: CopyBatch, word: str, against: NDArray[np.bool_]
+    name: str,
+    actor: ScenarioActor,
+    copies: CopyBatch,
+    word: str,
+    against: NDArray[np.bool_],
+    sides: NDArray[np.str_],
 ) -> Integers:
     """(R,) ids of the lanes that a word names, for copies that travel along the road or `against`
     it: `first`, the one next to the middle, `outer`, the outermost for vehicles, or a kind of lane,
-    on the side that traffic keeps. Raises RL613 where the road has none."""
+    on the side that traffic keeps, or on the one of `sides` (R,), "" for either. Raises RL613 where
+    the road has none."""
     found = np.zeros(copies.count, np.int64)
     default_kind = copies.scenario.registry.default("lane").name
     for rows, lanes in named_lanes(name, copies.candidates):
         in_lanes = np.isin(copies.rows, rows)
-        for backward in (False, True):
-            chosen = in_lanes & (against == backward)
-            if chosen.any():
-                found[chosen] = _named_lane(actor, lanes.pattern, word, backward, default_kind)
+        for side in np.unique(sides[in_lanes]).tolist():
+            for backward in (False, True):
+                chosen = in_lanes & (against == backward) & (sides == side)
+                if chosen.any():
+                    section = lanes.pattern
+                    found[chosen] = (
+                        _lane_on_side(actor, section, word, side)
+                        if side
+                        else _named_lane(actor, section, word, backward, default_kind)
+                    )
     return found
 
 
@@ -95,6 +107,22 @@ def _named_lane(
     if not nearest:
         raise DiagnosticError(no_lane_of_kind(actor, word, section))
     return nearest[0]
+
+
+def _lane_on_side(actor: ScenarioActor, section: CrossSection, word: str, side: str) -> int:
+    ids = [id for id in section.ids if is_on_side(id, side)]
+    if word == "outer":
+        found = max((id for id in ids if section.lane(id).drivable), key=abs, default=0)
+    else:
+        found = min((id for id in ids if section.lane(id).kind == word), key=abs, default=0)
+    if not found:
+        raise DiagnosticError(no_lane_of_kind(actor, word, section))
+    return found
+
+
+def is_on_side(lane: int, side: str) -> bool:
+    """Whether a lane lies to the `left` or `right` of the center line; "" stands for either."""
+    return side == "" or (lane > 0) == (side == "left")
 
 
 def no_lane_of_kind(actor: ScenarioActor, word: str, section: CrossSection) -> Diagnostic:

@@ -24,7 +24,7 @@ from ..ir.values import PassCall
 from .copies import element_of
 from .lane_choices import LaneChoice, allowed_lanes, is_for_vehicles, lane_choices
 from .lane_graphs import lanes_of_network
-from .lane_places import lanes_by_word
+from .lane_places import is_on_side, lanes_by_word
 from .network_walks import LaneWalks
 from .positions import Others, column, names_another, row_distances
 from .road_places import from_root
@@ -49,7 +49,7 @@ def begins_in_network(
     found = Spots.of(copies.count, lanes.lanes[0].edge if lanes.lanes else 0)
     if names_another(actor, copies.scenario):
         walks = LaneWalks(actor, copies, lanes, lengths)
-        walks.by_another(_written_lanes(actor, choices), others, found)
+        walks.by_another(choices, written, others, found)
     else:
         first = copies
         if "spacing" in actor.options:
@@ -60,16 +60,6 @@ def begins_in_network(
             finder.place(choice, index, written, found)
     begin = LaneStart(found.start, found.lane, found.offset, found.backward, found.is_directed)
     return found.road, begin, found.lacking
-
-
-def _written_lanes(actor: ScenarioActor, choices: list[LaneChoice | None]) -> list[int | None]:
-    """The lanes that the statement itself says, by number or none; None for that of the other."""
-    if "side" in actor.options:
-        return [0] * len(choices)
-    if "lane" not in actor.options:
-        return [None] * len(choices)
-    ids = (0 if choice is None else choice[0] for choice in choices)
-    return [id if isinstance(id, int) else None for id in ids]
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,8 +168,7 @@ class _Finder:
         graph = self.lanes
         edges, on_left = list(graph.of_edge), None
         if choice is not None:
-            kinds = {edge: [lane.kind for lane in graph.sections[edge].lanes] for edge in edges}
-            edges = [edge for edge in edges if choice[0] in kinds[edge]] or edges
+            edges = [edge for edge in edges if self._has_lane(edge, choice)] or edges
         lanes = [graph.of_edge[edge][0] for edge in edges]
         ends = [sorted((graph.begin[lane], graph.end[lane])) for lane in lanes]
         if self.actor.at_fraction:
@@ -202,15 +191,20 @@ class _Finder:
             if choice is not None:
                 part, facing = self.copies.chosen(index[chosen]), written.facing[index[chosen]]
                 name, kind = f"{self.actor.on}/{road}", str(choice[0])
-                ids = lanes_by_word(name, self.actor, part, kind, facing == "back")
+                sides = written.side[index[chosen]]
+                ids = lanes_by_word(name, self.actor, part, kind, facing == "back", sides)
                 if on_left is not None:  # a point is on one side of the road
-                    other = lanes_by_word(name, self.actor, part, kind, facing != "back")
+                    other = lanes_by_word(name, self.actor, part, kind, facing != "back", sides)
                     crosses = ((ids > 0) != on_left[chosen]) & ((other > 0) == on_left[chosen])
                     ids = np.where(crosses & (facing == ""), other, ids)
                 into.lane[index[chosen]] = ids
         if self.first is not self.copies:
             away = np.array([self._rows[row][-1] for row in index.tolist()])
             into.start[index] += away
+
+    def _has_lane(self, edge: int, choice: LaneChoice) -> bool:
+        lanes = self.lanes.sections[edge].lanes
+        return any(lane.kind == choice[0] and is_on_side(lane.id, choice[2]) for lane in lanes)
 
     def _on_left(self, edges: Integers, index: Integers) -> Booleans:
         """(n,) whether the points of copies lie left of the lines of roads."""

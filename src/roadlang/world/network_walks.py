@@ -13,8 +13,11 @@ from ..geometry.routes.lane_graph import LaneGraph, TravelLane
 from ..geometry.routes.shortest import PlannedRoute, RoutePlace
 from ..geometry.routes.walking import WalkPart, parts_ahead, parts_behind, walked
 from ..ir.scenario import ScenarioActor
+from .lane_choices import LaneChoice
+from .lane_places import lanes_by_word
 from .positions import Others, row_distances, standing_beside
 from .road_places import from_root, to_root
+from .road_poses import WrittenPlace
 from .routes import leading_routes
 from .spots import FAR_AWAY, Spots
 
@@ -28,28 +31,60 @@ class LaneWalks:
     lanes: LaneGraph
     lengths: Floats
 
-    def by_another(self, lane_ids: Sequence[int | None], others: Others, into: Spots) -> None:
-        """Ahead of, behind or beside another, in its lane or in that of `lane_ids`."""
+    def by_another(
+        self,
+        choices: Sequence[LaneChoice | None],
+        written: WrittenPlace,
+        others: Others,
+        into: Spots,
+    ) -> None:
+        """Ahead of, behind or beside another, in its lane or in one of `choices` (R)."""
         other, standing = standing_beside(self.actor, self.copies, others)
         routes = leading_routes(self.actor, self.copies, others)
         rows = row_distances(self.actor, self.copies)
         numbers = {lane: number for number, lane in enumerate(self.lanes.lanes)}
-        for row, written in enumerate(lane_ids):
+        for row, choice in enumerate(choices):
             road, backward = int(other.road[row, 0]), bool(standing.backward[row, 0])
             if road < 0:
                 into.lacking[row] = FAR_AWAY
                 continue
-            lane = int(standing.lane[row, 0]) if written is None else written
+            lane = self._written_lane(row, road, choice, backward, written)
+            said, lane = lane is not None, int(standing.lane[row, 0]) if lane is None else lane
             start, target = float(other.start[row, 0]), float(standing.start[row, 0])
-            number = numbers.get(TravelLane(road, lane, backward))
+            away = start - target if backward else target - start
+            number, route = numbers.get(TravelLane(road, lane, backward)), None
+            if number is not None:
+                route = routes[row] if routes is not None else None
+            elif said:  # the lane of oncoming traffic: toward where it comes from
+                number, away = numbers.get(TravelLane(road, lane, not backward)), -away
             if number is None:
                 into.stand(row, road, target, lane, float(standing.offset[row, 0]), backward)
+                into.is_directed[row] = not (said and lane)
                 into.lacking[row] = self._beyond(row, road, target)
                 continue
             place = RoutePlace(number, self._to_root(row, number, start))
-            away = start - target if backward else target - start
-            route = routes[row] if routes is not None else None
             self._walk(row, place, away, rows[row], route, into)
+
+    def _written_lane(
+        self,
+        row: int,
+        road: int,
+        choice: LaneChoice | None,
+        backward: bool,
+        written: WrittenPlace,
+    ) -> int | None:
+        """The lane that the statement itself says; None for that of the other, 0 for none."""
+        if self.actor.is_beside_road:
+            return 0
+        if "lane" not in self.actor.options:
+            return None
+        said = 0 if choice is None else choice[0]
+        if isinstance(said, int):
+            return said
+        one, name = np.array([row]), f"{self.actor.on}/{road}"
+        against = np.array([backward != (written.facing[row] == "back")])
+        part, sides = self.copies.chosen(one), written.side[one]
+        return int(lanes_by_word(name, self.actor, part, said, against, sides)[0])
 
     def row_behind_first(self, row: int, place: RoutePlace, route: PlannedRoute | None,
                          distances: Sequence[float], into: Spots) -> None:  # fmt: skip

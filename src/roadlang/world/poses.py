@@ -101,11 +101,11 @@ def _lanes(
     """(R,) lane ids; 0 of what is in no lane. An agent on a road is in a lane unless it is said to
     be in none or beside the road."""
     value = option_value(actor, "lane", copies)
-    if value is None and by is not None and "side" not in actor.options:
+    if value is None and by is not None and not actor.is_beside_road:
         return np.asarray(by.lane, np.int64).reshape(-1)
     if value is None:
         is_agent = actor.name in copies.scenario.agents
-        value = "none" if "side" in actor.options or not is_agent else "first"
+        value = "none" if actor.is_beside_road or not is_agent else "first"
     words = [_word(item) for item in _items(value)]
     if not isinstance(words[0], str):
         lane = np.rint(column(value, copies)).astype(np.int64)
@@ -113,9 +113,9 @@ def _lanes(
     found = np.zeros(copies.count, np.int64)
     for word in sorted(set(words) - {"none"}):
         chosen = np.broadcast_to(np.array([item == word for item in words]), (copies.count,))
-        found[chosen] = lanes_by_word(str(actor.on), actor, copies, word, written.facing == "back")[
-            chosen
-        ]
+        against, sides = written.facing == "back", written.side
+        ids = lanes_by_word(str(actor.on), actor, copies, word, against, sides)
+        found[chosen] = ids[chosen]
     return found
 
 

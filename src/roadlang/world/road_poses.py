@@ -154,9 +154,9 @@ def _offsets(lanes: LaneOffsets, begin: LaneStart, written: WrittenPlace, across
 
     Beside the road it is the near side of the thing that stands `offset` from the edge.
     """
-    in_lane = lanes.middle + written.offset
+    in_lane, beside = lanes.middle + written.offset, begin.lane == 0
     outward = written.offset + across / 2
-    found = np.where(begin.lane == 0, written.offset, in_lane)
-    found = np.where(written.side == "left", lanes.left + outward, found)
-    found = np.where(written.side == "right", lanes.right - outward, found)
-    return found + np.where(begin.lane == 0, begin.offset, 0.0)
+    found = np.where(beside, written.offset, in_lane)
+    found = np.where(beside & (written.side == "left"), lanes.left + outward, found)
+    found = np.where(beside & (written.side == "right"), lanes.right - outward, found)
+    return found + np.where(beside, begin.offset, 0.0)

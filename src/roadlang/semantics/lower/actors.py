@@ -162,8 +162,9 @@ def _options(
         help_ = "say how many there are: `count: 5`"
         checker.report(Code.SPACING_WITHOUT_COUNT, span, name=statement.name.text, help=help_)
         return None, NO_OPTIONS
-    if "lane" in bound.stated and "side" in bound.stated:
-        help_ = "if both sides have such a lane, `facing: back` takes the one on the other side"
+    lane = bound.stated.get("lane")
+    if "side" in bound.stated and lane is not None and isinstance(lane.type, Quantity):
+        help_ = "the number says the side: negative to the right of the center line, positive left"
         checker.report(Code.LANE_AND_SIDE, bound.stated["side"].span, help=help_)
         return None, NO_OPTIONS
     placement, rest = divided(bound.values, names)

@@ -14,7 +14,7 @@ from ..infer.inherited_roads import named_in_position
 from .actor_places import drawn_share, is_by_another
 from .references import resolved
 
-_NOT_IN_A_LANE = {"side": None, "lane": TextValue("none")}
+_NO_LANE = TextValue("none")
 
 
 def with_route(
@@ -32,8 +32,8 @@ def with_route(
     if key is not None and network is None:
         _report_without_network(checker, statement, written[key])
         return None
-    clash = next((name for name, value in _NOT_IN_A_LANE.items() if name in options
-                  and value in (None, options[name])), None)  # fmt: skip
+    clash = "lane" if options.get("lane") == _NO_LANE else None
+    clash = "side" if clash is None and "side" in options and "lane" not in options else clash
     if clash is not None and key is not None:
         checker.report(
             Code.ROUTE_DISAGREES, written[key].span, name=statement.name.text,
