@@ -68,6 +68,8 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
         "def f(candidates):\n    return candidates._computed",
     ),
     (rules.no_circles, "world/stations.py", "def f():\n    from .roads import road_batch"),
+    (rules.no_circles, "geometry/network.py", "def f():\n    from .joints import joined"),
+    (rules.no_circles, "session/scene.py", "def f():\n    from .reports import report"),
     (
         rules.no_circles,
         "evaluate/randomness.py",

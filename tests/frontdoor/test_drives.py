@@ -78,3 +78,14 @@ def test_a_table_of_drives_has_draws_and_robustness() -> None:
     assert table["slow satisfied"] == [True, True, False, False]
     assert table["central"] == [None] * 4
     assert len(set(table["ego/at"])) == 4
+
+
+def test_drives_and_scenes_are_data_frames() -> None:
+    pytest.importorskip("pandas")
+    scenes = testing.sample(TEXT, 4, kinds=[Sled])
+    found = scenes.run()
+    frame = found.to_frame()
+    assert list(frame.index) == list(scenes.to_frame().index) == [0, 1, 2, 3]
+    assert frame["slow"].tolist() == pytest.approx([2.0, 1.0, 0.0, -1.0])
+    assert frame.index.name == "scene"
+    assert found[0].to_frame()["ego.x"].loc[2.0] == pytest.approx(20.0)

@@ -157,8 +157,16 @@ def test_check_names_tiles_that_are_not_there(tmp_path: Path) -> None:
     scene.write_text(SCENE.format("q*"))
     result = CliRunner().invoke(check, [str(scene)])
     assert result.exit_code == 1
-    assert "RL450" in result.output
+    assert "error[RL450]: there is no file named like `tiles/q*.png`" in result.output
+    assert "there is no picture in" in result.output
+    for number in range(6):
+        (tmp_path / "tiles" / f"t{number}.png").touch()
+    result = CliRunner().invoke(check, [str(scene)])
+    assert "are `t0.png`, `t1.png`, `t2.png`, `t3.png` and 2 more" in result.output
     (tmp_path / "tiles" / "q1.png").write_text("no picture")
     result = CliRunner().invoke(check, [str(scene)])
     assert "`tiles/q1.png`" in result.output
     assert "it is not an image" in result.output
+    scene.write_text(SCENE.format("q*").replace("tiles/", "none/"))
+    result = CliRunner().invoke(check, [str(scene)])
+    assert "there is no folder" in result.output

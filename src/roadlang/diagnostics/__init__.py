@@ -4,7 +4,7 @@ from .catalog import Page, UnknownCode, codes, page
 from .code import Code
 from .diagnostic import Diagnostic, Fix, Label, Severity, diagnose
 from .errors import DiagnosticError
-from .nearest import did_you_mean, nearest
+from .nearest import KnownNames, did_you_mean, nearest
 from .source import Source, Span
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "Diagnostic",
     "DiagnosticError",
     "Fix",
+    "KnownNames",
     "Label",
     "Page",
     "Severity",

@@ -18,14 +18,19 @@ CHOSEN = 16
 _MOST_POSTINGS = 2048
 
 
-def nearest(word: str, known: Iterable[str]) -> str | None:
+def nearest(word: str, known: Iterable[str] | KnownNames) -> str | None:
     """The known name most similar to `word`, or None if none is similar."""
-    return _nearest(word, tuple(known))
+    if isinstance(known, KnownNames):
+        return _nearest(word, known)
+    return _nearest_of(word, tuple(known))
 
 
 @lru_cache(maxsize=256)
-def _nearest(word: str, known: tuple[str, ...]) -> str | None:
-    names = _known(known)
+def _nearest_of(word: str, known: tuple[str, ...]) -> str | None:
+    return _nearest(word, _known(known))
+
+
+def _nearest(word: str, names: KnownNames) -> str | None:
     exact = names.by_folded.get(_folded(word))
     if exact is not None:
         return exact
@@ -41,15 +46,17 @@ def did_you_mean(word: str, known: Iterable[str]) -> tuple[str, ...]:
     return (f"did you mean `{found}`?",) if found else ()
 
 
-class _Known:
-    """The names that a word is compared with, indexed."""
+class KnownNames:
+    """The names that a word is compared with, indexed: for many words and many names."""
 
     def __init__(self, names: Iterable[str]) -> None:
-        self.sorted = sorted(set(names))
+        self.names = tuple(names)
+        self.sorted = sorted(set(self.names))
         self.by_folded = {_folded(name): name for name in self.sorted}
 
     @cached_property
     def by_trigram(self) -> dict[str, list[str]]:
+        """The names that have each trigram."""
         found: dict[str, list[str]] = {}
         for name in self.sorted:
             for trigram in _trigrams(name):
@@ -69,12 +76,13 @@ class _Known:
             looked_at += len(names)
             shared.update(names)
         # By count, then by name, so that the choice is the same in every process.
-        return nsmallest(CHOSEN, shared, key=lambda name: (-shared[name], name))
+        chosen = nsmallest(CHOSEN, ((-count, name) for name, count in shared.items()))
+        return [name for _, name in chosen]
 
 
 @lru_cache(maxsize=16)
-def _known(names: tuple[str, ...]) -> _Known:
-    return _Known(names)
+def _known(names: tuple[str, ...]) -> KnownNames:
+    return KnownNames(names)
 
 
 def _folded(name: str) -> str:

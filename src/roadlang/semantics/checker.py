@@ -6,7 +6,16 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, Fix, Label, Span, diagnose
+from ..diagnostics import (
+    Code,
+    Diagnostic,
+    DiagnosticError,
+    Fix,
+    KnownNames,
+    Label,
+    Span,
+    diagnose,
+)
 from ..ir.values import PassCall, Value
 from ..plugins.kinds import Kind
 from ..plugins.options import OptionSchema
@@ -45,7 +54,7 @@ class Checker:
         self.kinds: dict[tuple[str, str], ResolvedKind | None] = {}
         self.divisors: list[tuple[str, Span]] = []
         """The `s` of numbers such as `1/s`, and where."""
-        self.names_of_roles: dict[tuple[str, ...], tuple[str, ...]] = {}
+        self.names_of_roles: dict[tuple[str, ...], KnownNames] = {}
         """What is declared, by the statements that fit: listed once, not for each unknown name."""
         self.value_bounds = ValueBounds(lambda name: self.definition(name).value, self._kind_of)
         self._rules = rules

@@ -20,7 +20,7 @@ from ..judging.robustness_series import robustness_series
 from ..search.worker_pool import ALONE, WorkerPool, Workers
 from .expectations import Expectation, expectations_of
 from .scene import Scene
-from .tables import columns_of
+from .tables import columns_of, frame_of
 
 if TYPE_CHECKING:
     import pandas
@@ -143,9 +143,7 @@ class Drive:
 
     def to_frame(self) -> pandas.DataFrame:
         """`to_dict` as a data frame with the time as index. Raises `ImportError` without pandas."""
-        import pandas
-
-        return pandas.DataFrame(self.to_dict()).set_index("time")
+        return frame_of(self.to_dict(), "time")
 
     @property
     def worst(self) -> Verdict | None:
@@ -243,6 +241,10 @@ class DriveSet(Sequence[Drive]):
     def to_dict(self) -> dict[str, list[Any]]:
         """`rows` as columns for `pandas.DataFrame`."""
         return columns_of(self.rows())
+
+    def to_frame(self) -> pandas.DataFrame:
+        """`rows` as a data frame with the scenes as index. Raises `ImportError` without pandas."""
+        return frame_of(self.to_dict(), "scene")
 
 
 def _worst_columns(drive: Drive) -> dict[str, Any]:

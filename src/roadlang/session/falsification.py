@@ -35,9 +35,11 @@ from ..search.worker_pool import WorkerPool, Workers
 from ..simulation import compiled
 from ..world.index import index_scenario
 from .scene import Scene
-from .tables import columns_of
+from .tables import columns_of, frame_of
 
 if TYPE_CHECKING:
+    import pandas
+
     from .drives import Drive, DriveSet
     from .loading import LoadedScenario
 
@@ -195,6 +197,11 @@ class Falsification:
     def to_dict(self) -> dict[str, list[Any]]:
         """`rows` as columns for `pandas.DataFrame`."""
         return columns_of(self.rows())
+
+    def to_frame(self) -> pandas.DataFrame:
+        """`rows` as a data frame with the evaluations as index. Raises `ImportError` without
+        pandas."""
+        return frame_of(self.to_dict(), "evaluation")
 
     def write(self, folder: str | Path) -> None:
         """Write failures, tables and the summary; see the guide. Raises `DiagnosticError` RL460."""

@@ -10,9 +10,11 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
 from .expectations import Expectation, expectations_of
 from .scene import Scene
-from .tables import columns_of
+from .tables import columns_of, frame_of
 
 if TYPE_CHECKING:
+    import pandas
+
     from ..ir.manifest import Manifest
     from ..scenes.emitted import Emission
     from ..search.rejection_report import RejectionRow
@@ -129,6 +131,11 @@ class SceneSet(Sequence[Scene]):
         """Columns for `pandas.DataFrame`, one row a scene: `scene`, params and `let`s, draws by
         place, and the robustness of each constraint that is known before the drive."""
         return columns_of(_row(scene) for scene in self)
+
+    def to_frame(self) -> pandas.DataFrame:
+        """`to_dict` as a data frame with the scenes as index. Raises `ImportError` without
+        pandas."""
+        return frame_of(self.to_dict(), "scene")
 
     def emit(
         self,

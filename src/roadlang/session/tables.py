@@ -6,7 +6,10 @@ import csv
 import io
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import pandas
 
 
 def columns_of(rows: Iterable[Mapping[str, Any]]) -> dict[str, list[Any]]:
@@ -14,6 +17,13 @@ def columns_of(rows: Iterable[Mapping[str, Any]]) -> dict[str, list[Any]]:
     listed = list(rows)
     names = dict.fromkeys(name for row in listed for name in row)
     return {name: [row.get(name) for row in listed] for name in names}
+
+
+def frame_of(columns: Mapping[str, Any], index: str) -> pandas.DataFrame:
+    """Columns as a data frame, one of them its index. Raises `ImportError` without pandas."""
+    import pandas
+
+    return pandas.DataFrame(dict(columns)).set_index(index)
 
 
 def to_csv(columns: Mapping[str, Sequence[Any]]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Code, nearest
+from ...diagnostics import Code, KnownNames, nearest
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -61,7 +61,7 @@ def _about_functions(checker: Checker, text: str) -> tuple[str, ...]:
 
 def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
     """What the scene declares that fits, as far as it can be taken in at a glance."""
-    names = [name for name in _fitting_names(checker, context) if name != context.user]
+    names = [name for name in _fitting_names(checker, context).names if name != context.user]
     if not names:
         return (
             (f"this scene declares no other {' or '.join(context.roles)}",) if context.roles else ()
@@ -71,11 +71,11 @@ def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
     return (f"this scene declares {shown}{more}",)
 
 
-def _fitting_names(checker: Checker, context: Context) -> tuple[str, ...]:
+def _fitting_names(checker: Checker, context: Context) -> KnownNames:
     roles = context.roles
     known = checker.names_of_roles.get(roles)
     if known is None:
-        known = tuple(
+        known = KnownNames(
             name
             for name, found in checker.program.declarations.items()
             if (found.role in roles if roles else found.role not in ("require", "expect"))

@@ -9,6 +9,7 @@ from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
 from ...files.matching import files_matching
 from ...files.reading import UnreadableFile, read_start
 
+_MOST_SHOWN = 4
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm", ".webp")
 _SIGNATURES = (
     b"\x89PNG\r\n\x1a\n",
@@ -23,14 +24,19 @@ _SIGNATURES = (
 
 def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnostic:
     """RL450, with the nearest name in the folder."""
-    try:
-        present = os.listdir(folder)
-    except OSError:
-        return diagnose(
-            Code.MISSING_FILE, span, file=written, help=f"there is no folder `{folder}`"
-        )
+    present = _files_in(folder, span, written)
+    if isinstance(present, Diagnostic):
+        return present
     help_ = did_you_mean(name, present) or (f"looked in `{folder}`",)
-    return diagnose(Code.MISSING_FILE, span, file=written, help=help_)
+    return diagnose(Code.MISSING_FILE, span, file=written, like="", help=help_)
+
+
+def _files_in(folder: Path, span: Span, written: str) -> list[str] | Diagnostic:
+    try:
+        return os.listdir(folder)
+    except OSError:
+        help_ = f"there is no folder `{folder}`"
+        return diagnose(Code.MISSING_FILE, span, file=written, like="", help=help_)
 
 
 def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
@@ -44,9 +50,22 @@ def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diag
             _first_fault(tile, os.path.join(os.path.dirname(written), tile.name), span, picture)
             for tile in tiles
         )
-        missing = None if tiles else missing_file(target.parent, target.name, span, written)
+        missing = None if tiles else _missing_tiles(target.parent, span, written)
         return next(filter(None, faults), missing)
     return _first_fault(target, written, span, picture)
+
+
+def _missing_tiles(folder: Path, span: Span, written: str) -> Diagnostic:
+    """RL450 for a name with `*` or `?`, with the pictures in the folder."""
+    present = _files_in(folder, span, written)
+    if isinstance(present, Diagnostic):
+        return present
+    pictures = sorted(name for name in present if name.lower().endswith(PICTURE_SUFFIXES))
+    shown = ", ".join(f"`{name}`" for name in pictures[:_MOST_SHOWN])
+    more = f" and {len(pictures) - _MOST_SHOWN} more" if len(pictures) > _MOST_SHOWN else ""
+    there = f"the pictures in `{folder}` are {shown}{more}"
+    help_ = there if pictures else f"there is no picture in `{folder}`"
+    return diagnose(Code.MISSING_FILE, span, file=written, like=" named like", help=help_)
 
 
 def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagnostic | None:
