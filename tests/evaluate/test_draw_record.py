@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from roadlang.evaluate.draw_record import DrawRecord
+from roadlang.evaluate.draw_record import CopyDraws, DrawRecord
 
 NAMES = [f"road{number}/perturb 1/amplitude" for number in range(20)]
 """More than a set would have in order by chance"""
@@ -37,3 +37,27 @@ def test_draws_that_no_taken_candidate_has_are_gone_and_full_ones_are_not_absent
     assert {name: lacks.tolist() for name, lacks in taken.absent.items()} == {
         "partly": [True, False]
     }
+
+
+def test_what_copies_drew_is_named_by_copy_and_left_out_where_a_candidate_has_none() -> None:
+    table = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])
+    lacking = np.array([[False, False, True], [False, True, True]])
+    record = DrawRecord({"tree/at": CopyDraws("tree/at", (1, 2, 10), table, lacking)})
+    record.coordinates["ego/at"] = np.array([0.7, 0.8])
+    assert list(record.named_coordinates()) == ["tree/at[1]", "tree/at[2]", "tree/at[10]", "ego/at"]
+    assert record.coordinates_of_rows(2) == [
+        {"ego/at": 0.7, "tree/at[1]": 0.1, "tree/at[2]": 0.2},
+        {"ego/at": 0.8, "tree/at[1]": 0.4},
+    ]
+    taken = record.take(np.array([1]), 2)
+    assert taken.coordinates_of_rows(1) == [{"ego/at": 0.8, "tree/at[1]": 0.4}]
+
+
+def test_what_was_drawn_is_in_the_order_of_its_names() -> None:
+    words = np.array([["b", "a", "c"]])
+    record = DrawRecord(values={"tree/kind": CopyDraws("tree/kind", (2, 10, 100), words)})
+    record.values["a/at"] = np.array([[5.0]])
+    (found,) = record.values_of_rows(1, lambda column: column.reshape(-1).tolist())
+    assert list(found.items()) == [
+        ("a/at", 5.0), ("tree/kind[100]", "c"), ("tree/kind[10]", "a"), ("tree/kind[2]", "b"),
+    ]  # fmt: skip

@@ -103,10 +103,17 @@ agent ego is car on moved at random { drive with traffic {} }
 object trees is tree on moved at random { count: 3, side: left, offset: 2m..8m }
 require straight: always (abs(curvature(moved)) < 0.2/m)
 '''
+DRAWN_KINDS = (
+    BASE
+    + """
+object things is choice(tree(height: 2m..9m), cone, building(length: 6m..9m), weights: [2, 1, 1])
+  on base at random { count: integer(0, 4), side: left, offset: 2m..30m }
+"""
+)
 TEXTS = {
     "several passes": SEVERAL_PASSES, "drawn count": DRAWN_COUNT, "drawn length": DRAWN_LENGTH,
     "drawn lanes": DRAWN_LANES, "listed lanes": LISTED_LANES, "judged": JUDGED, "closed": CLOSED,
-    "network": NETWORK,
+    "network": NETWORK, "drawn kinds": DRAWN_KINDS,
 }  # fmt: skip
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Hashable, Mapping
 from functools import cached_property
 from typing import Any, TypeVar
@@ -14,11 +13,11 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.batch import BatchRandom, unit_interval
 from ..ir.read_only import frozen
 from .candidate_rows import rows_of
+from .draw_names import coordinate_name
 from .draw_record import DrawRecord
 from .indexed_scenario import IndexedScenario
 from .randomness import Words, place_keys, variant_keys
 
-_ELEMENT = re.compile(r"\[\d+\]$")
 T = TypeVar("T")
 
 
@@ -189,13 +188,3 @@ def fixed_candidate(scenario: IndexedScenario) -> CandidateBatch:
     """The one candidate that what does not depend on any draw is computed for."""
     first = np.zeros(1, np.int64)
     return scenario.once("fixed candidate", lambda: CandidateBatch(scenario, 0, first, first))
-
-
-def coordinate_name(place: str, element: int) -> str:
-    """`bent/perturb 1/amplitude`; with the number of the road or copy where there are several."""
-    return f"{place}[{element}]" if element else place
-
-
-def draw_place(name: str) -> str:
-    """The place of the draw that `coordinate_name` gave this name."""
-    return _ELEMENT.sub("", name)

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.batch import unit_interval
 from .candidate_rows import rows_of
-from .candidates import CandidateBatch, coordinate_name
-from .draw_record import DrawRecord
+from .candidates import CandidateBatch
+from .draw_names import coordinate_name
+from .draw_record import CopyDraws, DrawRecord
 from .randomness import place_keys, retried
 
 T = TypeVar("T")
@@ -40,6 +41,7 @@ class CopyBatch(CandidateBatch):
         self.rows = rows
         self.copies = copies
         self.tries = np.zeros(len(rows), np.int64) if tries is None else tries
+        self._most = 0
         self._uniform: dict[tuple[str, int], Floats] = {}
         self._drawn: dict[tuple[str, int], Any] = {}
 
@@ -50,7 +52,9 @@ class CopyBatch(CandidateBatch):
         """`most` copies of each candidate, one candidate after the other; `tries` (V, most)."""
         rows = np.repeat(np.arange(candidates.count), most)
         copies = np.tile(np.arange(1, most + 1), candidates.count)
-        return cls(candidates, rows, copies, None if tries is None else tries.reshape(-1))
+        batch = cls(candidates, rows, copies, None if tries is None else tries.reshape(-1))
+        batch._most = most
+        return batch
 
     def of_scene(self, find: Callable[[CandidateBatch], T]) -> T:
         """What `find` gives for the candidates, for each copy."""
@@ -90,22 +94,39 @@ class CopyBatch(CandidateBatch):
     def record_in(self, record: DrawRecord, present: Booleans | None = None) -> None:
         """Add all that was drawn for each copy of each candidate to a record. `present` (R,): the
         copies that their candidates have, if not all."""
-        order = np.argsort(self.copies, kind="stable")
-        copies, first = np.unique(self.copies[order], return_index=True)
-        ends = [*first[1:].tolist(), len(order)]
-        parts = list(zip(copies.tolist(), first.tolist(), ends, strict=True))
-        absent = None if present is None or present.all() else ~present[order]
-        for (place, element), values in self._uniform.items():
-            numbers = values[order, 0]
-            for copy, start, stop in parts:
-                name = coordinate_name(place, element * copy)
-                record.coordinates[name] = numbers[start:stop]
-                if absent is not None and element:
-                    record.absent[name] = absent[start:stop]
-        for (place, element), values in self._drawn.items():
-            drawn = values[order]
-            for copy, start, stop in parts:
-                name = coordinate_name(place, element * copy)
-                record.values[name] = drawn[start:stop]
-                if absent is not None and element:
-                    record.absent[name] = absent[start:stop]
+        for into, drawn in ((record.coordinates, self._uniform), (record.values, self._drawn)):
+            for (place, element), values in drawn.items():
+                if element:
+                    into[place] = self._table(place, values[:, 0], present)
+                    continue
+                column, absent = self._column(values, present)
+                into[place] = column[:, 0] if drawn is self._uniform else column
+                if absent.any():
+                    record.absent[place] = absent
+
+    def _table(self, place: str, values: NDArray[Any], present: Booleans | None) -> CopyDraws:
+        """What was drawn for each of the copies (R,)."""
+        count = self.candidates.count
+        absent = None if present is None or present.all() else ~present
+        if self._most:
+            shape = count, self._most
+            copies = tuple(range(1, self._most + 1))
+            missing = None if absent is None else absent.reshape(shape)
+            return CopyDraws(place, copies, values.reshape(shape), missing)
+        numbers, columns = np.unique(self.copies, return_inverse=True)
+        table = np.zeros((count, len(numbers)), values.dtype)
+        table[self.rows, columns] = values
+        lacking = np.ones(table.shape, bool)
+        lacking[self.rows, columns] = False if absent is None else absent
+        return CopyDraws(place, tuple(numbers.tolist()), table, lacking if lacking.any() else None)
+
+    def _column(
+        self, values: NDArray[Any], present: Booleans | None
+    ) -> tuple[NDArray[Any], Booleans]:
+        """What was drawn once for all copies (R, 1) of a candidate: (V, 1), and (V,) which
+        candidates have no copy."""
+        column = np.zeros((self.candidates.count, 1), values.dtype)
+        column[self.rows] = values
+        absent = np.ones(len(column), bool)
+        absent[self.rows if present is None else self.rows[present]] = False
+        return column, absent

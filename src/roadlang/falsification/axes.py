@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..diagnostics import DiagnosticError
-from ..evaluate.candidates import CandidateBatch, draw_place, fixed_candidate
+from ..evaluate.candidates import CandidateBatch, fixed_candidate
+from ..evaluate.draw_names import draw_place
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -35,7 +36,7 @@ def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
         except DiagnosticError:  # no scene that is accepted has this fault
             continue
         finally:
-            names |= dict.fromkeys(record.coordinates)
+            names |= dict.fromkeys(record.named_coordinates())
     draws = {draw.place: draw for draw in scenario.draws()}
     return tuple(_axis(name, draws.get(draw_place(name)), scenario) for name in names)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Floats, SharedArrays
+from .arrays import Floats, Integers, SharedArrays
 from .errors import GeometryError
 from .spline import PiecewiseCubic
 
@@ -14,6 +14,8 @@ from .spline import PiecewiseCubic
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _FINEST = 64
 _TOLERANCE = 1e-11
+_TOGETHER = 1024
+"""Stretches whose nodes fit the first caches together."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,10 +31,10 @@ class ArcLength(SharedArrays):
         """Refines the table until halving its steps changes no length."""
         cuts = 4
         coarse = subdivided(spline.knots, cuts)
-        lengths = path_lengths(spline, coarse[:-1], coarse[1:])
+        lengths = lengths_of_cuts(spline, coarse, cuts)
         while cuts < _FINEST:
             fine = subdivided(spline.knots, 2 * cuts)
-            halves = path_lengths(spline, fine[:-1], fine[1:])
+            halves = lengths_of_cuts(spline, fine, 2 * cuts)
             together = halves.reshape(-1, 2).sum(axis=1)
             change = np.abs(together - lengths).max()
             cuts, coarse, lengths = 2 * cuts, fine, halves
@@ -83,16 +85,40 @@ def subdivided(knots: Floats, cuts: int) -> Floats:
     return np.concatenate([inner.ravel(), knots[-1:]])
 
 
-def path_lengths(spline: PiecewiseCubic, start: Floats, stop: Floats) -> Floats:
+def lengths_of_cuts(spline: PiecewiseCubic, parameters: Floats, cuts: int) -> Floats:
+    """The length of each step of `parameters`, which are the knots `subdivided` into `cuts`."""
+    piece = np.repeat(np.arange(len(spline.coefficients)), cuts)
+    return path_lengths(spline, parameters[:-1], parameters[1:], piece)
+
+
+def path_lengths(
+    spline: PiecewiseCubic, start: Floats, stop: Floats, piece: Integers | None = None
+) -> Floats:
     """Length of the path from each parameter `start` to `stop`, by Gauss-Legendre quadrature.
 
-    `start` and `stop` must lie in one piece: the speed has kinks at the knots.
+    `start` and `stop` must lie in one piece, `piece` where it is known: the speed has kinks at the
+    knots.
     """
     half = (stop - start) / 2.0
     middle = (stop + start) / 2.0
-    u = middle[..., None] + half[..., None] * _NODES
-    piece, _ = spline.locate(np.minimum(start, middle))
-    t = u - spline.knots[piece][..., None]
-    c = spline.coefficients[piece][..., None, :, :]
-    dx, dy = (c[..., 1, k] + t * (2.0 * c[..., 2, k] + 3.0 * t * c[..., 3, k]) for k in (0, 1))
-    return np.asarray(half * (np.hypot(dx, dy) @ _WEIGHTS))
+    if piece is None:
+        piece, _ = spline.locate(np.minimum(start, middle))
+    halves, middles, pieces = half.reshape(-1), middle.reshape(-1), piece.reshape(-1)
+    speeds = np.empty((half.size, len(_NODES)))
+    for begin in range(0, half.size, _TOGETHER):
+        part = slice(begin, begin + _TOGETHER)
+        _speeds(spline, halves[part], middles[part], pieces[part], into=speeds[part])
+    return np.asarray(half * (speeds.reshape(*half.shape, len(_NODES)) @ _WEIGHTS))
+
+
+def _speeds(
+    spline: PiecewiseCubic, half: Floats, middle: Floats, piece: Integers, into: Floats
+) -> None:
+    """The speed at the nodes (n, 8) around the middles (n,) of stretches."""
+    t = middle[:, None] + half[:, None] * _NODES - spline.knots[piece][:, None]
+    thrice, c = 3.0 * t, spline.coefficients[piece]
+    doubled = 2.0 * c[:, 2]
+    dx, dy = (
+        c[:, 1, k, None] + t * (doubled[:, k, None] + thrice * c[:, 3, k, None]) for k in (0, 1)
+    )
+    np.hypot(dx, dy, out=into)

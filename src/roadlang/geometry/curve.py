@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arclength import ArcLength, path_lengths, subdivided
+from .arclength import ArcLength, lengths_of_cuts, subdivided
 from .arrays import Floats, SharedArrays, cross, finite, finite_points, norm, wrapped
 from .errors import GeometryError
 from .projection import project
@@ -270,4 +270,4 @@ def _summed(steps: Floats) -> Floats:
 
 def _piece_lengths(spline: PiecewiseCubic) -> Floats:
     cuts = subdivided(spline.knots, 4)
-    return np.asarray(path_lengths(spline, cuts[:-1], cuts[1:]).reshape(-1, 4).sum(axis=1))
+    return np.asarray(lengths_of_cuts(spline, cuts, 4).reshape(-1, 4).sum(axis=1))

@@ -123,7 +123,7 @@ def is_unchangeable(value: Any, known: Container[int] = ()) -> bool:
     parameters = getattr(kind, "__dataclass_params__", None)
     if parameters is None or not parameters.frozen:
         return False
-    return _are_unchangeable([getattr(value, name) for name in _changeable(kind)], known)
+    return _are_unchangeable([getattr(value, name) for name in changeable_fields(kind)], known)
 
 
 def _are_unchangeable(values: Iterable[Any], known: Container[int]) -> bool:
@@ -148,7 +148,7 @@ _PLAIN = frozenset(
 
 
 @cache
-def _changeable(kind: Any) -> tuple[str, ...]:
+def changeable_fields(kind: Any) -> tuple[str, ...]:
     """The fields of a dataclass whose values may be changeable."""
     return tuple(f.name for f in kind.__dataclass_fields__.values() if f.type not in _PLAIN)
 
@@ -160,7 +160,7 @@ class Frozen:
 
     def __post_init__(self) -> None:
         kind: Any = type(self)
-        for name in _changeable(kind):
+        for name in changeable_fields(kind):
             value = getattr(self, name)
             if type(value) not in _READ_ONLY and value is not _NOTHING:
                 unchangeable = frozen(value)

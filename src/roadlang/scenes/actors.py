@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
+from itertools import repeat
 from typing import Any
 
 from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
+from ..geometry.arrays import Booleans
 from ..ir.category import category_by_size
 from ..ir.read_only import frozen
+from ..ir.record_columns import records_of
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene import Call, SceneActor, SceneSensor
 from ..ir.values import Measure, PassCall, RandomValue
@@ -89,26 +92,25 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
     candidates = rows.candidates
     where = placed(actor, candidates)
     present = counts(actor, candidates).tolist()
-    columns = [getattr(where, name).tolist() for name in _POSE]
-    kinds = _kinds(actor, rows)
+    columns = {name: getattr(where, name).tolist() for name in _POSE}
+    kinds = _kinds(actor, rows, where.present)
     drives = _calls(tuple(actor.drive), "controllers", actor, rows)
     sensors = _sensors(actor, rows)
     is_agent = actor.name in rows.scenario.agents
     speeds = start_speeds(actor, where, drives, rows) if is_agent else rows.same(())
     routes = scene_routes(actor, rows) if is_agent else rows.same(())
     names = _names(actor, max(present, default=0))
-    found = [
-        tuple(
-            _placed_copy(actor, name, kind, pose, drive, speed, route, sensed)
-            for name, kind, pose, drive, speed, route, sensed in zip(
-                names[:count], kinds[row], zip(*(column[row] for column in columns), strict=True),
-                _of_copies(drives[row], count, ()), _of_copies(speeds[row], count, None),
-                _of_copies(routes[row], count, None), _of_copies(sensors[row], count, ()),
-                strict=False,
-            )
-        )
-        for row, count in enumerate(present)
-    ]  # fmt: skip
+    found = []
+    for row, count in enumerate(present):
+        of_copies = {
+            "name": names[:count],
+            "drive": _of_copies(drives[row], count, ()),
+            "start_speed": _of_copies(speeds[row], count, None),
+            "route": _of_copies(routes[row], count, None),
+            "sensors": _of_copies(sensors[row], count, ()),
+        }
+        pose = {name: column[row][:count] for name, column in columns.items()}
+        found.append(_placed_copies(actor, kinds[row][:count], pose, of_copies))
     if is_agent and may_be_on_network(actor, rows.scenario):
         return [
             tuple(on_network(actor, copy, rows.alone(row)) for copy in copies)
@@ -117,58 +119,56 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
     return found
 
 
-def _placed_copy(
+def _placed_copies(
     actor: ScenarioActor,
-    name: str,
-    kind: tuple[str, float, Any, str, str],
-    pose: tuple[Any, ...],
-    drive: tuple[Call, ...],
-    speed: float | None,
-    route: Any,
-    sensors: tuple[SceneSensor, ...],
-) -> SceneActor:
-    x, y, heading, length, width, start, offset, lane, backward, road = pose
-    kind_name, height, options, category, role = kind
+    kinds: Kinds,
+    pose: Mapping[str, list[Any]],
+    of_copies: Mapping[str, Iterable[Any]],
+) -> tuple[SceneActor, ...]:
+    """The copies of one scene, of a column of each of their members."""
+    if not kinds:
+        return ()
+    kind, height, options, category, role = zip(*kinds, strict=True)
+    if not all(category):
+        sizes = zip(category, pose["length"], pose["width"], height, strict=True)
+        category = tuple([stated or category_by_size(*size) for stated, *size in sizes])
+    roads = {number: name_of_road(actor, number) for number in set(pose["road"])}
     on_road = actor.on is not None
-    return SceneActor(
-        name,
-        actor.name,
-        kind_name,
-        x,
-        y,
-        heading,
-        length,
-        width,
-        height,
-        name_of_road(actor, road),
-        start if on_road else None,
-        offset if on_road else None,
-        lane or None,
-        "back" if backward else "forward",
-        options,
-        drive,
-        speed,
-        route,
-        sensors,
-        category or category_by_size(length, width, height),
-        role,
-    )
+    columns: dict[str, Iterable[Any]] = {
+        **{name: pose[name] for name in ("x", "y", "heading", "length", "width")},
+        "group": repeat(actor.name),
+        "road": [roads[number] for number in pose["road"]],
+        "start": pose["start"] if on_road else repeat(None),
+        "offset": pose["offset"] if on_road else repeat(None),
+        "lane": [lane or None for lane in pose["lane"]],
+        "facing": ["back" if backward else "forward" for backward in pose["backward"]],
+        "kind": kind, "height": height, "options": options, "category": category, "role": role,
+        **of_copies,
+    }  # fmt: skip
+    return tuple(records_of(SceneActor, len(kinds), columns))
 
 
 def _names(actor: ScenarioActor, count: int) -> list[str]:
     return [f"{actor.name}[{copy}]" for copy in range(count)] if is_group(actor) else [actor.name]
 
 
-def _of_copies(values: Sequence[Any], count: int, without: Any) -> Sequence[Any]:
+def _of_copies(values: Sequence[Any], count: int, without: Any) -> Iterable[Any]:
     """A value for each copy, of which there may be one for all, or none."""
-    return values if len(values) >= count else [*(values or (without,))] * count
+    if len(values) >= count:
+        return values[:count]
+    return repeat(values[0] if values else without)
 
 
-def _kinds(actor: ScenarioActor, rows: SceneRows) -> list[Kinds]:
-    if rows.differ(actor.kind):
-        return rows.each(lambda candidate: _shown(kinds_of(actor, candidate).instances))
+def _kinds(actor: ScenarioActor, rows: SceneRows, present: Booleans) -> list[Kinds]:
+    """Of each copy of each scene, of which `present` (V, N) are there."""
     most = most_copies(actor, rows.candidates)
-    instances = kinds_of(actor, rows.candidates).instances[:1]
+    kinds = kinds_of(actor, rows.candidates)
+    if rows.differ(actor.kind):
+        if rows.count > 1:
+            kinds.record_in(rows.record, present.reshape(-1))
+        shown = _shown(kinds.instances)
+        return [shown[row * most : (row + 1) * most] for row in range(rows.count)]
+    instances = kinds.instances[:1]
     key = ("shown kind", actor.name)
     shown = rows.scenario.once(key, lambda: _shown(instances)) if instances else []
     return rows.same(shown * most)

@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import Diagnostic, DiagnosticError
-from ..evaluate.candidates import CandidateBatch, draw_place, fixed_candidate
+from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of
+from ..evaluate.draw_names import draw_place
 from ..evaluate.evaluation import evaluate, named
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.read_only import FrozenDict

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..evaluate.candidate_rows import rows_of
 from ..evaluate.candidates import CandidateBatch
@@ -57,9 +58,7 @@ class SceneRows:
         if not isinstance(value, np.ndarray | tuple | dict | list):
             return self.same(_plain(value, self.candidates))
         if isinstance(value, np.ndarray) and value.size in (1, self.count):
-            items = value.reshape(-1).tolist()
-            if not _are_plain(items):
-                items = [frozen(_plain(item, self.candidates)) for item in items]
+            items = self._items(value)
             return items if len(items) == self.count else items * self.count
         if self.count == 1:
             return [frozen(_plain(value, self.candidates))]
@@ -71,8 +70,16 @@ class SceneRows:
     def draws(self) -> list[FrozenDict[str, Any]]:
         """Every random value by its place, of all that was evaluated so far."""
         self._join_records()
-        values = {name: self.plain(value) for name, value in sorted(self.record.values.items())}
-        return [FrozenDict(row) for row in self.record.rows(values, self.count)]
+        return [*map(FrozenDict, self.record.values_of_rows(self.count, self._items))]
+
+    def _items(self, column: NDArray[Any]) -> list[Any]:
+        """Each value of an array as a scene has it."""
+        items: list[Any] = column.reshape(-1).tolist()
+        if _are_plain(items):
+            return items
+        distinct = {id(item): item for item in items}
+        shown = {key: frozen(_plain(item, self.candidates)) for key, item in distinct.items()}
+        return [shown[id(item)] for item in items]
 
     def _join_records(self) -> None:
         alone = {row: single.record for row, single in self._alone.items() if single.record}

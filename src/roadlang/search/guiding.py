@@ -146,8 +146,9 @@ class _Climb:
         record = DrawRecord()
         candidates = self._candidates(self.measured, count, record=record)
         found = self.acceptance.measure(candidates)
-        self.names = tuple(record.coordinates)
-        columns = [*record.coordinates.values(), np.empty(count)]
+        drawn = record.named_coordinates()
+        self.names = tuple(drawn)
+        columns = [*drawn.values(), np.empty(count)]
         points = np.stack(columns, axis=1)[:, :-1]
         self.points: Floats = np.concatenate([self.points, points]) if self.measured else points
         self.measured += count

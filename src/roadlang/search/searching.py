@@ -53,7 +53,7 @@ def _search_scenes(
     blocks = [range(1)]
     size = next((size for most, size in BLOCKS if n <= most), LARGEST_BLOCK)
     size = min(size, SENT_BLOCK) if pool.workers > 1 else size
-    blocks += [range(start, min(start + size, n)) for start in range(1, n, size)]
+    blocks += _even_blocks(1, n, size)
     for part in (blocks[:1], blocks[1:]):
         most = max(1, min(_MOST_BLOCKS, _MOST_SCENES // size))
         shares = _shares(part, pool.workers, most)
@@ -86,6 +86,13 @@ def _search_stream(
         if progress is not None:
             progress(len(found.samples), len(stream.accepted))
     return found
+
+
+def _even_blocks(start: int, stop: int, size: int) -> list[range]:
+    """Blocks of about `size` scenes: a few that are left over would cost as much as a block."""
+    count = max(1, round((stop - start) / size)) if stop > start else 0
+    ends = [start + (stop - start) * part // count for part in range(1, count + 1)]
+    return [range(*pair) for pair in zip([start, *ends], ends, strict=False)]
 
 
 def _shares(jobs: Sequence[J], workers: int, most: int, alone: int = 1) -> list[Sequence[J]]:

@@ -109,7 +109,7 @@ def _coordinates(loaded: LoadedScenario, scene: SceneRecord) -> dict[str, float]
     indexed = index_scenario(loaded.scenario, loaded.registry)
     number, attempt = np.array([origin.scene]), np.array([origin.attempt])
     driven_scene(CandidateBatch(indexed, origin.seed, number, attempt, None, drawn), 0, {})
-    return {name: float(values[0]) for name, values in drawn.coordinates.items()}
+    return {name: float(values[0]) for name, values in drawn.named_coordinates().items()}
 
 
 def _evaluated(

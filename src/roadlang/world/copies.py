@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,10 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
+from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build, converted, evaluate
 from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Booleans, Floats
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, Measure, PassCall, RandomValue
@@ -76,6 +78,13 @@ class CopyKinds:
     """The kind of each copy, candidates one after the other; equal copies share one."""
 
     instances: tuple[KindInstance, ...]
+    drawn: tuple[tuple[CopyBatch, NDArray[np.intp]], ...] = ()
+    """the copies of which the kind, or options of it, were drawn, and which of all they are"""
+
+    def record_in(self, record: DrawRecord, present: Booleans | None = None) -> None:
+        """Add what was drawn to a record; see `CopyBatch.record_in`."""
+        for copies, index in self.drawn:
+            copies.record_in(record, None if present is None else present[index])
 
     @cached_property
     def lengths(self) -> Floats:
@@ -97,27 +106,32 @@ def kinds_of_copies(actor: ScenarioActor, copies: CopyBatch) -> CopyKinds:
     """What each copy is, its options drawn."""
     scenario = copies.scenario
     if scenario.dependencies.differ(actor.kind):
-        return CopyKinds(tuple(_kinds(actor, copies)))
+        return _kinds(actor, copies)
     first = copies.chosen(np.zeros(1, dtype=np.intp))
-    same = scenario.once(("kind of copies", actor.name), lambda: _kinds(actor, first)[0])
+    make = partial(_kinds, actor, first)
+    same = scenario.once(("kind of copies", actor.name), lambda: make().instances[0])
     return CopyKinds((same,) * copies.count)
 
 
-def _kinds(actor: ScenarioActor, copies: CopyBatch) -> list[KindInstance]:
+def _kinds(actor: ScenarioActor, copies: CopyBatch) -> CopyKinds:
     element = element_of(actor)
     value = evaluate(actor.kind, copies, element)
     calls = value.reshape(-1).tolist() if isinstance(value, np.ndarray) else [scalar(value)]
     if len(calls) == 1:
         calls = calls * copies.count
+    keys = np.array([*map(id, calls)])
     instances: list[KindInstance] = [None] * copies.count  # type: ignore[list-item]
+    drawn = []
     for call in {id(call): call for call in calls}.values():
-        rows = np.array([row for row, other in enumerate(calls) if other is call])
-        for row, found in zip(rows, _instances(call, copies.chosen(rows), element), strict=True):
+        rows = np.flatnonzero(keys == id(call))
+        chosen = copies.chosen(rows)
+        for row, found in zip(rows.tolist(), _instances(call, chosen, element), strict=True):
             instances[row] = found
-    return instances
+        drawn.append((chosen, rows))
+    return CopyKinds(tuple(instances), (*drawn, (copies, np.arange(copies.count))))
 
 
-def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInstance]:
+def _instances(call: PassCall, copies: CopyBatch, element: int) -> Sequence[KindInstance]:
     """The kind of a call for each row: the same where none of its options is drawn."""
     contents = copies.scenario.dependencies.contents(call)
     if not any(isinstance(value, RandomValue | Measure) for value in contents):
@@ -134,8 +148,6 @@ def _instances(call: PassCall, copies: CopyBatch, element: int) -> list[KindInst
                 converted(option, row, copies, element, True) for row in _rows(value, copies.count)
             )
             columns[option.name] = list(map(frozen, converted_rows))
-    if copies.candidates.record is not None and copies.candidates.count == 1:
-        copies.record_in(copies.candidates.record)
     with plugin_guard(entry, call.span):
         return [
             KindInstance(
@@ -163,7 +175,8 @@ def _size(kind: Any, name: str) -> float:
 
 
 def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
-    """The kind of every copy, candidates one after the other."""
+    """The kind of every copy, candidates one after the other. What was drawn for a candidate alone
+    is recorded; of several, where `CopyKinds.record_in` is called."""
 
     def make() -> CopyKinds:
         if most_copies(actor, candidates) == 0:
@@ -171,7 +184,7 @@ def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:
         copies = CopyBatch.every(candidates, most_copies(actor, candidates))
         kinds = kinds_of_copies(actor, copies)
         if candidates.record is not None and candidates.count == 1:
-            copies.record_in(candidates.record)
+            kinds.record_in(candidates.record)
         return kinds
 
     return candidates.once(("kinds", actor.name), make, inherited=False)

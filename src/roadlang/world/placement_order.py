@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import heapq
 
-from ..evaluate.candidates import CandidateBatch, coordinate_name
+from ..evaluate.candidates import CandidateBatch
+from ..evaluate.draw_names import coordinate_name
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.contained_values import values_in
 from ..ir.scenario import ScenarioActor

@@ -6,6 +6,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from . import palette, shapes, trees
@@ -89,12 +90,15 @@ def _drawn_at(place: Sequence[float], actor: SceneActor, shape: str) -> str:
 
 
 def _shape(actor: SceneActor, scale: float) -> str:
-    return "".join(_parts(actor, scale))
+    return _shape_of(actor.category, actor.length * scale, actor.width * scale, _color(actor))
 
 
-def _parts(actor: SceneActor, scale: float) -> Sequence[str]:
-    length, width = actor.length * scale, actor.width * scale
-    category, color = actor.category, _color(actor)
+@lru_cache(maxsize=1024)
+def _shape_of(category: str, length: float, width: float, color: str) -> str:
+    return "".join(_parts(category, length, width, color))
+
+
+def _parts(category: str, length: float, width: float, color: str) -> Sequence[str]:
     if category in _CARS:
         return shapes.car(length, width, color)
     if category == "truck":

@@ -62,7 +62,7 @@ def text(content: str, x: float, y: float, **attributes: object) -> str:
 
 def title(content: str) -> str:
     """What a browser shows when the mouse rests on the parent."""
-    return element("title", escape(_printable(content)))
+    return f"<title>{escape(_printable(content))}</title>"
 
 
 def path_data(points: Floats, closed: bool = False) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from . import palette
-from .markup import element
+from .markup import element, number
 
 
 def car(length: float, width: float, color: str) -> list[str]:
@@ -58,36 +60,54 @@ def pedestrian(length: float, width: float, color: str) -> list[str]:
 def building(length: float, width: float) -> list[str]:
     """A hipped roof, lit from one side."""
     half, side = length / 2, width / 2
-    inset = min(half, side) * 0.9
-    ridge = half - inset
+    ridge = half - min(half, side) * 0.9
+    h, s, r = f"{half:.2f}", f"{side:.2f}", f"{ridge:.2f}"
+    dark = f"-{h},{s} {h},{s} {r},0.00 -{r},0.00"
+    ends = f"-{h},-{s} -{h},{s} -{r},0.00", f"{h},-{s} {h},{s} {r},0.00"
+    box = number(-half), number(-side), number(length), number(width)
+    return [_roof() % (*box, dark, *ends)]
+
+
+@lru_cache(maxsize=1)
+def _roof() -> str:
+    """The drawing of a building, without its numbers."""
     outline = {"stroke": palette.ROOF_LINE, "stroke_width": 0.7, "stroke_linejoin": "round"}
-    dark = [(-half, side), (half, side), (ridge, 0.0), (-ridge, 0.0)]
-    ends = [
-        [(-half, -side), (-half, side), (-ridge, 0.0)],
-        [(half, -side), (half, side), (ridge, 0.0)],
-    ]
-    return [
-        _box(-half, -side, length, width, 0, fill=palette.ROOF_LIGHT, **outline),
-        _polygon(dark, fill=palette.ROOF_DARK, **outline),
-        *(_polygon(end, fill=palette.ROOF_LIGHT, fill_opacity=0.6, **outline) for end in ends),
-    ]
+    parts = (
+        _numberless_box(fill=palette.ROOF_LIGHT, **outline),
+        element("polygon", points="%s", fill=palette.ROOF_DARK, **outline),
+        *[element("polygon", points="%s", fill=palette.ROOF_LIGHT, fill_opacity=0.6, **outline)]
+        * 2,
+    )
+    return "".join(parts)
 
 
 def block(length: float, width: float, color: str) -> list[str]:
     """A kind that has no drawing of its own: its outline, and a mark at its front."""
-    front = [
-        (length / 2, 0.0),
-        (length / 2 - 0.25 * width, -0.25 * width),
-        (length / 2 - 0.25 * width, 0.25 * width),
-    ]
-    return [
-        _box(-length / 2, -width / 2, length, width, 0.1 * width, fill=color, **_outline(width)),
-        _polygon(front, fill=palette.INK, fill_opacity=0.6),
-    ]
+    half, back, side = length / 2, length / 2 - 0.25 * width, 0.25 * width
+    front = f"{half:.2f},0.00 {back:.2f},-{side:.2f} {back:.2f},{side:.2f}"
+    stroke = number(_stroke_width(width))
+    box = number(-half), number(-width / 2), number(length), number(width)
+    return [_outlined_block(color) % (*box, number(0.1 * width), stroke, front)]
+
+
+@lru_cache(maxsize=64)
+def _outlined_block(color: str) -> str:
+    """The drawing of a block, without its numbers."""
+    outline = {"stroke": palette.INK, "stroke_width": "%s"}
+    box = _numberless_box(rx="%s", fill=color, **outline)
+    return box + element("polygon", points="%s", fill=palette.INK, fill_opacity=0.6)
+
+
+def _numberless_box(**attributes: object) -> str:
+    return element("rect", x="%s", y="%s", width="%s", height="%s", **attributes)
 
 
 def _outline(width: float) -> dict[str, object]:
-    return {"stroke": palette.INK, "stroke_width": min(max(0.05 * width, 0.4), 1.4)}
+    return {"stroke": palette.INK, "stroke_width": _stroke_width(width)}
+
+
+def _stroke_width(width: float) -> float:
+    return min(max(0.05 * width, 0.4), 1.4)
 
 
 def _box(
