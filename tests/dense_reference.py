@@ -31,14 +31,18 @@ class DenseReference:
         }
         self.start = max(grid[0][0] for grid in self.grids.values())
         self.end = min(grid[-1][0] for grid in self.grids.values())
-        self._values: dict[Any, Number] = {}
-        self._kinks: dict[Any, list[Fraction]] = {}
+        # By identity: the hash of a formula is that of all its parts, each time it is asked.
+        self._values: dict[tuple[int, Moment], Number] = {}
+        self._kinks: dict[int, list[Fraction]] = {}
+        self._seen: dict[int, Any] = {}
+        self._made: dict[Any, Any] = {}
 
     def rho(self, formula: stl.Formula, time: float) -> float:
         return float(self.value(formula, (Fraction(time), 0)))
 
     def value(self, node: Any, at: Moment) -> Number:
-        key = (node, at)
+        self._seen[id(node)] = node  # kept alive, so that no other one gets its identity
+        key = (id(node), at)
         if key not in self._values:
             self._values[key] = self._value(node, at)
         return self._values[key]
@@ -89,15 +93,20 @@ class DenseReference:
             case stl.Until(_, p, q) | stl.Since(_, p, q):
                 return max(self._witnesses(node, p, q, at), default=-math.inf)
             case stl.Release(interval, p, q):
-                return -of(stl.Until(interval, stl.Not(p), stl.Not(q)))
+                return -of(self._one(stl.Until(interval, stl.Not(p), stl.Not(q))))
             case stl.PastRelease(interval, p, q):
-                return -of(stl.Since(interval, stl.Not(p), stl.Not(q)))
+                return -of(self._one(stl.Since(interval, stl.Not(p), stl.Not(q))))
             case stl.WeakUntil(interval, p, q):
                 to_end = stl.Interval(0, interval.hi if interval else math.inf)
-                return max(of(stl.Until(interval, p, q)), of(stl.Always(to_end, p)))
+                return max(
+                    of(self._one(stl.Until(interval, p, q))), of(self._one(stl.Always(to_end, p)))
+                )
             case stl.WeakSince(interval, p, q):
                 to_end = stl.Interval(0, interval.hi if interval else math.inf)
-                return max(of(stl.Since(interval, p, q)), of(stl.Historically(to_end, p)))
+                return max(
+                    of(self._one(stl.Since(interval, p, q))),
+                    of(self._one(stl.Historically(to_end, p))),
+                )
             case stl.Duration(_, p, op, amount):
                 return self._duration(node, p, op, Fraction(amount), at)
         raise TypeError(node)
@@ -106,7 +115,7 @@ class DenseReference:
         """The greatest level that p has for so long, or (`strict`) for longer."""
         if op in ("<", "<="):
             opposite: Any = {"<": ">=", "<=": ">"}[op]
-            at_least = stl.Duration(node.interval, p, opposite, float(amount))
+            at_least = self._one(stl.Duration(node.interval, p, opposite, float(amount)))
             return -self.value(at_least, at)
         if amount < 0 or (amount == 0 and op == ">="):
             return math.inf
@@ -177,19 +186,24 @@ class DenseReference:
         return sorted({first, last, *(m for m in found if first <= m <= last)})
 
     def _witnesses(self, node: Any, p: Any, q: Any, at: Moment) -> Iterable[Number]:
-        both = stl.And((p, q))
+        both = self._one(stl.And((p, q)))
         for witness in self._moments([p, q, both], self._window(node, at)):
             ends = sorted([at, witness])
             path = [m for m in self._moments([p], (ends[0], ends[1])) if m != witness or m[1]]
             held = [self.value(p, m) for m in path] if witness != at else []
             yield min([self.value(q, witness), *held])
 
+    def _one(self, node: Any) -> Any:
+        """The node made before that equals this one, so that its values are known."""
+        return self._made.setdefault(node, node)
+
     def kinks(self, node: Any) -> list[Fraction]:
         """Times in order, between which the node is linear; both ends are among them."""
-        if node not in self._kinks:
+        self._seen[id(node)] = node
+        if id(node) not in self._kinks:
             times = sorted({t for t in self._candidates(node) if self.start <= t <= self.end})
-            self._kinks[node] = self._needed(node, times)
-        return self._kinks[node]
+            self._kinks[id(node)] = self._needed(node, times)
+        return self._kinks[id(node)]
 
     def _needed(self, node: Any, times: list[Fraction]) -> list[Fraction]:
         kept = times[:1]
@@ -228,10 +242,10 @@ class DenseReference:
 
     def _temporal_candidates(self, node: Any) -> set[Fraction]:
         if isinstance(node, (stl.Release, stl.PastRelease, stl.WeakUntil, stl.WeakSince)):
-            return set(self.kinks(node.expanded()))
+            return set(self.kinks(self._one(node.expanded())))
         parts = list(_parts(node))
         if len(parts) == 2:
-            parts.append(stl.And(tuple(parts)))
+            parts.append(self._one(stl.And(tuple(parts))))
         lo, hi = _bounds(node.interval)
         way = 1 if node.past else -1
         shifts = {way * shift for shift in (Fraction(0), lo, hi) if shift < math.inf}

@@ -29,7 +29,9 @@ class Reference:
         self.positions = [float(position) for position in positions]
         self.signals = signals
         self.wrap = wrap
-        self._known: dict[tuple[stl.Formula, int, object], float] = {}
+        # By identity: the hash of a formula is that of all its parts, each time it is asked.
+        self._known: dict[tuple[int, int, object], float] = {}
+        self._seen: dict[int, stl.Formula] = {}
 
     def rho(self, formula: stl.Formula) -> list[float]:
         return [self._value(formula, k, _margin) for k in range(len(self.positions))]
@@ -40,7 +42,8 @@ class Reference:
     def _value(self, formula: stl.Formula, k: int, leaf: Callable[..., float]) -> float:
         def at(part: stl.Formula, sample: int) -> float:
             sample = sample if self.wrap is None else sample % len(self.positions)
-            key = (part, sample, leaf)
+            self._seen[id(part)] = part  # kept alive, so that no other one gets its identity
+            key = (id(part), sample, leaf)
             if key not in self._known:
                 self._known[key] = self._value(part, sample, leaf)
             return self._known[key]
