@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cache
-from xml.sax.saxutils import escape
+from html import escape
 
 import numpy as np
 
@@ -105,16 +105,17 @@ def _footprint(actor: SceneActor, place: Callable[[Floats, Floats], Floats], sca
     x, y = place(np.array(actor.x), np.array(actor.y)).tolist()
     long, wide = actor.length * scale, actor.width * scale
     turn = f"translate({x:.1f} {y:.1f}) rotate({-np.degrees(actor.heading):.1f})"
+    name = escape(actor.name, quote=False)
     return (
         f'<rect x="{-long / 2:.1f}" y="{-wide / 2:.1f}" width="{long:.1f}" height="{wide:.1f}"'
-        f' transform="{turn}" fill="{_OBJECT}"><title>{escape(actor.name)}</title></rect>'
+        f' transform="{turn}" fill="{_OBJECT}"><title>{name}</title></rect>'
     )
 
 
 def _text(content: str) -> str:
     return (
         f'<text x="{_MARGIN:.0f}" y="{_HEAD - 8:.0f}" fill="{_INK}" font-size="15"'
-        f' font-family="Helvetica, Arial, sans-serif">{escape(content)}</text>'
+        f' font-family="Helvetica, Arial, sans-serif">{escape(content, quote=False)}</text>'
     )
 
 
@@ -160,7 +161,7 @@ def robustness_color(share: float) -> str:
 
 def _mark(point: Floats, agent: AgentTrace, at: int) -> str:
     x, y = point.tolist()
-    label = escape(f"{agent.name} at {float(agent.time[at]):.1f} s")
+    label = escape(f"{agent.name} at {float(agent.time[at]):.1f} s", quote=False)
     return (
         f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9" fill="none" stroke="{_INK}" stroke-width="2">'
         f"<title>{label}</title></circle>"

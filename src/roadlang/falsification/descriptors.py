@@ -55,9 +55,10 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
         places = np.linspace(0.0, road.stations[-1], STATIONS)
         curvature = np.interp(places, road.stations, road.curvature)
     agent = trace.agents.get(name)
-    speed = 0.0 if agent is None or not len(trace.time) else float(np.nanmean(agent.speed))
-    station = closing = 0.0
-    if moment is not None:
+    speed = station = closing = 0.0
+    if moment is None:
+        speed = 0.0 if agent is None or not len(trace.time) else _mean(agent.speed)
+    else:
         speed, station = moment.speed or 0.0, moment.station or 0.0
         closing = moment.closing or 0.0
     behavior = [speed / SPEED, station / STATION, closing / SPEED]
@@ -131,6 +132,11 @@ def _gap(agent: AgentTrace, other: AgentTrace) -> Floats:
     radii = (math.hypot(actor.length, actor.width) / 2.0 for actor in (agent, other))
     apart = np.hypot(agent.x - other.x, agent.y - other.y)
     return np.maximum(apart - sum(radii), 0.0)
+
+
+def _mean(values: Floats) -> float:
+    """Of those that are numbers."""
+    return float(np.nanmean(values) if np.isnan(values).any() else values.mean())
 
 
 def _finite(value: float) -> float | None:

@@ -24,6 +24,7 @@ from .displaced_curvature import SLOWEST, displaced_curvature
 from .errors import GeometryError
 from .folding import fold_of_points, turns_too_much
 from .frame import CurveFrame
+from .smooth_moves import surely_smooth
 
 
 class DisplacedBatch(CurveBatch):
@@ -142,10 +143,19 @@ class MovedBatch(CurveBatch):
     @cached_array
     def folded(self) -> Booleans:
         """(V,) True where a curve, or one that it was made from, is folded."""
+        doubtful = np.ones(self.variants, dtype=bool)
+        if self.along_base:
+            lines = self.points, self.base.points, self.curvature
+            doubtful = ~surely_smooth(*lines, self.gaps, self.closed)
+        if doubtful.any():
+            doubtful[doubtful] = (self if doubtful.all() else self.take(doubtful))._is_folded()
+        return np.asarray(doubtful | self.base.folded)
+
+    def _is_folded(self) -> Booleans:
+        """(V,) the same, without what it was made from."""
         follows = (self.base.points, self.base.steps) if self.along_base else None
         folded = fold_of_points(self.points, self.gaps, self.closed, follows)
-        folded |= turns_too_much(self.curvature, self.steps, self.closed)
-        return np.asarray(folded | self.base.folded)
+        return folded | turns_too_much(self.curvature, self.steps, self.closed)
 
     def take(self, variants: ArrayLike) -> MovedBatch:
         """The variants chosen by index or by mask."""
@@ -189,10 +199,8 @@ def undisplaced(frame: CurveFrame) -> DisplacedBatch:
 def _pushed(base: CurveBatch, displacement: Floats) -> MovedBatch:
     """Along the normal of a batch."""
     points = np.empty((max(len(displacement), base.variants), *base.points.shape[1:]))
-    left = base.normal
-    for axis in (0, 1):
-        np.multiply(displacement, left[..., axis], out=points[..., axis])
-        points[..., axis] += base.points[..., axis]
+    np.subtract(base.points[..., 0], displacement * np.sin(base.heading), out=points[..., 0])
+    np.add(base.points[..., 1], displacement * np.cos(base.heading), out=points[..., 1])
     forward = base.speed * (1.0 - base.curvature * displacement)
     sideways = derivative(displacement, base.stations, base.period)
     return MovedBatch(base, points, (forward, sideways), along_base=True)

@@ -19,6 +19,8 @@ from .route_table import RouteTable
 from .surfaces import BESIDE, TireSurface, below
 from .vehicle import GRAVITY
 
+_AHEAD, _LEFT = np.array(WHEELS).T[:, :, None]
+
 
 @dataclass(frozen=True)
 class Verges:
@@ -107,11 +109,9 @@ class Verges:
         edges = self._edges_at(table, motion, rows)
         along = bodies.half_base[rows] * motion.sine[rows]
         across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
-        beside = np.zeros(len(rows))
-        for i, j in WHEELS:
-            offset = motion.offset[rows] + i * along + j * across
-            beside += (offset > edges[:, 0]) | (offset < edges[:, 1])
-        return 0.25 * beside
+        offset = motion.offset[rows] + _AHEAD * along + _LEFT * across
+        beside = (offset > edges[:, 0]) | (offset < edges[:, 1])
+        return np.asarray(beside.sum(axis=0) / len(WHEELS))
 
     def _edges_at(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
         """(R, 2) how far left of their lines the left and right edges of roads are."""
