@@ -26,8 +26,20 @@ def other_form(
     is_point = isinstance(typed.type, ty.CoordinatesType)  # lists of points have several
     if isinstance(expected, opt.ListType) and not is_point and matches(typed, expected.item):
         meant = f"[{typed.span.text}]"
+        words = _words(typed)
+        if len(words) > 1:  # a command line
+            each = "[" + ", ".join(f'"{word}"' for word in words) + "]"
+            return (f"write `{each}`, or `{meant}` for one item",), (Fix(typed.span, each),)
         return (f"write `{meant}`",), (Fix(typed.span, meant),)
     return (), ()
+
+
+def _words(typed: TypedExpression) -> list[str]:
+    """Of a text that is written out, what is between its spaces."""
+    text = typed.span.text
+    if not isinstance(typed.type, ty.StringType) or text[:1] not in "\"'" or "\\" in text:
+        return []
+    return text[1:-1].split()
 
 
 def _is_pair(typed: TypedExpression) -> bool:
