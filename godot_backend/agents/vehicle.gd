@@ -5,16 +5,10 @@ extends RigidBody3D
 
 const Vehicle := preload("vehicle.gd")
 const Tires := preload("tires.gd")
+const Wheels := preload("wheels.gd")
 const VehicleLook := preload("../shapes/vehicle_look.gd")
 
 const GRAVITY := 9.81
-## Of the four springs and dampers together, per kilogram: 1.4 Hz, half of the critical damping.
-const STIFFNESS := 80.0
-const DAMPING := 9.0
-## How far the springs give way under the weight at rest.
-const SAG := GRAVITY / STIFFNESS
-## Rays to the ground begin this far above the origin.
-const RAY_TOP := 0.5
 const CLEARANCE := 0.2
 ## Deceleration that is wanted from which on the brake lights shine, m/s^2.
 const BRAKE_LIGHTS := 0.7
@@ -24,40 +18,17 @@ const BODY_LAYER := 2
 const ROLL := 0.3
 ## What is narrower is held upright, as by a rider.
 const NARROW := 1.2
-## Below this speed for each second of a tick, slips are those at it: stiffer springs would swing.
-const SLOW_SHARE := 1.2
 
 var size := Vector3(4.5, 1.45, 1.8)
 var wheelbase := 2.7
 var max_steering := 0.61
-## Friction and rolling resistance of surfaces by their numbers, as the world has them.
-var surfaces := PackedVector2Array([Vector2(0.9, 0.0)])
 
 var _mass_height := 0.42
 var _drag := 0.0
-var _rolling := 0.0
-## What soft ground adds to it, m/s^2.
-var _soft := 0.0
-var _power := 60.0
-var _stiffness := Vector2(12.0, 14.0)
 var _lag := 0.0
 var _rate := 1.2
-var _tangent := 0.0
-var _wheels_down := 0
+var _wheels: Wheels
 var _touched: Array[Array] = []
-var _mounts := PackedVector3Array()
-var _ray := PhysicsRayQueryParameters3D.new()
-## `mass`, and where it is and how it moves at the beginning of a tick: read from the engine once.
-var _weighs := 1500.0
-var _pose := Transform3D()
-var _velocity := Vector3.ZERO
-var _spin := Vector3.ZERO
-var _center := Vector3.ZERO
-var _space: PhysicsDirectSpaceState3D
-var _force := Vector3.ZERO
-var _torque := Vector3.ZERO
-## How far above the ground forces across the body act.
-var _lift := 0.0
 var _looks: VehicleLook
 var _headless := DisplayServer.get_name() == "headless"
 
@@ -65,26 +36,24 @@ var _headless := DisplayServer.get_name() == "headless"
 ## Length, height and width in meters; `numbers`: SI units, by the names of the client.
 func assemble(dimensions: Vector3, numbers: Callable) -> void:
 	size = dimensions
-	_weighs = clampf(numbers.call("mass", 1500.0), 20.0, 60000.0)
-	mass = _weighs
 	wheelbase = clampf(numbers.call("wheelbase", 0.6 * size.x), 0.3, size.x)
 	max_steering = clampf(numbers.call("max_steering", 0.61), 0.05, 1.5)
 	_mass_height = clampf(numbers.call("mass_height", 0.28 * size.y), 0.05, size.y)
 	_drag = maxf(numbers.call("drag", 0.0), 0.0)
-	_rolling = maxf(numbers.call("rolling", 0.0), 0.0)
-	_power = maxf(numbers.call("power", 66.0), 0.0)
-	_stiffness = Vector2(
+	_lag = maxf(numbers.call("steering_lag", 0.1), 0.0)
+	_rate = maxf(numbers.call("steering_rate", 1.2), 0.01)
+	_wheels = Wheels.new(wheelbase, size.z, GROUND_LAYER)
+	_wheels.weighs = clampf(numbers.call("mass", 1500.0), 20.0, 60000.0)
+	mass = _wheels.weighs
+	_wheels.rolling = maxf(numbers.call("rolling", 0.0), 0.0)
+	_wheels.power = maxf(numbers.call("power", 66.0), 0.0)
+	_wheels.stiffness = Vector2(
 		maxf(numbers.call("front_stiffness", 12.0), 0.1),
 		maxf(numbers.call("rear_stiffness", 14.0), 0.1)
 	)
-	_lag = maxf(numbers.call("steering_lag", 0.1), 0.0)
-	_rate = maxf(numbers.call("steering_rate", 1.2), 0.01)
-	_lift = _mass_height * (1.0 - ROLL if size.z > NARROW else 1.0)
+	_wheels.lift = _mass_height * (1.0 - ROLL if size.z > NARROW else 1.0)
 	_prepare()
 	_add_shape()
-	for along: float in [0.5, -0.5]:
-		for side: float in [0.5, -0.5]:
-			_mounts.append(Vector3(side * maxf(size.z - 0.25, 0.1), RAY_TOP, along * wheelbase))
 
 
 ## What it looks like; `is_marked`: told apart from all others by an arrow on the roof.
@@ -93,11 +62,13 @@ func dress(category: String, paint: Color, is_marked: bool) -> void:
 	# What nobody sees need not follow the body; exported files get it at its place in the body.
 	_looks.top_level = _headless
 	add_child(_looks)
-	_looks.assemble(category, size, _mounts, paint, is_marked)
+	_looks.assemble(category, size, _wheels.mounts, paint, is_marked)
+	if not _headless:
+		_wheels.looks = _looks
 
 
 func set_surfaces(table: PackedVector2Array) -> void:
-	surfaces = table
+	_wheels.surfaces = table
 
 
 ## Steering angle wanted, left positive, and acceleration wanted along the car. To be called once in
@@ -106,35 +77,34 @@ func command(steer: float, acceleration: float, dt: float) -> void:
 	if freeze:
 		return
 	var wanted := tan(clampf(steer, -max_steering, max_steering))
-	_tangent = Tires.turned(_tangent, wanted, _rate, _lag, dt)
-	_pose = global_transform
-	_velocity = linear_velocity
-	_spin = angular_velocity
-	_center = _pose * center_of_mass
-	_space = get_world_3d().direct_space_state
-	var forward := _pose.basis.z
-	var pace := _velocity.dot(forward)
-	_wheels_down = 0
-	_soft = 0.0
-	_force = -forward * _weighs * _drag * pace * absf(pace)
-	_torque = Vector3.ZERO
-	for i in 4:
-		_add_wheel_forces(i, acceleration, pace, dt)
-	if _wheels_down > 0:
-		var slowing := _rolling + _soft
-		_force -= forward * _weighs * signf(pace) * minf(slowing, absf(pace) / dt)
+	_wheels.tangent = Tires.turned(_wheels.tangent, wanted, _rate, _lag, dt)
+	var pose := global_transform
+	var velocity := linear_velocity
+	var spin := angular_velocity
+	var forward := pose.basis.z
+	var pace := velocity.dot(forward)
+	var weighs := _wheels.weighs
+	_wheels.force = -forward * weighs * _drag * pace * absf(pace)
+	_wheels.torque = Vector3.ZERO
+	var space := get_world_3d().direct_space_state
+	_wheels.roll(space, pose, pose * center_of_mass, velocity, spin, acceleration, pace, dt)
+	var force := _wheels.force
+	var torque := _wheels.torque
+	if _wheels.down > 0:
+		var slowing := _wheels.rolling + _wheels.soft
+		force -= forward * weighs * signf(pace) * minf(slowing, absf(pace) / dt)
 	if size.z <= NARROW:
-		var pull := 4.0 * GRAVITY * _mass_height * _weighs
-		_torque -= forward * pull * (_pose.basis.x.y + 0.5 * _spin.dot(forward))
-	apply_central_force(_force)
-	apply_torque(_torque)
+		var pull := 4.0 * GRAVITY * _mass_height * weighs
+		torque -= forward * pull * (pose.basis.x.y + 0.5 * spin.dot(forward))
+	apply_central_force(force)
+	apply_torque(torque)
 	if not _headless:
-		_looks.roll(pace * dt, atan(_tangent))
+		_looks.roll(pace * dt, atan(_wheels.tangent))
 		_looks.brake(acceleration < -BRAKE_LIGHTS)
 
 
 func steer_angle() -> float:
-	return atan(_tangent)
+	return atan(_wheels.tangent)
 
 
 ## Forward speed.
@@ -153,14 +123,14 @@ func heading() -> float:
 
 ## Wheels on the ground, as bits.
 func wheels_down() -> int:
-	return _wheels_down
+	return _wheels.down
 
 
 ## Puts the car at a place with a speed, wheels straight; from now on physics moves it.
 func place(at: Vector3, toward: float, forward_speed: float) -> void:
 	freeze = false
 	gravity_scale = 1.0
-	_tangent = 0.0
+	_wheels.tangent = 0.0
 	_touched.clear()
 	var turned := Basis(Vector3.UP, toward + PI / 2)
 	global_transform = Transform3D(turned, at)
@@ -186,7 +156,7 @@ func go_on(other: PhysicsBody3D) -> void:
 	angular_velocity = car.angular_velocity
 	gravity_scale = car.gravity_scale
 	freeze = car.freeze
-	_tangent = car._tangent
+	_wheels.tangent = car._wheels.tangent
 
 
 ## Moves it so that it is at a place after the next physics step, unless it is hit.
@@ -228,7 +198,6 @@ func _prepare() -> void:
 	can_sleep = false
 	collision_layer = BODY_LAYER
 	collision_mask = GROUND_LAYER | BODY_LAYER
-	_ray.collision_mask = GROUND_LAYER
 	body_shape_entered.connect(_on_touched)
 
 
@@ -243,56 +212,3 @@ func _add_shape() -> void:
 	collision.shape = box
 	collision.position.y = CLEARANCE + 0.5 * box.size.y
 	add_child(collision)
-
-
-## Adds what the ground does to a wheel: it carries, drives, brakes and steers. `wanted`: the
-## acceleration along the car; `pace`: its speed.
-func _add_wheel_forces(wheel: int, wanted: float, pace: float, dt: float) -> void:
-	var up := _pose.basis.y
-	var place := _pose * _mounts[wheel]
-	_ray.from = place
-	_ray.to = place - up * (RAY_TOP + SAG)
-	var hit := _space.intersect_ray(_ray)
-	if hit.is_empty():
-		return
-	var point: Vector3 = hit.position
-	var normal: Vector3 = hit.normal
-	var height := place.distance_to(point) - RAY_TOP
-	if not _headless:
-		_looks.drop(wheel, height)
-	var arm := point - _center
-	var velocity := _velocity + _spin.cross(arm)
-	var spring := STIFFNESS * (SAG - height) - DAMPING * velocity.dot(normal)
-	if spring <= 0.0:
-		return
-	_wheels_down |= 1 << wheel
-	var load := 0.25 * _weighs * spring
-	# Forces lie in the ground, however the body leans.
-	var along := _pose.basis.z.slide(normal).normalized()
-	var across := normal.cross(along)
-	var aside := across
-	var stiffness := _stiffness.y
-	if wheel < 2:
-		stiffness = _stiffness.x
-		along = (along + aside * _tangent).normalized()
-		aside = normal.cross(along)
-	var collider: Object = hit.collider
-	var number: int = collider.get_meta(&"surface", 0)
-	var surface := surfaces[number if number < surfaces.size() else 0]
-	var friction := surface.x
-	var soft := surface.y * GRAVITY
-	_soft += 0.25 * soft
-	var used := Tires.demand(wanted, pace, _power, friction * GRAVITY, _rolling + soft, dt)
-	var push := Tires.force(
-		velocity.dot(along),
-		velocity.dot(aside),
-		used,
-		load,
-		friction,
-		stiffness / (3.0 * friction),
-		SLOW_SHARE * _stiffness.y * GRAVITY * dt
-	)
-	var force := normal * load + along * push.x + aside * push.y
-	_force += force
-	# Only what acts across the body tips it less: turned wheels that slow it down make it dive.
-	_torque += arm.cross(force) + (normal * _lift).cross(across * force.dot(across))
