@@ -29,7 +29,9 @@ PIECE = 100.0
 """Longest piece, meters: the unit of live edits."""
 SAG = 0.01
 """How far a chord may be from the curve, meters."""
-COARSEST, FINEST = 2.5, 0.4
+TURN = np.deg2rad(2.5)
+"""By how much one chord may turn from the next, where more can be seen: in tight bends."""
+COARSEST, FINEST = 2.5, 0.2
 SHORTEST = 0.05
 """Meters of a stretch with a surface of its own, at least."""
 
@@ -47,7 +49,9 @@ def stations(line: RoadSamples, start: float, end: float) -> Iterator[Floats]:
         length = min(PIECE, end - at)
         near = (line.s >= at - 1.0) & (line.s <= at + length + 1.0)
         bend = float(np.abs(line.curvature[near]).max(initial=0.0))
-        spacing = min(COARSEST, max(FINEST, float(np.sqrt(8 * SAG / max(bend, 1e-9)))))
+        bend = max(bend, 1e-9)
+        spacing = min(float(np.sqrt(8 * SAG / bend)), TURN / bend)
+        spacing = min(COARSEST, max(FINEST, spacing))
         count = int(np.ceil(length / spacing - 1e-9))
         if count + 1 > _MOST:
             count, length = _MOST - 1, (_MOST - 1) * spacing
