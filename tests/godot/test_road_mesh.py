@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from roadlang_godot import protocol
 from roadlang_godot.frame import SceneOrigin
 from roadlang_godot.line import RoadSamples, line_of
-from roadlang_godot.road_mesh import SAG, road_parts, stations
+from roadlang_godot.road_mesh import SAG, TURN, road_parts, stations
 from roadlang_godot.scene_part import ScenePart
 from tests.godot.godot_scenes import bend, bends, pieces, road, straight
 
@@ -50,6 +50,15 @@ def test_chords_stay_near_the_curve(radius: float, turn: float) -> None:
         ends = line.at(s)[0]
         away = np.hypot(*((ends[:-1] + ends[1:]) / 2 - middle).T)
         assert away.max() < 1.5 * SAG
+
+
+@given(st.floats(6, 30), st.floats(60, 170))
+def test_tight_bends_have_no_facets_that_can_be_seen(radius: float, turn: float) -> None:
+    line = line_of(road("r", pieces(straight(20), bend(radius, turn), straight(20))))
+    corners = np.concatenate([line.at(s[:-1])[0] for s in stations(line, 0.0, line.length)])
+    chords = np.diff(corners, axis=0)
+    turns = np.diff(np.unwrap(np.arctan2(chords[:, 1], chords[:, 0])))
+    assert np.abs(turns).max() < 1.2 * TURN
 
 
 def test_the_pieces_cover_the_road_and_no_more() -> None:
