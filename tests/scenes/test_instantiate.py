@@ -90,3 +90,8 @@ def test_a_typed_ring_that_meets_no_other_road_is_a_scene(sample: Sample) -> Non
     (road,) = scene.roads
     assert road.closed
     assert road.length == pytest.approx(32 + 8 * np.pi, rel=2e-3)  # of chords
+
+
+def test_a_part_of_the_day_is_a_time(sample: Sample) -> None:
+    (scene,) = sample("world { time_of_day: dusk, weather: rain }").scenes
+    assert dict(scene.world) == {"time_of_day": 18 * 3600.0, "weather": "rain"}

@@ -128,3 +128,17 @@ def test_a_thing_in_the_lane_is_in_the_way_each_time_that_a_route_comes_by() -> 
     passes = int((np.diff(near.astype(int)) == 1).sum())
     assert passes >= 2
     assert len(Obstacles.of(world).begin) == passes
+
+
+def test_riders_keep_the_balance_when_they_brake_in_a_bend() -> None:
+    (trace,) = drive("""
+    road pass { draw with segments { pieces: [arc(radius: 67m, angle: -90deg)] }, lanes: 2 }
+    agent ego is bicycle on pass at 10m {
+      start_speed: 13.5m/s
+      drive with traffic { speed: 12m/s }
+      drive with brake { when: time > 0.2s }
+    }
+    """, duration=4)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert ego.speed[-1] < 0.1
+    assert np.abs(ego.cross_track_error).max() < 0.3

@@ -17,6 +17,7 @@ class Present(DriveSignal):
 
     name: ClassVar[str] = "present"
     unit: ClassVar[str] = ""
+    is_integer: ClassVar[bool] = True
     looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 

@@ -18,6 +18,7 @@ class LaneSignal(DriveSignal):
 
     name: ClassVar[str] = "lane"
     unit: ClassVar[str] = ""
+    is_integer: ClassVar[bool] = True
     looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 
@@ -90,6 +91,7 @@ class RedLight(DriveSignal):
 
     name: ClassVar[str] = "red_light"
     unit: ClassVar[str] = ""
+    is_integer: ClassVar[bool] = True
     looks_back: ClassVar[float] = 0
     agent: AgentName = option(help="the agent")
 

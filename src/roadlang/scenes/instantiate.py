@@ -20,6 +20,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.read_only import FrozenDict
 from ..ir.scenario import Input, ScenarioConstraint
 from ..ir.scene import Call, Provenance, Scene, SceneSignal, Verdict
+from ..ir.times_of_day import TIMES_OF_DAY
 from ..ir.values import Condition, PassCall, Value
 from ..judging.profiles import scene_signals, with_profiles
 from ..judging.verdicts import verdict, verdicts
@@ -139,6 +140,8 @@ def _driven(
     source, candidates = rows.scenario.source, rows.candidates
     values = {item.name: rows.plain(named(item.name, candidates)) for item in source.values}
     world = {name: rows.plain(evaluate(value, candidates)) for name, value in source.world.items()}
+    if "time_of_day" in world:
+        world["time_of_day"] = [TIMES_OF_DAY.get(time, time) for time in world["time_of_day"]]
     objects = scene_actors(source.objects, rows)
     legend = legend_objects(candidates)
     if legend:

@@ -30,6 +30,8 @@ class Context:
     verbs: tuple[str, ...] = ()
     fresh: bool = False
     drive_time: bool = False
+    of_controller: bool = False
+    """Whether it is an option of a controller, which looks at whom it names while driving"""
     strings: bool = False
     """A bare name that means nothing else is a string, as in `--set weather=rain`."""
     roles: tuple[str, ...] = ()
@@ -44,6 +46,7 @@ class Context:
         return replace(
             self,
             place=f"{self.place}/{name}",
+            drive_time=self.drive_time or (self.of_controller and bool(roles_in(option))),
             words=words,
             verbs=verbs_in(option),
             strings=False,

@@ -198,3 +198,31 @@ def test_every_two_points_of_a_grid_of_streets_are_joined(
 ) -> None:
     graph = graph_of(grid())
     assert_drivable(graph, through(graph, (x, y), (u, v)))
+
+
+def test_a_random_route_keeps_off_lanes_that_bend_more_than_its_vehicle_can() -> None:
+    hairpin = [
+        (0.0, 0.0),
+        (60.0, 0.0),
+        (66.0, 2.0),
+        (69.0, 7.0),
+        (66.0, 12.0),
+        (60.0, 14.0),
+        (0.0, 16.0),
+    ]
+    network = network_of_polylines(
+        [hairpin, [(0.0, 0.0), (-80.0, 0.0)], [(0.0, 0.0), (0.0, -80.0)]], 7.0
+    )
+    graph = graph_of(network)
+    sharpest = {lane.edge: graph.sharpest_bend(n) for n, lane in enumerate(graph.lanes)}
+    assert sharpest[1] > 1 / 12
+    assert max(sharpest[2], sharpest[3]) < 1e-6
+    start = next(n for n, lane in enumerate(graph.lanes) if lane.edge == 2 and lane.backward)
+    entered = []
+    for limit in (math.inf, 1 / 12):
+        routes = [
+            random_route(graph, RoutePlace(start, graph.begin[start]), 200.0, (k + 0.5) / 20, limit)
+            for k in range(20)
+        ]
+        entered.append({road for route in routes for road in roads_of(graph, route)})
+    assert entered == [{1, 2, 3}, {2, 3}]

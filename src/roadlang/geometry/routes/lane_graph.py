@@ -8,11 +8,17 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, TypeVar
 
+import numpy as np
+
 from ..cross_section import CrossSection
 from ..junctions.model import NO_JUNCTION, JunctionPlan, LaneEnd
 from ..network import Edge
 
 T = TypeVar("T")
+BEND = 3.0
+"""Meters over which a bend is measured: shorter ones are those of the drawing"""
+NO_STEP = 0.1
+"""Meters: a lane whose middle hardly goes on is as sharp as if it went on so far."""
 LANE_CHANGE = 20.0
 """Meters of road that a route leaves for each change of lane"""
 
@@ -68,6 +74,7 @@ class LaneGraph:
     """by edge, along its curve"""
     edges: Mapping[int, Edge]
     _searched: dict[int, Any] = field(default_factory=dict)
+    _bends: dict[int, float] = field(default_factory=dict)
 
     def searched(self, source: int, search: Callable[[LaneGraph, int], T]) -> T:
         """What `search` finds from a lane on, searched for once."""
@@ -79,6 +86,24 @@ class LaneGraph:
     def length(self, lane: int) -> float:
         """Meters from where traffic enters a lane to where it leaves it."""
         return abs(self.end[lane] - self.begin[lane])
+
+    def sharpest_bend(self, lane: int) -> float:
+        """1/m: the greatest curvature of the middle of a lane, over a few meters."""
+        if lane not in self._bends:
+            self._bends[lane] = self._sharpest_bend(lane)
+        return self._bends[lane]
+
+    def _sharpest_bend(self, lane: int) -> float:
+        edge, id = self.lanes[lane].edge, self.lanes[lane].lane
+        curve, low, high = self.edges[edge].curve, *sorted((self.begin[lane], self.end[lane]))
+        count = int((high - low) // BEND)
+        if count < 1:
+            return 0.0
+        at = np.linspace(low, high, count + 1)
+        middle = curve.at(at) + self.sections[edge].offset(id, at)[:, None] * curve.normal(at)
+        steps = np.hypot(*np.diff(middle, axis=0).T)
+        turned = np.abs(np.diff(curve.heading(at)))
+        return float((turned / np.maximum(steps, NO_STEP)).max())
 
     def room(self, lane: int, station: float) -> float:
         """Meters from an arc length to where traffic leaves the lane; negative beyond."""

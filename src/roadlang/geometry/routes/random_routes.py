@@ -22,8 +22,8 @@ def random_route(
     number: float,
     sharpest: float = math.inf,
 ) -> PlannedRoute:
-    """From a place on, until `length` meters are driven, the lanes end, or all turns are sharper
-    than `sharpest`, 1/m.
+    """From a place on, until `length` meters are driven, the lanes end, or all turns, or the lanes
+    that they lead into, bend more than `sharpest`, 1/m.
 
     All roads that can be turned into are equally likely. `number` in [0, 1) decides: its leading
     digits the first turn, those after it the next, so that close numbers begin alike.
@@ -63,5 +63,10 @@ def _options(graph: LaneGraph, lane: int, room: float, sharpest: float) -> list[
         found.setdefault((target.edge, target.backward), exit_)
     onward = [exit_ for exit_ in found.values() if exit_.turn.turn != "u"]
     options = onward or list(found.values())
-    options = [item for item in options if item.turn.curvature <= sharpest]
+    if sharpest < math.inf:
+        options = [item for item in options if _sharpest(graph, item) <= sharpest]
     return sorted(options, key=lambda item: (item.turn.junction, item.turn.connection))
+
+
+def _sharpest(graph: LaneGraph, exit_: Exit) -> float:
+    return max(exit_.turn.curvature, graph.sharpest_bend(exit_.turn.target))

@@ -36,7 +36,7 @@ class Kind:
     member: ClassVar[bool] = False
     """a number or signal of an agent or object, written `ego.speed` instead of `speed(ego)`"""
     is_integer: ClassVar[bool] = False
-    """a number whose values are integers"""
+    """a number or signal whose values are integers"""
     domain: ClassVar[str] = "road"
     """whether it is about roads ("road") or about drives ("drive")"""
     geometry_is_user_input: ClassVar[bool] = False

@@ -79,7 +79,7 @@ def lower_pass(
     found = find_kind(checker, verb, item.kind.text, item.kind.span)
     if found is None:
         return None
-    common = spec.common_options(verb)
+    common, context = spec.common_options(verb), replace(context, of_controller=verb == "drive")
     owner = f"`{display_name(verb, item.kind.text)}`"
     return lower_call(checker, found, item.block, common, context, owner, item.kind.span, item.span)
 

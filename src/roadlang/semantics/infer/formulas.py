@@ -64,9 +64,8 @@ def infer_comparison(
 
 
 def _is_integer(typed: TypedExpression) -> bool:
-    return (
-        isinstance(typed.type, Quantity) and typed.type.is_integer and typed.type.dimension.is_pure
-    )
+    kind = typed.type
+    return isinstance(kind, Quantity | SignalType) and kind.is_integer and kind.dimension.is_pure
 
 
 def _formula(

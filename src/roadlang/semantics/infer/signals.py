@@ -40,7 +40,7 @@ def measured(
     domain = _DOMAINS[verb]
     return TypedExpression(
         span,
-        SignalType(domain, dimension),
+        SignalType(domain, dimension, found.kind.is_integer),
         term=Variable(text),
         evidence=DomainEvidence(domain, span, " ".join(span.text.split())),
         signals=(SignalBinding(text, call, dimension),),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
+from ...ir.times_of_day import TIMES_OF_DAY
 from ...plugins.annotations import Angle, Duration, Length, Number, Speed, Word
 from ...plugins.option_types import RecordType
 from ...plugins.options import option
@@ -34,7 +35,12 @@ class WorldOptions:
     """Options of `world`: light, weather and friction. A backend warns of those it ignores."""
 
     time_of_day: Duration = option(
-        None, minimum=0, maximum=86400, help="time since midnight", example="14h"
+        None,
+        words=tuple(TIMES_OF_DAY),
+        minimum=0,
+        maximum=86400,
+        help="time since midnight, or a part of the day; `night` is midnight",
+        example="14h",
     )
     weather: Word = option(
         None,

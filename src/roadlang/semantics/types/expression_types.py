@@ -95,6 +95,7 @@ class SignalType:
 
     domain: str
     dimension: Dimension
+    is_integer: bool = False
 
     def __str__(self) -> str:
         return f"a {self.domain} signal"
