@@ -211,7 +211,7 @@ def test_a_random_route_keeps_off_lanes_that_bend_more_than_its_vehicle_can() ->
         (0.0, 16.0),
     ]
     network = network_of_polylines(
-        [hairpin, [(0.0, 0.0), (-80.0, 0.0)], [(0.0, 0.0), (0.0, -80.0)]], 7.0
+        [hairpin, [(0.0, 0.0), (-80.0, 0.0)], [(0.0, 0.0), (80.0, -60.0)]], 7.0
     )
     graph = graph_of(network)
     sharpest = {lane.edge: graph.sharpest_bend(n) for n, lane in enumerate(graph.lanes)}
@@ -225,4 +225,5 @@ def test_a_random_route_keeps_off_lanes_that_bend_more_than_its_vehicle_can() ->
             for k in range(20)
         ]
         entered.append({road for route in routes for road in roads_of(graph, route)})
-    assert entered == [{1, 2, 3}, {2, 3}]
+    assert 1 in entered[0]
+    assert 1 not in entered[1]
