@@ -20,25 +20,26 @@ if TYPE_CHECKING:
     from roadlang.geometry import Booleans, Floats
 
 SIGHT = 200.0
-"""Meters in which others are looked for."""
+"""Meters: other vehicles farther away are ignored."""
 SLOWEST = 1.0
-"""m/s: a change begins no slower."""
+"""m/s: at lower speeds a lane change begins only by pulling out."""
 BESIDE = ("shoulder", "parking")
-"""Lanes beside those for traffic in which one may stand, in this order."""
+"""Kinds of lanes beside the driving lanes in which vehicles may stop, in order of preference."""
 NEXT = 6.0
 """Meters: a lane whose middle is farther away is not the next one."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 CLEAR = 1.0
-"""Meters from the middle of the new lane from which on it drives on as always."""
+"""Meters from the middle of the new lane at which pulling out ends."""
 CLOSEST = 3.0
-"""Meters to what stands still that remain when it is clear of it."""
+"""Meters: the gap that must remain to a standing vehicle when the old lane has been left."""
 CREEPING_ACCELERATION = 2.0
 """m/s^2"""
 _PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME, _CLOSE = range(6)
 ABORT_GAP_SHARE = 0.4
-"""Share of the room to begin a change that must remain on the first half of it."""
+"""A change is aborted when less than this share of the gap needed to begin it remains, during its
+first half."""
 BACK_TIME = 2.0
-"""Seconds in which who turns back is in its lane again, at most."""
+"""Seconds: the maximum duration of the return after an aborted change."""
 
 
 _SIGNS = {"left": 1.0, "right": -1.0}
@@ -73,8 +74,8 @@ class ChangeLane(Controller):
     force: Flag = option(False, help="change lanes even if there is no room")
 
     def start(self, count: int) -> NDArray[np.float64]:
-        """Of each agent: phase, offsets of the new and of the old lane, time since the change has
-        begun, time that it takes, and whether it pulls out from close behind something."""
+        """(count, 6) of each agent: phase, offsets of the new and of the old lane, time since the
+        start of the change, its duration, and whether it pulls out from close behind something."""
         import numpy as np
 
         return np.zeros((count, 6))
@@ -112,8 +113,8 @@ class ChangeLane(Controller):
         return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
 
     def _begin(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> Floats:
-        """Those who wait and have room. (N,) acceleration of those who still wait behind something
-        that stands still, NaN for all others."""
+        """Begin the change of waiting vehicles that have room. Returns (N,) accelerations of those
+        that go on waiting behind a standing vehicle or object, NaN for all others."""
         import numpy as np
 
         target = self._target(seen)
@@ -139,7 +140,7 @@ class ChangeLane(Controller):
         return held_back(seen, gap, pace, waits & ~fits)
 
     def _stopped_short(self, seen: ObservationBatch, state: Any) -> None:
-        """Those on their way before whom somebody has stopped creep out."""
+        """Vehicles that had to stop during the change, because the one ahead did, pull out."""
         import numpy as np
 
         gap, pace = ahead_in_lane(seen)
@@ -150,7 +151,7 @@ class ChangeLane(Controller):
         state[short, _CLOSE] = 1.0
 
     def _turn_back(self, seen: ObservationBatch, near: Any, state: Any, line: Floats) -> None:
-        """Those on the first half whose room is taken."""
+        """Abort changes whose gap closes during the first half."""
         import numpy as np
 
         if near is None:

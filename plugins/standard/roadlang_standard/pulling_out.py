@@ -1,4 +1,4 @@
-"""Pulling out from behind what stands still: how far away to wait, and how to begin."""
+"""Pulling out from behind a standing vehicle or object: where to wait, and how to begin."""
 
 from __future__ import annotations
 
@@ -12,28 +12,31 @@ if TYPE_CHECKING:
     from roadlang.geometry import Booleans, Floats
 
 PULL_OUT = 8.0
-"""Meters before something that stands still at which it waits, so that it can pull out."""
+"""Meters behind a standing vehicle or object at which a vehicle waits, so that it can pull out."""
 QUEUE = 5.0
-"""m/s: what is slower may be about to stand still."""
+"""m/s: a slower vehicle ahead counts as one that may stop."""
 EASE = 1.5
-"""m/s^2: from this deceleration on it brakes for what stands still."""
+"""m/s^2: braking begins when stopping in time needs at least this deceleration."""
 BACK_OFF = 6.0
-"""m/s^2: deceleration of who gives up, at most."""
+"""m/s^2: the maximum deceleration of a vehicle that stops behind it."""
 TIGHTEST = 2.7
-"""Meters: from less behind something that stands still nobody can pull out."""
+"""Meters: with a smaller gap ahead no vehicle can pull out."""
 CLEARED = 0.65
-"""Share of the time of a lane change after which it is clear of what it passes."""
+"""Share of the duration of a lane change after which a vehicle no longer overlaps the lane that it
+leaves."""
 CREEPING = 1.5
-"""m/s at which it pulls out from close behind, with the wheels turned as far as they go."""
+"""m/s: the speed of pulling out from close behind, with the front wheels fully turned."""
 SLOWEST, TURNED = 0.4, 0.1
-"""m/s until it has turned by so many radians: its wheels turn before it moves."""
+"""m/s, and radians: until its heading has changed by so much, it moves at most this fast, so that
+the front wheels turn first."""
 LOOKAHEAD = 3.0
-"""Meters on to which it steers then."""
+"""Meters: the lookahead distance while it pulls out."""
 
 
 def held_back(seen: ObservationBatch, gap: Floats, pace: Floats, waits: Booleans) -> Floats:
-    """(N,) acceleration of who `waits` behind something that stands still, or soon may, where it
-    can still pull out; `gap` and `pace` are of what is ahead. NaN for who need not brake."""
+    """(N,) accelerations of the vehicles in `waits` that must stop behind a standing vehicle or
+    object, or one that may stop, with enough distance to pull out; NaN for those that need not
+    brake. `gap` and `pace`: distance to what is ahead, and its speed."""
     import numpy as np
 
     waits = waits & (pace < QUEUE) & (gap > 0.0)
@@ -46,14 +49,14 @@ def held_back(seen: ObservationBatch, gap: Floats, pace: Floats, waits: Booleans
 
 
 def can_creep_out(seen: ObservationBatch, gap: Floats, aside: Floats | float = 0.0) -> Booleans:
-    """(N,) who is slow and far enough behind what stands `gap` meters ahead; who is `aside` meters
-    on its way already needs less."""
+    """(N,) which vehicles are slow enough, and far enough behind what stands `gap` meters ahead, to
+    pull out; one that is already displaced by `aside` meters needs a smaller gap."""
     return (gap > TIGHTEST - aside) & (seen.speed < 2.0 * CREEPING)
 
 
 def creeping_out(seen: ObservationBatch, acceleration: Floats | float) -> tuple[Floats, Floats]:
-    """(N,) steering and acceleration of who pulls out from close behind something: `acceleration`
-    at most."""
+    """(N,) steering angles and accelerations, at most `acceleration`, of vehicles that pull out from
+    close behind a standing vehicle or object."""
     import numpy as np
 
     turned = np.abs(seen.heading_error) > TURNED
