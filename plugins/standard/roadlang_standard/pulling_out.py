@@ -55,8 +55,8 @@ def can_creep_out(seen: ObservationBatch, gap: Floats, aside: Floats | float = 0
 
 
 def creeping_out(seen: ObservationBatch, acceleration: Floats | float) -> tuple[Floats, Floats]:
-    """(N,) steering angles and accelerations, at most `acceleration`, of vehicles that pull out from
-    close behind a standing vehicle or object."""
+    """(N,) steering angles and accelerations, at most `acceleration`, of vehicles that pull out
+    from close behind a standing vehicle or object."""
     import numpy as np
 
     turned = np.abs(seen.heading_error) > TURNED
