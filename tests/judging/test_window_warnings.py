@@ -74,3 +74,19 @@ def test_windows_over_drives_are_warned_of_and_fail_if_strict(
     for drive in drives:
         found = [drive.verdicts[name].satisfied for name in ("far", "narrow", "fair")]
         assert found == [satisfied, satisfied, True]
+
+
+def test_a_search_for_failures_warns_of_windows_over_roads_and_drives(tmp_path: Path) -> None:
+    text = DRIVE.replace("12m/s", "(8m/s)..(12m/s)")
+    file = tmp_path / "scene.rl"
+    expectations = (
+        f"expect along: always{BETWEEN}",
+        "expect far: always[5s, 6s] (ego.speed > 99m/s)",
+        "expect narrow: always[0.012s, 0.02s] (ego.speed > 99m/s)",
+        "expect never: always (ego.speed > 99m/s)",
+    )
+    for count, warned in ((3, {("RL308", 7), ("RL308", 9), ("RL313", 8)}),
+                          (4, {("RL308", 7), ("RL308", 9)})):  # fmt: skip
+        # Where every drive fails, each may have ended before a window of another expectation.
+        file.write_text(ROAD + text + "\n".join(expectations[:count]))
+        assert set(told(roadlang.load(file).falsify(evaluations=3).diagnostics)) == warned

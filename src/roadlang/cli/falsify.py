@@ -85,12 +85,7 @@ def command(
             **options,
         )
     search.write(target)
-    if as_json:
-        from ..session.falsification_files import summary
-
-        click.echo(json.dumps(summary(search), indent=2))
-    else:
-        _print(search, target)
+    _print(search, target, as_json)
     click.get_current_context().exit(_exit_code(search))
 
 
@@ -100,7 +95,13 @@ def _exit_code(search: Falsification) -> int:
     return exit_codes.DONE if search.driven else exit_codes.NO_SCENE
 
 
-def _print(search: Falsification, target: Path) -> None:
+def _print(search: Falsification, target: Path, as_json: bool) -> None:
+    report(search.diagnostics)
+    if as_json:
+        from ..session.falsification_files import summary
+
+        click.echo(json.dumps(summary(search), indent=2))
+        return
     for failure in search.failures[:_SHOWN]:
         echo(_line(failure))
     more = len(search.failures) - _SHOWN

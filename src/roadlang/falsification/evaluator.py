@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import DiagnosticError
+from ..diagnostics import Diagnostic, DiagnosticError
 from ..drive.simulators import Driven, drive_scenes, simulator_call
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
@@ -18,6 +18,7 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..judging.acceptance import Acceptance, Measurements
+from ..judging.window_warnings import road_window_warnings
 from ..plugins.finding import entry_of
 from ..plugins.kinds import Axis
 from ..plugins.registry import Registry
@@ -150,6 +151,10 @@ class Evaluator:
         numbers = [proposal.index for proposal in proposals]
         made = all_concrete_scenes(candidates, numbers, self.task.overrides)
         return [self._with_simulator(found.scene) for found in made]
+
+    def window_warnings(self, proposal: Proposal) -> tuple[Diagnostic, ...]:
+        """Of formulas over the roads of a scene whose windows hold no sample of them."""
+        return road_window_warnings(self._candidates([proposal]))
 
     def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
         """What came of a drive. Raises DiagnosticError where an expectation has no verdict."""

@@ -115,10 +115,13 @@ def _speeds(
     spline: PiecewiseCubic, half: Floats, middle: Floats, piece: Integers, into: Floats
 ) -> None:
     """The speed at the nodes (n, 8) around the middles (n,) of stretches."""
-    t = middle[:, None] + half[:, None] * _NODES - spline.knots[piece][:, None]
+    # Node by node: rows of n numbers are worked through several times as fast as rows of eight.
+    t = middle + half * _NODES[:, None] - spline.knots[piece]
     thrice, c = 3.0 * t, spline.coefficients[piece]
-    doubled = 2.0 * c[:, 2]
-    dx, dy = (
-        c[:, 1, k, None] + t * (doubled[:, k, None] + thrice * c[:, 3, k, None]) for k in (0, 1)
-    )
-    np.hypot(dx, dy, out=into)
+    dx, dy = (_derivative(c[:, :, k], t, thrice) for k in (0, 1))
+    into[:] = np.hypot(dx, dy).T
+
+
+def _derivative(coefficients: Floats, t: Floats, thrice: Floats) -> Floats:
+    first, second, third = np.ascontiguousarray(coefficients[:, 1:].T)
+    return np.asarray(first + t * (2.0 * second + thrice * third))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
+from dataclasses import fields
 from itertools import repeat
 from typing import Any, TypeVar
 
@@ -18,7 +19,7 @@ def records_of(kind: type[T], count: int, columns: Mapping[str, Iterable[Any]]) 
     made = [*map(object.__new__, repeat(kind, count))]
     of_kind: Any = kind
     changeable = changeable_fields(of_kind)
-    for name in of_kind.__dataclass_fields__:
+    for name in [field.name for field in fields(of_kind)]:
         values = columns[name]
         if name in changeable:
             values = _frozen(values)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
-from itertools import repeat
+from itertools import islice, repeat
 from typing import Any
 
 from ..evaluate.candidates import CandidateBatch, fixed_candidate
@@ -13,6 +14,7 @@ from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Booleans
 from ..ir.category import category_by_size
+from ..ir.placed_batch import PlacedBatch
 from ..ir.read_only import frozen
 from ..ir.record_columns import records_of
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
@@ -92,7 +94,6 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
     candidates = rows.candidates
     where = placed(actor, candidates)
     present = counts(actor, candidates).tolist()
-    columns = {name: getattr(where, name).tolist() for name in _POSE}
     kinds = _kinds(actor, rows, where.present)
     drives = _calls(tuple(actor.drive), "controllers", actor, rows)
     sensors = _sensors(actor, rows)
@@ -100,41 +101,40 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
     speeds = start_speeds(actor, where, drives, rows) if is_agent else rows.same(())
     routes = scene_routes(actor, rows) if is_agent else rows.same(())
     names = _names(actor, max(present, default=0))
-    found = []
-    for row, count in enumerate(present):
-        of_copies = {
-            "name": names[:count],
-            "drive": _of_copies(drives[row], count, ()),
-            "start_speed": _of_copies(speeds[row], count, None),
-            "route": _of_copies(routes[row], count, None),
-            "sensors": _of_copies(sensors[row], count, ()),
-        }
-        pose = {name: column[row][:count] for name, column in columns.items()}
-        found.append(_placed_copies(actor, kinds[row][:count], pose, of_copies))
+    columns = {
+        "name": [name for count in present for name in names[:count]],
+        "drive": _of_copies(drives, present, ()),
+        "start_speed": _of_copies(speeds, present, None),
+        "route": _of_copies(routes, present, None),
+        "sensors": _of_copies(sensors, present, ()),
+    }
+    shown = [kind for count, of_scene in zip(present, kinds, strict=True)
+             for kind in of_scene[:count]]  # fmt: skip
+    copies = iter(_placed_copies(actor, where, shown, columns))
+    found = [tuple(islice(copies, count)) for count in present]
     if is_agent and may_be_on_network(actor, rows.scenario):
         return [
-            tuple(on_network(actor, copy, rows.alone(row)) for copy in copies)
-            for row, copies in enumerate(found)
+            tuple(on_network(actor, copy, rows.alone(row)) for copy in of_scene)
+            for row, of_scene in enumerate(found)
         ]
     return found
 
 
 def _placed_copies(
-    actor: ScenarioActor,
-    kinds: Kinds,
-    pose: Mapping[str, list[Any]],
-    of_copies: Mapping[str, Iterable[Any]],
-) -> tuple[SceneActor, ...]:
-    """The copies of one scene, of a column of each of their members."""
+    actor: ScenarioActor, where: PlacedBatch, kinds: Kinds, columns: Mapping[str, Iterable[Any]]
+) -> list[SceneActor]:
+    """The copies of all scenes, one scene after the other."""
     if not kinds:
-        return ()
+        return []
+    there = where.present.astype(bool)
+    pose = {name: getattr(where, name)[there].tolist() for name in _POSE}
     kind, height, options, category, role = zip(*kinds, strict=True)
     if not all(category):
         sizes = zip(category, pose["length"], pose["width"], height, strict=True)
         category = tuple([stated or category_by_size(*size) for stated, *size in sizes])
     roads = {number: name_of_road(actor, number) for number in set(pose["road"])}
     on_road = actor.on is not None
-    columns: dict[str, Iterable[Any]] = {
+    whole: dict[str, Iterable[Any]] = {
         **{name: pose[name] for name in ("x", "y", "heading", "length", "width")},
         "group": repeat(actor.name),
         "road": [roads[number] for number in pose["road"]],
@@ -143,20 +143,26 @@ def _placed_copies(
         "lane": [lane or None for lane in pose["lane"]],
         "facing": ["back" if backward else "forward" for backward in pose["backward"]],
         "kind": kind, "height": height, "options": options, "category": category, "role": role,
-        **of_copies,
+        **columns,
     }  # fmt: skip
-    return tuple(records_of(SceneActor, len(kinds), columns))
+    return records_of(SceneActor, len(kinds), whole)
 
 
 def _names(actor: ScenarioActor, count: int) -> list[str]:
     return [f"{actor.name}[{copy}]" for copy in range(count)] if is_group(actor) else [actor.name]
 
 
-def _of_copies(values: Sequence[Any], count: int, without: Any) -> Iterable[Any]:
-    """A value for each copy, of which there may be one for all, or none."""
-    if len(values) >= count:
-        return values[:count]
-    return repeat(values[0] if values else without)
+def _of_copies(
+    scenes: Sequence[Sequence[Any]], present: Sequence[int], without: Any
+) -> Iterable[Any]:
+    """A value for each copy of each scene, of which there may be one for all copies, or none."""
+    if not any(scenes):
+        return repeat(without)
+    parts = [
+        values[:count] if len(values) >= count else [*(values or (without,))] * count
+        for values, count in zip(scenes, present, strict=True)
+    ]
+    return [value for part in parts for value in part]
 
 
 def _kinds(actor: ScenarioActor, rows: SceneRows, present: Booleans) -> list[Kinds]:
@@ -186,8 +192,15 @@ def _shown(instances: Sequence[KindInstance]) -> Kinds:
 
 
 def _concrete_options(found: KindInstance) -> Any:
-    fields = dataclasses.fields(found.kind)
-    return frozen({field.name: concrete(getattr(found.kind, field.name)) for field in fields})
+    names = [field.name for field in dataclasses.fields(found.kind)]
+    values = [getattr(found.kind, name) for name in names]
+    shown = [value if _is_plain(value) else concrete(value) for value in values]
+    return frozen(dict(zip(names, shown, strict=True)))
+
+
+def _is_plain(value: Any) -> bool:
+    kind = type(value)
+    return kind is str or kind is bool or (kind is float and math.isfinite(value))
 
 
 def _calls(

@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..falsification.axes import axes_of
 from ..falsification.deadline import deadline
 from ..falsification.evaluator import Evaluator, Proposal, Task
@@ -163,6 +163,21 @@ class Falsification:
         count = min(SAFE_DRIVES, len(finite))
         places = [step * (len(finite) - 1) // max(count - 1, 1) for step in range(count)]
         return [finite[place] for place in places]
+
+    @cached_property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Warnings of windows that hold no sample of the roads (RL308, RL313) or of a drive: one in
+        which nothing is violated, if there is one. Others may end before their windows begin."""
+        looked_at = sorted(self.driven, key=lambda outcome: outcome.is_failure)[:1]
+        if not looked_at:
+            return ()
+        (outcome,) = looked_at
+        told = {Code.WINDOW_BETWEEN_SAMPLES}
+        told |= set() if outcome.is_failure else {Code.WINDOWS_BEYOND_END}
+        of_roads = self.evaluator.window_warnings(Proposal(outcome.index, outcome.point))
+        drives = self.safe_drives if len(self.safe_drives) else self._driven([self.scene(outcome)])
+        found = (*of_roads, *(each for each in drives.diagnostics if each.code in told))
+        return tuple(dict.fromkeys(found))
 
     def scene(self, outcome: Outcome) -> Scene:
         """The scene of a candidate; its number is that of the evaluation."""
