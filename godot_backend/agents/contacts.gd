@@ -3,6 +3,7 @@ extends RefCounted
 
 const Agent := preload("agent.gd")
 const Member := preload("member.gd")
+const Touch := preload("touch.gd")
 const Objects := preload("../build/objects.gd")
 
 
@@ -46,9 +47,9 @@ func told(most: int) -> void:
 func gather(members: Array[Member], tick: int) -> void:
 	for member in members:
 		var before := _untold.size()
-		for touch: Array in member.agent.body.take_touched():
-			if is_instance_valid(touch[0]):
-				_take(member, touch[0], touch[1], members, tick)
+		for touch: Touch in member.agent.body.take_touched():
+			if is_instance_valid(touch.body):
+				_take(member, touch.body, touch.shape, members, tick)
 		if _untold.size() > before + 1:
 			var fresh := _untold.slice(before)
 			fresh.sort_custom(_comes_before)

@@ -7,6 +7,13 @@ const Outline := preload("outline.gd")
 ## Beside each other rather than behind one another, from here on.
 const SAME_LANE := 2.0
 
+
+## Free road ahead, and how fast goes whoever is next.
+class Ahead:
+	var gap := INF
+	var speed := 0.0
+
+
 var _agents: Array[Agent] = []
 ## Where the search for an agent on the path of another begins.
 var _segments: Dictionary = {}
@@ -26,9 +33,9 @@ func value(signal_name: String, names: Array[String]) -> float:
 		"distance", "gap":
 			return _between(signal_name, some, names)
 		"gap_ahead":
-			return _ahead(first)[0]
+			return _ahead(first).gap
 		"speed_ahead":
-			return _ahead(first)[1]
+			return _ahead(first).speed
 		"progress":
 			return first.progress()
 		"steering":
@@ -79,8 +86,8 @@ func _between(what: String, some: Array[Agent], names: Array[String]) -> float:
 
 
 ## Free road to whoever is next in the same lane, and how fast they go.
-func _ahead(agent: Agent) -> Array[float]:
-	var out: Array[float] = [INF, 0.0]
+func _ahead(agent: Agent) -> Ahead:
+	var out := Ahead.new()
 	if agent.path == null:
 		return out
 	for other in _agents:
@@ -92,8 +99,9 @@ func _ahead(agent: Agent) -> Array[float]:
 			between = fposmod(between, agent.path.length)
 		var beside := place.y - agent.line_offset
 		var gap := between - 0.5 * (agent.size().x + other.size().x)
-		if between > 0.0 and absf(beside) < SAME_LANE and gap < out[0]:
-			out = [gap, other.speed * cos(other.heading - agent.heading)]
+		if between > 0.0 and absf(beside) < SAME_LANE and gap < out.gap:
+			out.gap = gap
+			out.speed = other.speed * cos(other.heading - agent.heading)
 	return out
 
 

@@ -5,6 +5,7 @@ extends RigidBody3D
 
 const Vehicle := preload("vehicle.gd")
 const Tires := preload("tires.gd")
+const Touch := preload("touch.gd")
 const Wheels := preload("wheels.gd")
 const VehicleLook := preload("../shapes/vehicle_look.gd")
 
@@ -28,7 +29,7 @@ var _drag := 0.0
 var _lag := 0.0
 var _rate := 1.2
 var _wheels: Wheels
-var _touched: Array[Array] = []
+var _touched: Array[Touch] = []
 var _looks: VehicleLook
 var _headless := DisplayServer.get_name() == "headless"
 
@@ -179,7 +180,7 @@ func rest() -> void:
 
 
 ## What it has begun to touch since the last call: bodies with the numbers of their shapes.
-func take_touched() -> Array[Array]:
+func take_touched() -> Array[Touch]:
 	var out := _touched
 	if not _touched.is_empty():
 		_touched = []
@@ -202,7 +203,7 @@ func _prepare() -> void:
 
 
 func _on_touched(_rid: RID, other: Node, shape: int, _own: int) -> void:
-	_touched.append([other, shape])
+	_touched.append(Touch.new(other, shape))
 
 
 func _add_shape() -> void:

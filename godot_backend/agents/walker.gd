@@ -3,6 +3,7 @@ extends AnimatableBody3D
 ## as the walker gets, who slides to a stop and lies there.
 
 const Walker := preload("walker.gd")
+const Touch := preload("touch.gd")
 const WalkerLook := preload("../shapes/walker_look.gd")
 
 const HEIGHT := 1.75
@@ -27,7 +28,7 @@ var _heading := 0.0
 var _height := HEIGHT
 var _is_struck := false
 var _thrown := Vector3.ZERO
-var _touched: Array[Array] = []
+var _touched: Array[Touch] = []
 var _feeler := Area3D.new()
 var _looks: WalkerLook
 
@@ -142,7 +143,7 @@ func ground_velocity() -> Vector2:
 
 
 ## The vehicles that it has begun to touch since the last call, with the numbers of their shapes.
-func take_touched() -> Array[Array]:
+func take_touched() -> Array[Touch]:
 	var out := _touched
 	if not _touched.is_empty():
 		_touched = []
@@ -160,7 +161,7 @@ func set_surfaces(_surfaces: PackedVector2Array) -> void:
 func _on_touched(_rid: RID, other: Node, shape: int, _own: int) -> void:
 	if collision_layer == 0:
 		return
-	_touched.append([other, shape])
+	_touched.append(Touch.new(other, shape))
 	if other is RigidBody3D and not (other as RigidBody3D).freeze:
 		_give_way(other as RigidBody3D)
 

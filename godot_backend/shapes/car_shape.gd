@@ -83,16 +83,22 @@ static func _add_frame(
 		]
 	)
 	out.loft(roof, 0.71 * size.z, 0.66 * size.z, body)
-	var wide := 0.425 * size.z
-	var narrow := 0.345 * size.z
-	for side: float in [-1.0, 1.0]:
-		var posts := [[cabin[0], cabin[1], 0.05], [cabin[5], cabin[4], 0.035]]
-		var middle := lerpf(cabin[0].x, cabin[5].x, 0.47)
-		posts.append([Vector2(middle, cabin[0].y), Vector2(middle - 0.06, cabin[3].y), 0.035])
-		for post: Array in posts:
-			var foot := Vector3(side * wide, post[0].y, post[0].x)
-			var head := Vector3(side * narrow, post[1].y, post[1].x)
-			out.bar(foot, head, post[2], body, 5)
+	var middle := lerpf(cabin[0].x, cabin[5].x, 0.47)
+	var foot := Vector2(middle, cabin[0].y)
+	var head := Vector2(middle - 0.06, cabin[3].y)
+	for side: float in [-size.z, size.z]:
+		_add_post(out, cabin[0], cabin[1], 0.05, side, body)
+		_add_post(out, cabin[5], cabin[4], 0.035, side, body)
+		_add_post(out, foot, head, 0.035, side, body)
+
+
+## A post of the roof, between two corners of the cabin seen from the side.
+static func _add_post(
+	out: Solid, foot: Vector2, head: Vector2, radius: float, side: float, look: Material
+) -> void:
+	var below := Vector3(0.425 * side, foot.y, foot.x)
+	var above := Vector3(0.345 * side, head.y, head.x)
+	out.bar(below, above, radius, look, 5)
 
 
 static func _add_details(out: Solid, size: Vector3) -> void:
