@@ -85,6 +85,19 @@ def test_a_lane_on_a_side_is_that_of_the_road_of_the_other(
     assert [agent(scene, f"row[{number}]").lane for number in range(3)] == [2, 2, 2]
 
 
+def test_what_is_parked_at_random_stands_on_its_road_with_its_whole_length(sample: Sample) -> None:
+    lanes = "left: [drive(3m), parking(2m)], right: [drive(3m), parking(2m)]"
+    options = "lane: parking, count: 40, length: 6m, overlap: true"
+    text = f"agent vans is van on town at random {{ {options} }}"
+    scene = sampled_with(sample, lanes, text)
+    roads = {road.name: road for road in scene.roads}
+    for van in scene.agents:
+        road = roads[str(van.road)]
+        assert van.start is not None
+        first, last = road.trim[0] + 3.0, road.stations[-1] - road.trim[1] - 3.0
+        assert first - 1e-6 <= van.start <= last + 1e-6
+
+
 def test_what_would_stand_in_a_junction_stands_beyond_it(sample: Sample) -> None:
     scene = sampled(sample, ROUND_THE_CORNER + "agent lead is car at ahead_of(ego, 10m)")
     lead = agent(scene, "lead")

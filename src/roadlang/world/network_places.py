@@ -173,6 +173,10 @@ class _Finder:
         ends = [sorted((graph.begin[lane], graph.end[lane])) for lane in lanes]
         if self.actor.at_fraction:
             numbers, station = _at_share(self._shares()[index], ends)
+            if choice is not None:  # what stands in a lane does so with its whole length
+                low, high = np.array(ends, float)[numbers].T
+                half = np.minimum(self.lengths[index], high - low) / 2.0
+                station = np.clip(station, low + half, high - half)
         elif isinstance(self.actor.at, PassCall):
             numbers, station = self._beside_lanes(edges, index)
         else:
