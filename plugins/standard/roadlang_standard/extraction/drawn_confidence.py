@@ -23,7 +23,7 @@ def with_doubts(found: FoundNetwork) -> FoundNetwork:
     """The same roads, those less sure that are short, alone, or hardly longer than wide."""
     side = min(found.mask.shape)
     factors: dict[int, float] = {}
-    for part in _parts(found.roads):
+    for part in parts(found.roads):
         lengths = np.array([road.length for road in part])
         widths = np.array([float(np.median(road.widths)) for road in part])
         total = max(float(lengths.sum()), 1e-9)
@@ -35,7 +35,7 @@ def with_doubts(found: FoundNetwork) -> FoundNetwork:
     return replace(found, roads=roads)
 
 
-def _parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
+def parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
     """The roads by the connected part of the network that they belong to."""
     starts, ends = ([getattr(road, end) for road in roads] for end in ("start", "end"))
     count = 1 + max([*starts, *ends], default=0)
