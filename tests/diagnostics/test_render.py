@@ -5,7 +5,8 @@ import json
 import pytest
 
 from roadlang.diagnostics import Diagnostic, Fix, Label, Source, did_you_mean, nearest
-from roadlang.diagnostics.render import in_order, render, render_json
+from roadlang.diagnostics.diagnostic import in_order
+from roadlang.diagnostics.render import render, render_json
 
 SOURCE = Source("scene.rl", "road main {\n  widht: 8m\n}\n")
 MISSPELLED = Diagnostic(

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from roadlang import DriveSet, testing
-from roadlang.api import Controller, Scene, Simulator, Trace
+from roadlang.api import Controller, DriveSignal, Scene, Simulator, Trace
 
 TIME = np.linspace(0.0, 2.0, 21)
 TEXT = """
@@ -89,3 +89,23 @@ def test_drives_and_scenes_are_data_frames() -> None:
     assert frame["slow"].tolist() == pytest.approx([2.0, 1.0, 0.0, -1.0])
     assert frame.index.name == "scene"
     assert found[0].to_frame()["ego.x"].loc[2.0] == pytest.approx(20.0)
+
+
+@dataclass(frozen=True)
+class Words(DriveSignal):
+    """Says how it goes."""
+
+    name: ClassVar[str] = "words"
+    member: ClassVar[bool] = False
+
+    def values(self) -> Any:
+        return np.array(["well"] * len(TIME))
+
+
+def test_a_drive_signal_that_gives_no_numbers_is_at_fault() -> None:
+    text = TEXT.replace("expect central", "expect talks: always (words() < 1)\nexpect central")
+    (drive,) = testing.sample(text, kinds=[Sled, Words]).run()
+    assert drive.verdicts["talks"].satisfied is None
+    (found,) = [one for one in drive.diagnostics if "`talks`" in one.help[-1]]
+    assert found.code == "RL474"
+    assert "gave values that are of type <U4, not real numbers" in found.message

@@ -40,7 +40,8 @@ def _color_option() -> str:
 
 def report(diagnostics: Iterable[Diagnostic]) -> None:
     """Print diagnostics to stderr, sorted by place, with a count of errors and warnings."""
-    from ..diagnostics.render import in_order, render_all
+    from ..diagnostics.diagnostic import in_order
+    from ..diagnostics.render import render_all
 
     ordered = in_order(diagnostics)
     if not ordered:

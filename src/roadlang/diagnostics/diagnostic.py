@@ -77,3 +77,12 @@ def diagnose(
         fixes=tuple(fixes),
         path=None if path is None else os.fspath(path),
     )
+
+
+def in_order(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """Sorted by place, each said once."""
+    unique = list(dict.fromkeys(diagnostics))
+    return sorted(
+        unique,
+        key=lambda d: (d.file or "", d.span.start if d.span else -1, d.code),
+    )

@@ -120,12 +120,3 @@ def render_json(diagnostics: Sequence[Diagnostic]) -> str:
     import json
 
     return json.dumps([to_record(diagnostic) for diagnostic in diagnostics], indent=2)
-
-
-def in_order(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Sorted by place, each said once."""
-    unique = list(dict.fromkeys(diagnostics))
-    return sorted(
-        unique,
-        key=lambda d: (d.file or "", d.span.start if d.span else -1, d.code),
-    )

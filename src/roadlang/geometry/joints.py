@@ -24,7 +24,7 @@ def anchored_nodes(network: RoadNetwork) -> frozenset[int]:
     free = set()
     for node in network.nodes:
         ends = network.edges_at(node.id)
-        lone_ring = len(ends) == 2 and ends[0] is ends[1] and ends[0].curve.closed
+        lone_ring = len(ends) == 2 and ends[0].curve.closed  # of which both ends are here
         if len(ends) <= 1 or lone_ring:
             free.add(node.id)
     return frozenset(node.id for node in network.nodes) - free

@@ -17,28 +17,38 @@ class QuantityType:
 
 
 @dataclass(frozen=True, slots=True)
-class LikeType:
+class BareType:
+    """A type of which nothing more is to be said; those that derive from it add no fields."""
+
+
+class LikeType(BareType):
     """A number whose dimension is that of all other `LikeType` options of the kind."""
 
+    __slots__ = ()
 
-@dataclass(frozen=True, slots=True)
-class FlagType:
+
+class FlagType(BareType):
     """`true` or `false`."""
 
+    __slots__ = ()
 
-@dataclass(frozen=True, slots=True)
-class TextType:
+
+class TextType(BareType):
     """A string."""
 
+    __slots__ = ()
 
-@dataclass(frozen=True, slots=True)
-class FileType:
+
+class FileType(BareType):
     """A string naming a file, relative to the scene file; it must exist when the scene is made."""
 
+    __slots__ = ()
 
-@dataclass(frozen=True, slots=True)
-class WordType:
+
+class WordType(BareType):
     """One of the words of the option (`option(words=...)`)."""
+
+    __slots__ = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,14 +126,16 @@ class MapType:
     item: OptionType
 
 
-@dataclass(frozen=True, slots=True)
-class ConditionType:
+class ConditionType(BareType):
     """A drive formula with past operators only (`when:`)."""
 
+    __slots__ = ()
 
-@dataclass(frozen=True, slots=True)
-class AnyType:
+
+class AnyType(BareType):
     """Anything."""
+
+    __slots__ = ()
 
 
 def is_of_anything(option: OptionType) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..diagnostics import Code, Diagnostic, Source
-from ..diagnostics.render import in_order
+from ..diagnostics.diagnostic import in_order
 from ..ir.paused_collector import collector_paused
 from ..ir.scenario import Scenario
 from ..plugins.registry import Registry

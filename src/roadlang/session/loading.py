@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Diagnostic, DiagnosticError, Source
-from ..diagnostics.render import in_order
+from ..diagnostics.diagnostic import in_order
 from .outputs import check_outputs
 from .params import ParamValue, param_texts
 from .scene_files import read_scene_file

@@ -10,7 +10,6 @@ from ...ir.values import Flag as FlagValue
 from ...stl.formula.between_samples import unknown_between_samples
 from ...stl.formula.evaluation_options import PLAIN, EvaluationOptions, Measure, Semantics
 from ...stl.formula.formulas import Formula
-from ...stl.formula.weighted_operands import WeightedOperands
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
@@ -86,6 +85,8 @@ def _weights(
     """The weighted operands; None, reported, where one is none."""
     if stated is None:
         return ()
+    from ...stl.formula.weighted_operands import WeightedOperands  # few formulas have weights
+
     assert isinstance(stated.value, Entries)
     assert typed.formula is not None
     found: dict[Formula, float] = {}

@@ -27,8 +27,14 @@ class Quantity:
 
 
 @dataclass(frozen=True, slots=True)
-class BooleanType:
+class BareType:
+    """A type of which nothing more is to be said; those that derive from it add no fields."""
+
+
+class BooleanType(BareType):
     """`true` or `false`."""
+
+    __slots__ = ()
 
     def __str__(self) -> str:
         return "`true` or `false`"
@@ -45,25 +51,28 @@ class StringType:
         return "a word" if self.word else "a string"
 
 
-@dataclass(frozen=True, slots=True)
-class CoordinatesType:
+class CoordinatesType(BareType):
     """`(x, y)`."""
+
+    __slots__ = ()
 
     def __str__(self) -> str:
         return "a point"
 
 
-@dataclass(frozen=True, slots=True)
-class SequenceType:
+class SequenceType(BareType):
     """`[a, b]`."""
+
+    __slots__ = ()
 
     def __str__(self) -> str:
         return "a list"
 
 
-@dataclass(frozen=True, slots=True)
-class MappingType:
+class MappingType(BareType):
     """`{ key: value }`."""
+
+    __slots__ = ()
 
     def __str__(self) -> str:
         return "a map"
@@ -128,10 +137,11 @@ class KindCallType:
         return nouns.get(self.verb, f"a kind of {self.verb}")
 
 
-@dataclass(frozen=True, slots=True)
-class Unknown:
+class Unknown(BareType):
     """The type of what has already been reported: it fits everywhere, so that nothing is reported
     twice."""
+
+    __slots__ = ()
 
     def __str__(self) -> str:
         return "unknown"

@@ -10,7 +10,6 @@ from .blocks import Block, KindName
 from .expressions import Comment, Expression, String, SyntaxNode, Word
 
 
-@dataclass(frozen=True, slots=True)
 class Statement(SyntaxNode):
     """What begins with a statement word.
 
@@ -18,6 +17,8 @@ class Statement(SyntaxNode):
     `layout` is how it is written: fields in braces. A field that is None is left out, with the word
     before it.
     """
+
+    __slots__ = ()
 
     words: ClassVar[tuple[str, ...]]
     layout: ClassVar[str]
