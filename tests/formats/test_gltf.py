@@ -168,6 +168,17 @@ def test_convex_meshes_for_unreal_cover_what_is_solid(scene: Scene) -> None:
     assert ground == pytest.approx(sum(area(file.triangles(name)) for name in lanes), rel=0.01)
 
 
+def test_a_road_that_is_all_junction_has_no_surface() -> None:
+    text = "road main { draw with waypoints { points: [(0m, 0m), (50m, 0m)] } }\n"
+    scene = testing.sample(text)[0].record
+    (road,) = scene.roads
+    for trim, count in (((20.0, 20.0), 1), ((20.0, 30.0), 0), ((50.0, 0.0), 0)):
+        trimmed = replace(scene, roads=(replace(road, trim=trim),))
+        assert len(list(road_surfaces(trimmed, 0.1))) == count
+        for surface in road_surfaces(trimmed, 0.1):
+            assert (surface.stations[0], surface.stations[-1]) == pytest.approx((20.0, 30.0))
+
+
 def test_neighboring_lanes_of_one_height_are_one_prism() -> None:
     """Two sidewalks and the roadway between them: three for each span, as wide as their lanes."""
     text = "road main { draw with waypoints { points: [(0m, 0m), (50m, 0m)] }, left: [drive(3m), "

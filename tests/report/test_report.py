@@ -291,3 +291,19 @@ def test_cells_of_the_table_are_values_as_json_has_them(search: Path) -> None:
     table = table_record(results, {"speed": "m/s"}, {})
     shown = dict(zip([c["name"] for c in table["columns"]], table["rows"][0][0], strict=True))
     assert json.loads(json.dumps(shown)) == values
+
+
+def test_pairs_of_draws_are_told_that_hold_where_neither_does_alone(copy: Path) -> None:
+    medians = {
+        ("a",): None, ("b",): 0.5, ("c",): -1.0,
+        ("a", "c"): 0.25, ("a", "b"): 0.5, ("c", "d"): None, ("c", "e"): 0.0,
+    }  # fmt: skip
+    listed = [{"draws": draws, "robustness": rho} for draws, rho in medians.items()]
+    record = {"expectation": "slow", "unit": "m/s", "medians": listed}
+    first = min((copy / "failures").glob("[0-9][0-9][0-9][0-9].json"))
+    first.with_suffix(".explanation.json").write_text(json.dumps(record))
+    told = [
+        found for drive in data_of(write_report(copy))["drives"] if (found := drive["explanation"])
+    ]
+    expected = [["a", None], ["b", 0.5], ["c", -1.0], ["a + c", 0.25]]
+    assert told == [{"expectation": "slow", "unit": "m/s", "medians": expected}]

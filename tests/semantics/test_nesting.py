@@ -71,3 +71,10 @@ def test_agents_may_stand_behind_one_another_in_a_long_row() -> None:
 def test_a_call_in_a_call_is_one_level() -> None:
     calls = "abs(" * 140 + "1m" + ")" * 140
     assert not errors_of(f"param a = {calls}\n")
+
+
+def test_what_is_made_of_a_name_too_deep_is_left_alone() -> None:
+    """Of the name nothing is known, so that the roles of a call cannot be wrong."""
+    deep = "let deep = " + "(0m + " * 300 + "main.length" + ")" * 300 + "\n"
+    (error,) = errors_of(ROAD + deep + "require r: always (deviation(deep, main) < 1m)\n")
+    assert error.code == Code.NESTING_TOO_DEEP

@@ -42,9 +42,7 @@ def test_those_let_go_into_the_same_lane_take_their_length_and_a_gap(seed: int) 
     wanted = expected(found, may_go, length)
     assert wanted.any()
     np.testing.assert_allclose(space_for_others(found, may_go, length), wanted)
-    assert found.shares_any == bool(
-        expected(found, found.is_there, np.ones(found.row.size)).any()
-    )
+    assert found.shares_any == bool(expected(found, found.is_there, np.ones(found.row.size)).any())
     assert not space_for_others(found, np.zeros_like(may_go), length).any()
 
 
