@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -63,6 +64,12 @@ def test_numbers_are_those_of_the_trace_rounded() -> None:
         found = record if name in record else record["agents"][0]
         expected = np.interp(time, trace.time, values)
         np.testing.assert_allclose(np.cumsum(found[name]) / unit, expected, atol=0.02)
+    turned = 0.5 + 3.0 * trace.time  # beyond a half turn, where a heading begins anew
+    turning = replace(ego, heading=np.arctan2(np.sin(turned), np.cos(turned)))
+    other = replace(seen.drive, trace=replace(trace, agents={"ego": turning}))
+    found = drive_record(view(other, installed()), {}, 20)["agents"][0]
+    expected = np.interp(time, trace.time, turned)
+    np.testing.assert_allclose(np.cumsum(found["heading"]) / 1000, expected, atol=0.02)
     assert record["agents"][0]["size"] == [ego.length, ego.width]
     assert record["agents"][0]["until"] == len(time)
     assert [(o[:2], o[2:4]) for o in record["objects"]] == [(["box", "barrier"], [50.0, 5.0])]
