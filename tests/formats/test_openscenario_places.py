@@ -24,6 +24,7 @@ def test_who_drives_against_a_lane_for_both_directions_is_on_the_road_that_runs_
     place = roads.place(30.0, 0.5, heading)
     assert (place.x, place.y, place.heading) == (30.0, 0.5, heading)
     assert place.lane is not None
-    assert (place.lane.road, place.lane.s) == (road, pytest.approx(s))
+    assert place.lane.road == road
+    assert place.lane.s == pytest.approx(s)
     assert place.lane.offset == pytest.approx(offset)
     assert roads.place(30.0, 50.0, heading).lane is None
