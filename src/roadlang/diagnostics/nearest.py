@@ -15,7 +15,8 @@ MANY = 64
 CHOSEN = 16
 """Of more names it is compared with those that share the most trigrams with it."""
 
-_MOST_POSTINGS = 2048
+_MOST_POSTINGS = 512
+"""So many names are counted for a word."""
 
 
 def nearest(word: str, known: Iterable[str] | KnownNames) -> str | None:
@@ -70,11 +71,11 @@ class KnownNames:
         lists = [self.by_trigram.get(trigram, []) for trigram in _trigrams(word)]
         shared: Counter[str] = Counter()
         looked_at = 0
-        for names in sorted(lists, key=len):  # what few names have says most
-            if looked_at > _MOST_POSTINGS:
+        for names in sorted(filter(None, lists), key=len):  # what few names have says most
+            if shared and looked_at + len(names) > _MOST_POSTINGS:
                 break
             looked_at += len(names)
-            shared.update(names)
+            shared.update(names[:_MOST_POSTINGS])
         # By count, then by name, so that the choice is the same in every process.
         chosen = nsmallest(CHOSEN, ((-count, name) for name, count in shared.items()))
         return [name for _, name in chosen]

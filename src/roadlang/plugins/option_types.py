@@ -17,35 +17,35 @@ class QuantityType:
 
 
 @dataclass(frozen=True, slots=True)
-class BareType:
+class PlainOptionType:
     """A type of which nothing more is to be said; those that derive from it add no fields."""
 
 
-class LikeType(BareType):
+class LikeType(PlainOptionType):
     """A number whose dimension is that of all other `LikeType` options of the kind."""
 
     __slots__ = ()
 
 
-class FlagType(BareType):
+class FlagType(PlainOptionType):
     """`true` or `false`."""
 
     __slots__ = ()
 
 
-class TextType(BareType):
+class TextType(PlainOptionType):
     """A string."""
 
     __slots__ = ()
 
 
-class FileType(BareType):
+class FileType(PlainOptionType):
     """A string naming a file, relative to the scene file; it must exist when the scene is made."""
 
     __slots__ = ()
 
 
-class WordType(BareType):
+class WordType(PlainOptionType):
     """One of the words of the option (`option(words=...)`)."""
 
     __slots__ = ()
@@ -126,13 +126,13 @@ class MapType:
     item: OptionType
 
 
-class ConditionType(BareType):
+class ConditionType(PlainOptionType):
     """A drive formula with past operators only (`when:`)."""
 
     __slots__ = ()
 
 
-class AnyType(BareType):
+class AnyType(PlainOptionType):
     """Anything."""
 
     __slots__ = ()

@@ -27,11 +27,11 @@ class Quantity:
 
 
 @dataclass(frozen=True, slots=True)
-class BareType:
+class PlainType:
     """A type of which nothing more is to be said; those that derive from it add no fields."""
 
 
-class BooleanType(BareType):
+class BooleanType(PlainType):
     """`true` or `false`."""
 
     __slots__ = ()
@@ -51,7 +51,7 @@ class StringType:
         return "a word" if self.word else "a string"
 
 
-class CoordinatesType(BareType):
+class CoordinatesType(PlainType):
     """`(x, y)`."""
 
     __slots__ = ()
@@ -60,7 +60,7 @@ class CoordinatesType(BareType):
         return "a point"
 
 
-class SequenceType(BareType):
+class SequenceType(PlainType):
     """`[a, b]`."""
 
     __slots__ = ()
@@ -69,7 +69,7 @@ class SequenceType(BareType):
         return "a list"
 
 
-class MappingType(BareType):
+class MappingType(PlainType):
     """`{ key: value }`."""
 
     __slots__ = ()
@@ -137,7 +137,7 @@ class KindCallType:
         return nouns.get(self.verb, f"a kind of {self.verb}")
 
 
-class Unknown(BareType):
+class Unknown(PlainType):
     """The type of what has already been reported: it fits everywhere, so that nothing is reported
     twice."""
 
