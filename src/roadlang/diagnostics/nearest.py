@@ -15,7 +15,7 @@ MANY = 64
 CHOSEN = 16
 """Of more names it is compared with those that share the most trigrams with it."""
 
-_MOST_POSTINGS = 512
+_MOST_POSTINGS = 2048
 """So many names are counted for a word."""
 
 
