@@ -184,7 +184,10 @@ def test_lanes_of_a_one_way_road_all_lie_on_the_side_of_their_traffic() -> None:
     )
     (road,) = file.roads.values()
     types = {id: road.lane(id).attrib["type"] for id in road.lane_ids()}
-    assert types == {1: "sidewalk", 0: "none", -1: "bus", -2: "driving", -3: "sidewalk"}
+    assert types == {1: "sidewalk", 0: "none", -1: "driving", -2: "driving", -3: "sidewalk"}
+    access = {id: [child.attrib for child in road.lane(id).iter("access")] for id in types}
+    only_buses = {"sOffset": "0", "rule": "allow", "restriction": "bus"}
+    assert {id: found for id, found in access.items() if found} == {-1: [only_buses]}
     assert [road.width(id, 10.0) for id in (-1, -2)] == pytest.approx([4.0, 3.0])
 
 

@@ -111,6 +111,27 @@ def test_lanes_have_their_types_widths_and_directions(read: Read) -> None:
     assert found.border_offsets(30.0) == pytest.approx([5.0, 3.0, 0.0, -3.5, -5.0])
 
 
+@pytest.mark.parametrize(
+    ("access", "kind"),
+    [
+        ('<access sOffset="0" rule="allow" restriction="bus"/>', "bus"),
+        (
+            '<access sOffset="0" rule="allow"><restriction type="bus"/><restriction type="taxi"/>'
+            "</access>",
+            "bus",
+        ),
+        ('<access sOffset="0" rule="deny" restriction="bus"/>', "drive"),
+        ('<access sOffset="0" rule="allow"><restriction type="truck"/></access>', "drive"),
+    ],
+)
+def test_a_lane_that_only_buses_and_taxis_may_use_is_a_bus_lane(
+    read: Read, access: str, kind: str
+) -> None:
+    lanes = section(0, [lane(1)], [lane(-1).replace("</lane>", f"{access}</lane>")])
+    (edge,) = read(xodr(straight(1, 0, 0, lanes=lanes))).edges
+    assert [lane.kind for lane in lanes_of(edge).lanes] == ["drive", kind]
+
+
 def test_in_left_hand_traffic_lanes_on_the_left_run_along_the_road(tmp_path: Path) -> None:
     text = xodr(straight(1, 0, 0).replace("<road ", '<road rule="LHT" '))
     path = tmp_path / "town.xodr"

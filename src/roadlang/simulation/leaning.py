@@ -75,7 +75,7 @@ def leaned_source(
     least = SPARE * _tightest_radius(base, max_steering)
     gain = max(0.0, 0.25 * front * front - 0.5 * base * base)
     s, gone, x, y, heading = _even(source, least)
-    bend = _mean_bend(gone, heading, source.closed, length)
+    bend = mean_bend(gone, heading, source.closed, length)
     left = _leaning(gain * bend, gone, heading, length, least)
     turned = np.arctan2(np.gradient(left, gone), np.maximum(1.0 - bend * left, 0.1))
     x, y = x - np.sin(heading) * left, y + np.cos(heading) * left
@@ -137,7 +137,7 @@ def _leaning(wanted: Floats, s: Floats, heading: Floats, length: float, least: f
     return np.asarray(left)
 
 
-def _mean_bend(s: Floats, heading: Floats, closed: bool, length: float) -> Floats:
+def mean_bend(s: Floats, heading: Floats, closed: bool, length: float) -> Floats:
     """Curvature, averaged twice over half of a length: over the ground that the vehicle covers."""
     h = 0.25 * length
     last = float(s[-1])

@@ -14,6 +14,7 @@ from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
 from .keeping_clear import kept_clear
+from .kept_in_lane import kept_in_lane
 from .lateral_motion import LateralMotion
 from .leaning import leaned
 from .lines import Lines, LineSource, road_line, straight_line
@@ -78,7 +79,8 @@ def _slot(
     if placed.route is not None and key not in rows:
         rows[key] = len(sources)
         rows[key, 0] = len(routes)
-        line = leaned(route_line(placed.route, scene, roads), placed)
+        line = kept_in_lane(route_line(placed.route, scene, roads), placed)
+        line = leaned(line, placed)
         routes.append(kept_clear(line, placed, Outlines.of(scene.objects)))
         sources.append(routes[-1].source)
     elif key not in rows:

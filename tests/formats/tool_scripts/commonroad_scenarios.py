@@ -22,9 +22,12 @@ from commonroad_dc.collision.collision_detection.pycrcc_collision_dispatch impor
 )
 from commonroad_dc.pycrcc import CollisionChecker
 from lxml import etree
+from shapely.ops import unary_union
 
 _LONG = 6.0
 """Meters: longer vehicles cut the inside of tight bends, wherever they are."""
+_NEAR, _SAME = 5.0, 1e-3
+"""Meters within which lanelets matter, and within which they meet."""
 _SCHEMA = Path(commonroad.__file__).parent / (
     "scenario_definition/xml_definition_files/XML_commonRoad_XSD.xsd"
 )
@@ -67,13 +70,30 @@ def faults(file: str, schema: Any) -> list[str]:
 
 def _sticks_out(obstacle: Any, network: Any, off_road: Any) -> bool:
     """Whether any of its footprint is beside the road at any time; in junctions, whose area is not
-    all of lanelets, it may be."""
+    all of lanelets, it may be: where its middle is in one, or what is out is nearest to one."""
     for state in obstacle.prediction.trajectory.state_list:
         shape = obstacle.occupancy_at_time(state.time_step).shape
         if off_road.collide(create_collision_object(shape)):
             ids = network.find_lanelet_by_position([state.position])[0]
             types = [kind for id in ids for kind in network.find_lanelet_by_id(id).lanelet_type]
-            if LaneletType.INTERSECTION not in types:
+            if LaneletType.INTERSECTION not in types and _is_out(shape.shapely_object, network):
+                return True
+    return False
+
+
+def _is_out(body: Any, network: Any) -> bool:
+    """Whether some part of it that is on no lanelet is nearest to one outside of junctions."""
+    near = [
+        (lanelet.polygon.shapely_object, LaneletType.INTERSECTION in lanelet.lanelet_type)
+        for lanelet in network.lanelets
+        if lanelet.polygon.shapely_object.distance(body) < _NEAR
+    ]
+    out = body.difference(unary_union([area.buffer(_SAME) for area, _ in near]))
+    for part in getattr(out, "geoms", [out]):
+        if not part.is_empty:
+            place = part.representative_point()
+            least = min(area.distance(place) for area, _ in near)
+            if not any(inside for area, inside in near if area.distance(place) < least + _SAME):
                 return True
     return False
 

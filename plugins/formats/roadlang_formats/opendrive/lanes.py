@@ -22,13 +22,16 @@ _FLAT = 1e-3
 """Meters by which widths and offsets may be off."""
 _TYPES = {
     "drive": "driving",
-    "bus": "bus",
+    "bus": "driving",
     "bike": "biking",
     "parking": "parking",
     "shoulder": "shoulder",
     "sidewalk": "sidewalk",
     "median": "median",
 }
+_ONLY = {"bus": "bus"}
+"""Whom alone a kind of lane is for. A lane of the type `bus`, which OpenDRIVE 1.8 has
+replaced by `access`, is none that netconvert and CARLA drive on."""
 _MARKS = {
     "solid": "solid",
     "broken": "broken",
@@ -84,6 +87,9 @@ def put_lanes(parent: Element, part: OpenDriveRoad, version: str) -> None:
                     _put_materials(found, part, place)
                 if lane.speed_limit is not None:
                     put(found, "speed", sOffset=0.0, max=lane.speed_limit, unit="m/s")
+                if lane.kind in _ONLY:
+                    # netconvert does not know the elements that 1.8 has for the attribute.
+                    put(found, "access", sOffset=0.0, rule="allow", restriction=_ONLY[lane.kind])
 
 
 def _put_lane(group: Element, part: OpenDriveRoad, lane: Lane, version: str) -> Element:

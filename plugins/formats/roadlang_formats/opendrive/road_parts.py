@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -37,6 +38,16 @@ _RETURNING_PARTS = 2
 _ENDS: tuple[End, End] = ("start", "end")
 _SAME = 1e-6
 """Meters between stations that are one."""
+_SHORTEST = 0.2
+"""Meters of a piece of a reference line at the end of a part, at least: netconvert takes cubics of
+less than 0.1 m twice."""
+_MOVED = 0.3
+"""Share of the length of a part by which a cut between two may be moved to where it is straight."""
+_AROUND = 4.0
+"""Meters to each side of a cut in which bends count: where they do, netconvert makes a node that
+shortens both parts."""
+_BENT, _STRAIGHTER = 0.002, 0.5
+"""1/m: less bend is no reason to move a cut, and neither is a place with more than that share."""
 
 
 @dataclass(frozen=True)
@@ -105,11 +116,11 @@ def road_parts(scene: Scene, tolerance: float, left_hand: LeftHand) -> tuple[Ope
             0.0 if (road.name, at) in links else trim
             for at, trim in zip(_ENDS, road.trim, strict=True)
         )
-        cut = _Cut(count, (start, end), tolerance)
+        cut = _Cut(_cuts(road, count, start, end), is_loop(road), tolerance)
         ways = _ways(road, on_left, left_hand)
         found = cut.parts(ways.along, len(parts) + 1, ways.on_left)
         if ways.against is not None:
-            back = replace(cut, trims=(end, start))
+            back = replace(cut, cuts=road.length - cut.cuts[::-1])
             turned = back.parts(ways.against, len(parts) + len(found) + 1, ways.on_left)
             found += [
                 replace(part, reverse_of=other.id, shares_lane=ways.share_lane)
@@ -170,15 +181,15 @@ def _linked(part: OpenDriveRoad, links: Links, ends: PartEnds) -> OpenDriveRoad:
 
 @dataclass(frozen=True)
 class _Cut:
-    """Into how many parts a road is cut, between how much of it at either end, meters."""
+    """The stations between which a road is cut into parts, and whether it follows itself."""
 
-    count: int
-    trims: tuple[float, float]
+    cuts: Floats
+    is_loop: bool
     tolerance: float
 
     def parts(self, way: Carriageway, first: int, on_left: bool) -> list[OpenDriveRoad]:
         """Of one direction where the road has a single lane for both."""
-        road, count = way.road, self.count
+        road, count = way.road, len(self.cuts) - 1
         points = np.column_stack((road.x, road.y))
         curve = Curve.hermite(points, road.heading, closed=road.closed)
         stations = whole_turns(road)[:, 0]
@@ -188,19 +199,18 @@ class _Cut:
             section = one_way(section, shared)
         numbers = lane_numbers(section, on_left)
         ids = {lane: numbers.ids[other] for lane, other in way.lanes.items()}
-        cuts = np.linspace(self.trims[0], road.length - self.trims[1], count + 1)
         same = {id: id for id in numbers.ids.values()}
-        spans = [_between(stations, low, high) for low, high in pairwise(cuts)]
+        spans = [_between(stations, low, high) for low, high in pairwise(self.cuts)]
         found: list[OpenDriveRoad] = []
         for place, at in enumerate(spans):
             if at is None:
                 continue
             links: dict[End, PartLink] = {}
-            if place or count == _LOOP_PARTS:
+            if place or self.is_loop:
                 links["start"] = PartLink(first + (place - 1) % count, "end", same)
-            if place < count - 1 or count == _LOOP_PARTS:
+            if place < count - 1 or self.is_loop:
                 links["end"] = PartLink(first + (place + 1) % count, "start", same)
-            line = reference_line(SampledLine.of(road, at), self.tolerance)
+            line = reference_line(SampledLine.of(road, _apart(at)), self.tolerance)
             rule: Literal["RHT", "LHT"] = "LHT" if on_left else "RHT"
             found.append(
                 OpenDriveRoad(
@@ -241,6 +251,31 @@ class PartEnds:
         if end == "end" and (road, "start", True) in self._ends:
             return self._ends[road, "start", True], "start"
         return self._ends[road, end, False], end
+
+
+def _cuts(road: SceneRoad, count: int, start: float, end: float) -> Floats:
+    """(count + 1,) stations between which a road is cut, `start` and `end` meters from its ends:
+    into equal parts, except that no cut is in a bend if there is a straighter place near by."""
+    cuts = np.linspace(start, road.length - end, count + 1)
+    stations, bends = np.array(road.stations), np.abs(road.curvature)
+    part = float(cuts[1] - cuts[0])
+    places = np.linspace(-_MOVED * part, _MOVED * part, 2 * math.ceil(_MOVED * part) + 1)
+    places = places[np.argsort(np.abs(places), kind="stable")]
+    around = np.linspace(-_AROUND, _AROUND, 17)
+    for number in range(1, count):
+        near = cuts[number] + places
+        sharpest = np.interp(near[:, None] + around, stations, bends).max(axis=1)
+        best = int(sharpest.argmin())
+        if sharpest[0] > _BENT and sharpest[best] < _STRAIGHTER * sharpest[0]:
+            cuts[number] = near[best]
+    return np.asarray(cuts)
+
+
+def _apart(stations: Floats) -> Floats:
+    """The stations without those next to the first and last that are too near to them."""
+    far = (stations > stations[0] + _SHORTEST) & (stations < stations[-1] - _SHORTEST)
+    far[[0, -1]] = True
+    return np.asarray(stations[far])
 
 
 def _between(stations: Floats, start: float, stop: float) -> Floats | None:

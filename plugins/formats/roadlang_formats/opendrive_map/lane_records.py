@@ -9,6 +9,8 @@ from .records import LaneRecord, MarkRecord, SectionRecord
 from .speeds import speed_of
 
 _MOST_LANES = 100
+_PUBLIC = {"bus", "taxi"}
+"""Whom alone bus lanes are for."""
 
 
 def section_record(file: MapFile, element: MapElement) -> SectionRecord:
@@ -36,7 +38,7 @@ def _lane(file: MapFile, element: MapElement) -> LaneRecord:
     return LaneRecord(
         element,
         id,
-        file.attribute(element, "type", "none"),
+        _type(file, element),
         element.attributes.get("direction", "standard"),
         widths,
         () if widths else cubics(file, element.all("border"), "sOffset"),
@@ -48,6 +50,18 @@ def _lane(file: MapFile, element: MapElement) -> LaneRecord:
         _linked(file, element.first("link", "predecessor")),
         _linked(file, element.first("link", "successor")),
     )
+
+
+def _type(file: MapFile, element: MapElement) -> str:
+    """The type of a lane. One for driving that only buses and taxis may use is a bus lane."""
+    written = file.attribute(element, "type", "none")
+    allowed: set[str] = set()
+    for access in element.all("access"):
+        if access.attributes.get("rule", "allow") == "allow":
+            found = [access.attributes.get("restriction")]
+            found += [each.attributes.get("type") for each in access.all("restriction")]
+            allowed.update(name for name in found if name)
+    return "bus" if written == "driving" and allowed and allowed <= _PUBLIC else written
 
 
 def _linked(file: MapFile, element: MapElement | None) -> int | None:

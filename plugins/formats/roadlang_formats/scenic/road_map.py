@@ -18,8 +18,8 @@ _SAG = 0.02
 """Meters by which a chord between points may be off."""
 _FEWEST, _MOST = 20, 200
 """Points of each piece of a reference line; 20 are Scenic's own number."""
-_DRIVEN = ("bidirectional", "bus")
-"""Lanes for vehicles that Scenic does not take for such."""
+_DRIVEN = "bidirectional"
+"""A type of lanes for vehicles that Scenic does not take for such."""
 _NARROWEST = 0.1
 """Meters: Scenic fails on a lane that has no width on some part of its road."""
 
@@ -29,7 +29,7 @@ def road_map(scene: Scene) -> tuple[str, int]:
     root = ElementTree.fromstring(document(scene, "1.8", _TOLERANCE, "", "one_way_roads"))
     for road in root.iter("road"):
         for lane in road.iter("lane"):
-            if lane.get("type") in _DRIVEN:
+            if lane.get("type") == _DRIVEN:
                 lane.set("type", "driving")
             _widen(lane, float(road.get("length", 0.0)))
     text = ElementTree.tostring(root, encoding="unicode")
