@@ -35,7 +35,7 @@ _BELOW = 0.05
 _DRY = 0.9
 """Friction where the world says nothing."""
 _STEP = 0.004
-_SPACING = 2.0
+_SPACING = 1.0
 """Meters between the points of a path."""
 _SIZE = (4.5, 1.8, 1.5)
 _BEGIN = 5.0
