@@ -27,8 +27,10 @@ EASED = 5.0
 
 
 def kept_in_lane(line: RouteLine, actor: SceneActor) -> RouteLine:
-    """The line that the middle of a vehicle follows where `line` is the middle of its lane. It stays
-    as it is where all of the vehicle is in a junction."""
+    """The line that the middle of a vehicle follows where `line` is the middle of its lane.
+
+    It stays as it is where all of the vehicle is in a junction.
+    """
     if actor.length > LONG:
         return line
     source = line.source
