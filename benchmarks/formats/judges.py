@@ -15,7 +15,8 @@ _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
 """
 _SHARE = 0.005
 """By which a road of netconvert may differ in length."""
-_WALKED = {"sidewalk"}
+_ASIDE = {"sidewalk", "parking"}
+"""Lanes that need not be on both sides, so that they are not as long as the road on the average."""
 _OPTIONS = (
     # The roads of a file end where the corners of its junctions begin: no more is to be cut off.
     "--junctions.endpoint-shape",
@@ -130,12 +131,13 @@ def _lengths(
             faults.append(f"road {road.get('id')} is missing")
         elif all(len(way) == 1 for way in ways):
             lanes = [
-                lane
+                [lane for lane in edge.iterfind("lane") if lane.get("type") not in _ASIDE]
                 for (edge,) in ways
-                for lane in edge.iterfind("lane")
-                if lane.get("type") not in _WALKED
             ]
-            mean = sum(map(_plan_length, lanes)) / len(lanes)
+            if not all(lanes):
+                continue
+            both = lanes[0] + lanes[1]
+            mean = sum(map(_plan_length, both)) / len(both)
             length = float(str(road.get("length")))
             for other in road.iterfind("link/*[@elementType='road']"):
                 ends = frozenset((str(road.get("id")), str(other.get("elementId"))))
