@@ -127,7 +127,7 @@ def coordinates(acceptance: Acceptance, accepted: list[Accepted]) -> list[dict[s
         candidate = candidates_of([item], acceptance.scenario, SEED)
         acceptance.measure(candidate)
         assert candidate.record is not None
-        drawn = candidate.record.coordinates.items()
+        drawn = candidate.record.named_coordinates().items()
         found.append({name: float(values[0]) for name, values in drawn})
     return found
 

@@ -97,12 +97,11 @@ class CopyBatch(CandidateBatch):
         for into, drawn in ((record.coordinates, self._uniform), (record.values, self._drawn)):
             for (place, element), values in drawn.items():
                 if element:
-                    into[place] = self._table(place, values[:, 0], present)
+                    record.add_copies(into, self._table(place, values[:, 0], present))
                     continue
                 column, absent = self._column(values, present)
-                into[place] = column[:, 0] if drawn is self._uniform else column
-                if absent.any():
-                    record.absent[place] = absent
+                column = column[:, 0] if drawn is self._uniform else column
+                record.add_shared(into, place, column, absent)
 
     def _table(self, place: str, values: NDArray[Any], present: Booleans | None) -> CopyDraws:
         """What was drawn for each of the copies (R,)."""

@@ -46,6 +46,18 @@ class CopyDraws:
         some = absent[:, has] if absent[:, has].any() else None
         return CopyDraws(self.place, copies, self.table[np.ix_(rows, has)], some)
 
+    def joined(self, later: CopyDraws) -> CopyDraws:
+        """These and later ones: copies of different kinds draw their options at the same place."""
+        copies = tuple(sorted({*self.copies, *later.copies}))
+        table = np.zeros((len(self.table), len(copies)), np.result_type(self.table, later.table))
+        absent = np.ones(table.shape, bool)
+        for part in (self, later):
+            columns = np.searchsorted(copies, part.copies)
+            lacks = np.zeros(part.table.shape, bool) if part.absent is None else part.absent
+            table[:, columns] = np.where(lacks, table[:, columns], part.table)
+            absent[:, columns] &= lacks
+        return CopyDraws(self.place, copies, table, absent if absent.any() else None)
+
 
 @dataclass(frozen=True)
 class DrawRecord:
@@ -62,6 +74,24 @@ class DrawRecord:
     """(V, 1) what was drawn"""
     absent: dict[str, NDArray[np.bool_]] = field(default_factory=dict)
     """(V,) candidates that do not have a draw: those of copies that only others have"""
+
+    def add_copies(self, into: dict[str, Any], drawn: CopyDraws) -> None:
+        """Add what copies drew to `coordinates` or `values`, beside what others drew there."""
+        known = into.get(drawn.place)
+        into[drawn.place] = drawn if known is None else known.joined(drawn)
+
+    def add_shared(
+        self, into: dict[str, Any], place: str, column: NDArray[Any], lacking: Booleans
+    ) -> None:
+        """Add what one draw of a place gave (V,) or (V, 1) to `coordinates` or `values`, but for
+        candidates that lack it (V,), beside what those drew there for another kind."""
+        if place in into:
+            shape = lacking.reshape(lacking.shape + (1,) * (column.ndim - 1))
+            column = np.where(shape, into[place], column)
+            lacking = lacking & self.absent.pop(place, np.zeros(len(lacking), bool))
+        into[place] = column
+        if lacking.any():
+            self.absent[place] = lacking
 
     def named_coordinates(self) -> dict[str, NDArray[np.float64]]:
         """The coordinates (V,) by name, also those of copies."""
