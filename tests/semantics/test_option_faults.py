@@ -50,6 +50,7 @@ FAULTS = [
     (CONTROL, "control with signals { junctions: 1 }", "RL206", "1", "[1]"),
     (CONTROL, "control with signals { junctions: [1.5] }", "RL230", "1.5", None),
     (CONTROL, "control with stop { junction: [1] }", "RL220", "junction", "junctions"),
+    (OPTIONS, "drive with traffic, drive with overtake { target: ego }", "RL228", "ego", None),
     (OPTIONS, "apart: 2", "RL202", "2", "2m"),
     (OPTIONS, "apart: -1m", "RL208", "-1m", None),
     (OPTIONS, "aprt: 2m", "RL220", "aprt", "apart"),

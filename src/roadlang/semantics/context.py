@@ -32,6 +32,8 @@ class Context:
     drive_time: bool = False
     of_controller: bool = False
     """Whether it is an option of a controller, which looks at whom it names while driving"""
+    watches: bool = False
+    """Whether it names whom a controller watches: anyone but the agent that it drives"""
     strings: bool = False
     """A bare name that means nothing else is a string, as in `--set weather=rain`."""
     roles: tuple[str, ...] = ()
@@ -43,10 +45,12 @@ class Context:
         self, name: str, option: OptionType, words: tuple[str, ...], example: str = ""
     ) -> Context:
         """The context of an option's value."""
+        watches = self.of_controller and bool(roles_in(option)) and not self.drive_time
         return replace(
             self,
             place=f"{self.place}/{name}",
-            drive_time=self.drive_time or (self.of_controller and bool(roles_in(option))),
+            drive_time=self.drive_time or watches,
+            watches=watches,
             words=words,
             verbs=verbs_in(option),
             strings=False,

@@ -223,6 +223,8 @@ def infer_name(checker: Checker, name: ast.Name, context: Context) -> TypedExpre
 
 def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> TypedExpression:
     text, span = name.text, name.span
+    if context.watches and text == context.user and role in context.roles:
+        return _itself(checker, name, context)
     checker.use(text, context)
     if role in ("require", "expect"):
         return TypedExpression(span, ConstraintType(role), TextValue(text))
@@ -242,6 +244,19 @@ def _declared(checker: Checker, name: ast.Name, role: str, context: Context) -> 
         kind = replace(found.type, bare=False)
         return replace(found, span=span, type=kind, value=value, range=False)
     return replace(found, span=span, value=Reference(text), range=False)
+
+
+def _itself(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:
+    """RL228 of a controller that is told to watch the agent that it drives."""
+    checker.report(
+        Code.WRONG_ENTITY_TYPE,
+        name.span,
+        what=f"`{context.place.rpartition('/')[2]}`",
+        expected=f"another {' or '.join(context.roles)}",
+        name=name.text,
+        found="the agent that it drives",
+    )
+    return unknown(name.span)
 
 
 def _signal_or_formula(found: TypedExpression, text: str, span: Span) -> TypedExpression:
