@@ -57,6 +57,7 @@ def page(shared_page: Page, server: CorrectionServer) -> Page:
     shared_page.faults.clear()
     shared_page.requests.clear()
     shared_page.open("about:blank")
+    shared_page.questions.clear()
     shared_page.open(server.address)
     settled(shared_page, "document.querySelectorAll('#roads > g').length === 2")
     return shared_page
@@ -169,6 +170,14 @@ def test_corrections_that_are_taken_back_leave_the_file_as_it_was(page: Page, sc
     settled(page, "page.roads.length === 2")
     page.run("at('message').textContent = ''")
     assert saved(page, scene) == SCENE
+
+
+def test_whoever_leaves_with_corrections_that_are_not_saved_is_asked(page: Page) -> None:
+    click(page, 200, 60)
+    press(page, "x")
+    settled(page, "page.roads.length === 1")
+    page.open("about:blank")
+    assert page.questions == ["beforeunload"]
 
 
 def test_the_wheel_zooms_where_it_points_and_a_drag_moves(page: Page) -> None:

@@ -41,25 +41,31 @@ def find_browser() -> str:
 
 class Page:
     """A page that is open. `faults` are exceptions and errors on its console, `requests` the
-    addresses that it asked for."""
+    addresses that it asked for, `questions` the kinds of dialogs it showed, which are accepted."""
 
     def __init__(self, socket: Any) -> None:
         self._socket = socket
         self._numbers = count(1)
         self.faults: list[str] = []
         self.requests: list[str] = []
+        self.questions: list[str] = []
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.send(f"{domain}.enable")
 
     def send(self, method: str, **parameters: Any) -> Any:
         """The answer to a command of the protocol."""
-        number = next(self._numbers)
-        self._socket.send(json.dumps({"id": number, "method": method, "params": parameters}))
+        number = self._post(method, **parameters)
         while True:
             message = self._receive()
             if message.get("id") == number:
                 assert "error" not in message, message
                 return message["result"]
+
+    def _post(self, method: str, **parameters: Any) -> int:
+        """The number of a command, whose answer is still to come."""
+        number = next(self._numbers)
+        self._socket.send(json.dumps({"id": number, "method": method, "params": parameters}))
+        return number
 
     def open(self, address: str) -> None:
         """Load a page and wait until it has loaded."""
@@ -86,6 +92,9 @@ class Page:
         message: dict[str, Any] = json.loads(self._socket.recv(timeout=_WAIT))
         parameters = message.get("params", {})
         match message.get("method"):
+            case "Page.javascriptDialogOpening":
+                self.questions.append(parameters["type"])
+                self._post("Page.handleJavaScriptDialog", accept=True)
             case "Network.requestWillBeSent":
                 self.requests.append(parameters["request"]["url"])
             case "Runtime.exceptionThrown":
