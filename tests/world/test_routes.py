@@ -188,6 +188,25 @@ def test_no_way_against_one_way_roads(sample: Sample) -> None:
     assert "other direction" in help_
 
 
+def test_no_way_from_where_another_has_put_it(sample: Sample) -> None:
+    ego = "agent ego is car on town { route: [(10m, 45m), (125m, 45m)], drive with traffic }\n"
+    code, message, _ = raised(
+        sample,
+        ego + "agent lead is car on town at ahead_of(ego, 8m) { route: [(10m, 45m)] }",
+        "lanes: 2, oneway: true",
+    )
+    assert code == "RL618"
+    assert "(10m, 45m)" in message
+    assert "`lead`" in message
+
+
+def test_who_is_placed_again_stands_where_a_way_leads_on(sample: Sample) -> None:
+    ego = "agent ego is car on town at random { lane: outer }\n"
+    lead = "agent lead is car on town at ahead_of(ego, 2m..60m) { route: [(125m, 45m)] }"
+    for scene in sample(town("lanes: 2, oneway: true") + ego + lead, n=8, seed=2).scenes:
+        assert next(agent for agent in scene.agents if agent.name == "lead").route is not None
+
+
 def test_a_direction_from_which_no_way_leads(sample: Sample) -> None:
     code, _, help_ = raised(
         sample, "agent ego is car on town { route: [(10m, 45m), (125m, 45m)], facing: back }"

@@ -31,6 +31,7 @@ from .road_places import from_root
 from .road_poses import LaneStart, WrittenPlace
 from .route_points import FARTHEST, RoutePoints, route_points
 from .route_positions import lane_places_of
+from .routes import route_through, start_places
 from .spots import UNREACHED, Spots
 
 
@@ -50,6 +51,7 @@ def begins_in_network(
     if names_another(actor, copies.scenario):
         walks = LaneWalks(actor, copies, lanes, lengths)
         walks.by_another(choices, written, others, found)
+        _reach_points(actor, copies, lanes, found)
     else:
         first = copies
         if "spacing" in actor.options:
@@ -60,6 +62,17 @@ def begins_in_network(
             finder.place(choice, index, written, found)
     begin = LaneStart(found.start, found.lane, found.offset, found.backward, found.is_directed)
     return found.road, begin, found.lacking
+
+
+def _reach_points(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph, into: Spots) -> None:
+    """Note from which places, which another has decided, no way leads through written points."""
+    points = route_points(actor, copies, lanes)
+    if points is None:
+        return
+    for row, place in enumerate(start_places(actor, into, lanes, copies)):
+        found = None if place is None else route_through(lanes, place, points.stages(row))
+        if not isinstance(found, PlannedRoute):
+            into.lacking[row] = max(into.lacking[row], UNREACHED)
 
 
 @dataclass(frozen=True, eq=False)

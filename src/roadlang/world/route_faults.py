@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ..diagnostics import Code, Diagnostic, Span, diagnose
@@ -12,8 +14,11 @@ from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
 from ..ir.scenario import ScenarioActor
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
+from .placement import placed
+from .positions import names_another
 from .road_poses import WrittenPlace
-from .route_points import FARTHEST, NamedPlaces, NearPoints, route_parts
+from .route_points import FARTHEST, NamedPlaces, NearPoints, route_parts, route_points
+from .routes import route_through, start_places
 
 
 def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic | None:
@@ -22,10 +27,14 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     network = candidates.scenario.networks[str(actor.on)]
     lanes = lanes_of_network(network, candidates)
     copies = CopyBatch(candidates, np.zeros(1, np.intp), np.ones(1, np.int64))
-    parts = route_parts(actor, copies, lanes)
+    by_another = names_another(actor, candidates.scenario)
+    vias = route_points(actor, copies, lanes) if by_another else None
+    parts = vias.parts if vias is not None else route_parts(actor, copies, lanes)
     for part in parts:
         if isinstance(part, NearPoints) and part.distance(0) > FARTHEST:
-            return _far(actor, part.point(0), part.distance(0), parts.index(part))
+            return _far(actor, part.point(0), part.distance(0), parts.index(part) + by_another)
+    if by_another:
+        return _no_way_from_there(actor, parts, copies, lanes)
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
     if len(parts) == 1 or choice is None:
         return None
@@ -36,6 +45,23 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     if isinstance(found, PlannedRoute):
         return None
     return _unreachable(actor, parts[found], stages, found, lanes)
+
+
+def _no_way_from_there(
+    actor: ScenarioActor,
+    vias: Sequence[NearPoints | NamedPlaces],
+    copies: CopyBatch,
+    lanes: LaneGraph,
+) -> Diagnostic | None:
+    """RL618 of what is placed by another, which decides where it begins."""
+    place = start_places(actor, placed(actor, copies.candidates), lanes, copies)[0]
+    if place is None or not vias:
+        return None
+    stages = [via.places(0) for via in vias]
+    found = route_through(lanes, place, stages)
+    if isinstance(found, PlannedRoute):
+        return None
+    return _unreachable(actor, vias[found - 1], [(place,), *stages], found, lanes)
 
 
 def _place_of(actor: ScenarioActor, part: int) -> str:

@@ -21,6 +21,7 @@ from .lane_graphs import lanes_of_network
 from .positions import Others, column, names_another, other_of_copies
 from .road_places import to_root
 from .route_points import route_points
+from .spots import Spots
 from .turning import sharpest_turn
 
 DEFAULT_LENGTH = 2_000.0
@@ -73,7 +74,7 @@ def _plan(
     network = candidates.scenario.networks[str(actor.on)]
     lanes, where = lanes_of_network(network, candidates), others(actor)
     copies = CopyBatch.every(candidates, where.x.shape[1])
-    starts = _starts(actor, where, lanes, copies)
+    starts = start_places(actor, where, lanes, copies)
     points = route_points(actor, copies, lanes)
     numbers = _number(actor, "route", copies, 0.0) if points is None else None
     lengths = _number(actor, "route_length", copies, DEFAULT_LENGTH)
@@ -88,7 +89,7 @@ def _plan(
             continue
         route: PlannedRoute | int | None
         if points is not None:
-            route = _through(lanes, start, points.stages(row))
+            route = route_through(lanes, start, points.stages(row))
         elif "route" in actor.options:
             assert numbers is not None
             bend = sharpest_turn(kinds.instances[row].kind)
@@ -99,11 +100,11 @@ def _plan(
         into.reshape(-1)[row] = route if isinstance(route, PlannedRoute) else None
 
 
-def _through(
+def route_through(
     lanes: LaneGraph, start: RoutePlace, stages: list[tuple[RoutePlace, ...]]
 ) -> PlannedRoute | int:
-    """The route through one place of each stage. A first one that lies just behind the start in its
-    lane has been passed already."""
+    """The route through one place of each stage, or the number of the first stage that no way leads
+    to, from 1. A first one that lies just behind the start in its lane has been passed already."""
     found = shortest_route(lanes, [(start,), *stages])
     if isinstance(found, PlannedRoute):
         return found
@@ -126,8 +127,8 @@ def _after(lanes: LaneGraph, start: RoutePlace, lead: PlannedRoute | None) -> Pl
     return straight_route(lanes, start, DEFAULT_LENGTH)
 
 
-def _starts(
-    actor: ScenarioActor, where: PlacedBatch, lanes: LaneGraph, copies: CopyBatch
+def start_places(
+    actor: ScenarioActor, where: PlacedBatch | Spots, lanes: LaneGraph, copies: CopyBatch
 ) -> list[RoutePlace | None]:
     """(R) where copies stand, by arc length of the root; None of one in no lane."""
     road, lane, backward = (
