@@ -70,9 +70,11 @@ def _reach_points(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph, int
     if points is None:
         return
     for row, place in enumerate(start_places(actor, into, lanes, copies)):
-        found = None if place is None else route_through(lanes, place, points.stages(row))
-        if not isinstance(found, PlannedRoute):
-            into.lacking[row] = max(into.lacking[row], UNREACHED)
+        # What stands in no lane, as another beside the road has it, has no route at all.
+        if place is not None:
+            found = route_through(lanes, place, points.stages(row))
+            if not isinstance(found, PlannedRoute):
+                into.lacking[row] = max(into.lacking[row], UNREACHED)
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from ..diagnostics import Code, Diagnostic, Span, diagnose
@@ -28,13 +26,16 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     lanes = lanes_of_network(network, candidates)
     copies = CopyBatch(candidates, np.zeros(1, np.intp), np.ones(1, np.int64))
     by_another = names_another(actor, candidates.scenario)
-    vias = route_points(actor, copies, lanes) if by_another else None
-    parts = vias.parts if vias is not None else route_parts(actor, copies, lanes)
+    if by_another:
+        vias = route_points(actor, copies, lanes)
+        parts = () if vias is None else vias.parts
+    else:
+        parts = route_parts(actor, copies, lanes)
     for part in parts:
         if isinstance(part, NearPoints) and part.distance(0) > FARTHEST:
             return _far(actor, part.point(0), part.distance(0), parts.index(part) + by_another)
     if by_another:
-        return _no_way_from_there(actor, parts, copies, lanes)
+        return _no_way_from_there(actor, candidates, lanes)
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
     if len(parts) == 1 or choice is None:
         return None
@@ -48,20 +49,21 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
 
 
 def _no_way_from_there(
-    actor: ScenarioActor,
-    vias: Sequence[NearPoints | NamedPlaces],
-    copies: CopyBatch,
-    lanes: LaneGraph,
+    actor: ScenarioActor, candidates: CandidateBatch, lanes: LaneGraph
 ) -> Diagnostic | None:
-    """RL618 of what is placed by another, which decides where it begins."""
-    place = start_places(actor, placed(actor, copies.candidates), lanes, copies)[0]
-    if place is None or not vias:
+    """RL618 of copies that are placed by another, which decides where they begin."""
+    where = placed(actor, candidates)
+    copies = CopyBatch.every(candidates, where.x.shape[1])
+    vias = route_points(actor, copies, lanes)
+    if vias is None:
         return None
-    stages = [via.places(0) for via in vias]
-    found = route_through(lanes, place, stages)
-    if isinstance(found, PlannedRoute):
-        return None
-    return _unreachable(actor, vias[found - 1], [(place,), *stages], found, lanes)
+    places = start_places(actor, where, lanes, copies)
+    for row in np.flatnonzero(where.present[0]).tolist():
+        place, stages = places[row], vias.stages(row)
+        found = 0 if place is None else route_through(lanes, place, stages)
+        if place is not None and not isinstance(found, PlannedRoute):
+            return _unreachable(actor, vias.parts[found - 1], [(place,), *stages], found, lanes)
+    return None
 
 
 def _place_of(actor: ScenarioActor, part: int) -> str:
