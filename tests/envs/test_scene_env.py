@@ -281,3 +281,17 @@ def test_a_scene_that_there_is_not_is_no_start(number: object) -> None:
 @pytest.mark.parametrize("number", [0, 2, np.int64(1)])
 def test_the_scene_to_start_with_can_be_chosen(number: int) -> None:
     assert env(ALONE).reset(options={"scene": number})[1]["scene"] == number
+
+
+def test_margins_of_what_is_measured_over_time() -> None:
+    """What the car gains in a step of 40 ms, divided by the step."""
+    text = ALONE + "expect a: always (ego.acceleration < 9m/s^2)\n"
+    text += "expect j: always (ego.jerk < 50m/s^3)\n"
+    known = []
+    for name in ("a", "j"):
+        one = env(text, reward=name)
+        one.reset(seed=1)
+        pedals = np.array([[0.0, 0.1], [0.0, 0.6], [0.0, -0.3], [0.0, 0.2]], dtype=np.float32)
+        known.append([one.step(pedal)[4]["margins"][name] for pedal in pedals])
+    acceleration, jerk = 9.0 - np.array(known[0]), 50.0 - np.array(known[1])
+    np.testing.assert_allclose(jerk[1:], np.diff(acceleration) / one.settings.step, rtol=1e-3)

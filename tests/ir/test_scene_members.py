@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from roadlang.api import Scene
+from roadlang.drive.standing import with_objects, without_objects
 from roadlang.ir.encoding import scene_from_json
 from roadlang.ir.scene import SceneActor
 from roadlang.ir.scene_junctions import SceneControl, SignalPhase
-from roadlang.ir.trace import AgentTrace
+from roadlang.ir.trace import AgentTrace, Trace
 
 ROAD = {
     "name": "main", "stations": [0, 10], "reference_stations": [0, 10], "x": [0, 10], "y": [0, 0],
@@ -105,3 +108,39 @@ def test_what_stands_still_is_where_the_scene_has_it_at_all_times() -> None:
             assert column.tolist() == [value] * 3
         assert (trace.length, trace.width) == (4.0, 2.0)
         assert math.isclose(trace.time[-1], 1.0)
+
+
+@pytest.mark.parametrize(
+    ("kind", "sizes", "category"),
+    [
+        ("car", (4.0, 2.0, 1.5), "car"),
+        ("acme.coach", (12.0, 2.5, 3.2), "bus"),
+        ("acme.lorry", (8.0, 2.5, 3.2), "truck"),
+        ("acme.scooter", (1.9, 0.7, 1.3), "bicycle"),
+        ("acme.chopper", (2.4, 0.9, 1.3), "motorcycle"),
+        ("acme.box", (5.0, 2.0, 2.2), "van"),
+    ],
+)
+def test_agents_of_the_first_format_are_what_their_sizes_say(
+    kind: str, sizes: tuple[float, float, float], category: str
+) -> None:
+    length, width, height = sizes
+    agent = {**CAR, "kind": kind, "length": length, "width": width, "height": height}
+    document = {**LEAST, "schema": "roadlang.scene/1", "agents": [agent]}
+    (found,) = scene_from_json(json.dumps(document)).agents
+    assert found.category == category
+
+
+def test_what_turns_or_moves_is_no_object_that_stands() -> None:
+    """A door that turns on the spot is in the trace of a drive; a hut is in the scene alone."""
+    time = np.array([0.0, 0.5, 1.0])
+    hut, door, gate = (SceneActor(n, n, "box", 1.0, 2.0, 0.5, 4.0, 2.0, 1.5) for n in "hdg")
+    scene = replace(least(), agents=(), objects=(hut, door, gate))
+    still = {one.name: AgentTrace.standing(one, time) for one in (hut, door, gate)}
+    agents = {**still, "d": replace(still["d"], heading=time), "g": replace(still["g"], y=time)}
+    kept = without_objects(Trace(time, agents), scene)
+    assert set(kept.agents) == {"d", "g"}
+    again = with_objects(kept, scene)
+    assert set(again.agents) == {"h", "d", "g"}
+    assert again.agents["h"].x.tolist() == [1.0, 1.0, 1.0]
+    assert again.agents["d"].heading.tolist() == time.tolist()

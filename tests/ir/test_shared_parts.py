@@ -88,3 +88,17 @@ def test_the_roads_of_a_scene_are_remembered() -> None:
     to_json(scene)
     remembered = {id(part) for part, _ in json_document._last[0].values()}
     assert {id(part) for part in (*scene.roads, *scene.networks)} <= remembered
+
+
+@pytest.mark.parametrize(
+    ("change", "kind"),
+    [
+        (lambda: FrozenDict(a=1).update(b=2), "map"),
+        (lambda: FrozenDict(a=1).pop("a"), "map"),
+        (lambda: FrozenList([1]).append(2), "list"),
+        (lambda: FrozenList([2, 1]).sort(), "list"),
+    ],
+)
+def test_what_cannot_be_changed_says_what_it_is(change: Any, kind: str) -> None:
+    with pytest.raises(TypeError, match=f"this {kind} is read-only: change a copy of it"):
+        change()

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from roadlang import testing
 from roadlang.ir.trace import AgentTrace, Trace
+
+from .routed_scenes import drive_scenes
 
 
 def drive(text: str, n: int = 1, seed: int = 0, **options: Any) -> list[Trace]:
@@ -18,6 +21,11 @@ def driven(text: str, **options: Any) -> AgentTrace:
     """The trace of `ego` in one scene of a text."""
     (trace,) = drive(text, **options)
     return trace.agents["ego"]
+
+
+def drive_together(texts: Iterable[str], **options: Any) -> list[Trace]:
+    """The trace of one scene of each text, all in one block: much faster than one by one."""
+    return drive_scenes([testing.sample(text, 1)[0].record for text in texts], **options)
 
 
 def straight(drives: str, *, world: str = "", length: int = 1500, agent: str = "car") -> str:

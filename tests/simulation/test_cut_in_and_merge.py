@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
-from .driven_roads import drive
+from .driven_roads import drive, drive_together
 
 ROAD = """
 road main { draw with segments { pieces: [straight(1200m)] }, lanes: 4, width: 14m }
@@ -29,17 +31,18 @@ def cutting(gap: float, start: int, lane: int = -1, speed: int = 20) -> str:
     )
 
 
-@pytest.mark.parametrize("lane", [-1, -2], ids=["from the left", "from the right"])
-@pytest.mark.parametrize("start", [110, 150, 185], ids=["behind", "beside", "ahead"])
-@pytest.mark.parametrize("gap", [6.0, 15.0])
-def test_it_ends_in_front_of_its_target_with_the_gap(gap: float, start: int, lane: int) -> None:
-    (trace,) = drive(cutting(gap, start, lane), duration=30)
-    ego, cutter = trace.agents["ego"], trace.agents["cutter"]
-    assert trace.events == ()
-    assert cutter.y[-1] == pytest.approx(ego.y[-1], abs=0.05)
-    inside = np.abs(cutter.y - ego.y) < 0.1
-    there = int(np.flatnonzero(inside)[0])
-    assert cutter.x[there] - ego.x[there] - 4.5 == pytest.approx(gap, abs=1.0)
+def test_it_ends_in_front_of_its_target_with_the_gap() -> None:
+    """From behind, beside and ahead of it, from the left and from the right."""
+    cases = list(product((6.0, 15.0), (110, 150, 185), (-1, -2)))
+    traces = drive_together((cutting(*case) for case in cases), duration=30)
+    for case, trace in zip(cases, traces, strict=True):
+        ego, cutter = trace.agents["ego"], trace.agents["cutter"]
+        assert trace.events == (), case
+        assert cutter.y[-1] == pytest.approx(ego.y[-1], abs=0.05), case
+        inside = np.abs(cutter.y - ego.y) < 0.1
+        there = int(np.flatnonzero(inside)[0])
+        gap = cutter.x[there] - ego.x[there] - 4.5
+        assert gap == pytest.approx(case[0], abs=1.0), case
 
 
 def test_it_waits_for_a_car_that_is_where_it_would_go() -> None:
@@ -81,14 +84,14 @@ def test_on_a_free_road_it_merges_at_once() -> None:
     assert trace.agents["ego"].y[-1] == pytest.approx(INNER, abs=0.05)
 
 
-@pytest.mark.parametrize("spacing", [45, 60])
-@pytest.mark.parametrize("first", [10, 25, 40, 55])
-def test_it_merges_into_a_gap_before_its_lane_ends(first: int, spacing: int) -> None:
-    (trace,) = drive(merging(queue(first, 4, spacing, 22), 300), duration=30)
-    ego = trace.agents["ego"]
-    assert trace.events == ()
-    assert ego.y[-1] == pytest.approx(INNER, abs=0.1)
-    assert ego.x[ego.y < 0.5 * (OUTER + INNER)].max() < 50 + 300
+def test_it_merges_into_a_gap_before_its_lane_ends() -> None:
+    cases = list(product((10, 25, 40, 55), (45, 60)))
+    texts = (merging(queue(first, 4, spacing, 22), 300) for first, spacing in cases)
+    for case, trace in zip(cases, drive_together(texts, duration=30), strict=True):
+        ego = trace.agents["ego"]
+        assert trace.events == (), case
+        assert ego.y[-1] == pytest.approx(INNER, abs=0.1), case
+        assert ego.x[ego.y < 0.5 * (OUTER + INNER)].max() < 50 + 300, case
 
 
 def test_without_a_gap_it_stops_where_its_lane_ends_and_goes_when_all_have_gone() -> None:
@@ -118,3 +121,23 @@ def test_merge_knows_where_its_lane_ends_and_goes_on_when_there_is_room() -> Non
     assert ego.speed.min() < 1.0, "there is no room at first"
     assert ego.station[ego.lane == -2].max() < 250.0
     assert ego.station[-1] > 350.0
+
+
+def test_after_the_merge_it_keeps_its_distance_whatever_drives_then() -> None:
+    (trace,) = drive("""
+    road main { draw with segments { pieces: [straight(700m)] }, oneway: true, lanes: 2 }
+    agent slow is truck on main at 60m { lane: -1, drive with lane_follow { speed: 15m/s } }
+    agent ego is car on main at 10m {
+      lane: -2, start_speed: 20m/s
+      drive with lane_follow { speed: 22m/s }
+      drive with merge { duration: 2s }
+    }
+    """, duration=30)  # fmt: skip
+    ego, slow = trace.agents["ego"], trace.agents["slow"]
+    assert trace.events == ()
+    merged = np.abs(ego.y - slow.y) < 0.2
+    gap = slow.x - ego.x - 0.5 * (4.5 + 8.0)
+    assert merged.sum() > 200
+    assert gap[merged].min() > 5.0
+    assert ego.speed[-1] == pytest.approx(15.0, abs=0.3)
+    assert np.abs(np.diff(ego.acceleration[merged])).max() < 1.5

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from roadlang import testing
 from roadlang.ir.scene import Scene
 
 from .crossing_traffic import before_junction, contacts, entries
+from .driven_roads import drive_together
 from .routed_scenes import CROSSING, call, car, drive_scenes, network_scene, route
 
 STREET = """
@@ -24,10 +26,13 @@ agent child is pedestrian on street at 110m {{ side: {side}, offset: {offset}, {
 """
 
 
+def street(drives: str, side: str = "right", offset: str = "1m", facing: str = "") -> str:
+    return STREET.format(side=side, offset=offset, drives=drives, facing=facing)
+
+
 def driven(drives: str, side: str = "right", offset: str = "1m", facing: str = "") -> Any:
-    text = STREET.format(side=side, offset=offset, drives=drives, facing=facing)
-    ((one,)) = testing.sample(text, 1).run("builtin", duration=30.0)
-    return one.trace
+    (trace,) = drive_together([street(drives, side, offset, facing)], duration=30.0)
+    return trace
 
 
 def least_speed(trace: Any) -> float:
@@ -36,14 +41,13 @@ def least_speed(trace: Any) -> float:
     return float(ego.speed[ego.present > 0.0].min())
 
 
-@pytest.mark.parametrize("side", ["right", "left"])
-@pytest.mark.parametrize("speed", [1.0, 1.5, 2.5])
-@pytest.mark.parametrize("distance", [22, 30, 45])
-def test_it_stops_for_a_child_who_steps_out(side: str, speed: float, distance: int) -> None:
-    when = f"when: distance(ego, child) < {distance}m"
-    trace = driven(f"drive with crossing {{ speed: {speed}m/s, {when} }}", side)
-    assert contacts(trace) == []
-    assert trace.agents["ego"].progress[-1] == 1.0
+def test_it_stops_for_a_child_who_steps_out() -> None:
+    cases = list(product(("right", "left"), (1.0, 1.5, 2.5), (22, 30, 45)))
+    drives = "drive with crossing {{ speed: {}m/s, when: distance(ego, child) < {}m }}"
+    texts = (street(drives.format(speed, distance), side) for side, speed, distance in cases)
+    for case, trace in zip(cases, drive_together(texts, duration=30.0), strict=True):
+        assert contacts(trace) == [], case
+        assert trace.agents["ego"].progress[-1] == 1.0, case
 
 
 @pytest.mark.parametrize(

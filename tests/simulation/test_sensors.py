@@ -238,6 +238,8 @@ def test_who_looks_for_a_sensor_hears_which_there_are() -> None:
         runs(agent("drive with emergency_brake"))
     with pytest.raises(DiagnosticError, match=r"there is no sensor `ranges`; the agent has gps"):
         runs(agent("drive with emergency_brake\n sense with gps"))
+    with pytest.raises(DiagnosticError, match=r"has several channels; it needs rays in one row"):
+        runs(agent("drive with emergency_brake\n sense with ranges { channels: 2 }"))
 
 
 def test_an_engine_delivers_what_is_due_and_nothing_else() -> None:

@@ -35,16 +35,16 @@ def scene_with(rule: str, plan: str = CROSSING, lanes: int = 2, world: str = "")
     return network_scene(plan, options, cell=f"{4 * lanes}m/px", world=world)
 
 
-@pytest.mark.parametrize("plan", [CROSSING, TEE], ids=["four_arms", "three_arms"])
-@pytest.mark.parametrize("rule", RULES)
-def test_queues_get_through_without_contact_or_red_lights(rule: str, plan: str) -> None:
-    empty = scene_with(rule, plan)
-    scenes = [queues(empty, seed) for seed in range(2)]
-    for scene, trace in zip(scenes, drive_scenes(scenes, duration=70.0), strict=True):
-        assert contacts(trace) == []
+def test_queues_get_through_without_contact_or_red_lights() -> None:
+    """At four arms and three, under all rules, two scenes each: all in one block."""
+    empty = [(rule, scene_with(rule, plan)) for rule in RULES for plan in (CROSSING, TEE)]
+    cases = [(rule, queues(scene, seed)) for rule, scene in empty for seed in range(2)]
+    traces = drive_scenes([scene for _, scene in cases], duration=70.0)
+    for (rule, scene), trace in zip(cases, traces, strict=True):
+        assert contacts(trace) == [], rule
         passed = line_crossings(scene, trace)
-        assert not [name for name, _, red in passed if red]
-        assert len(passed) >= 0.9 * len(scene.agents)
+        assert not [name for name, _, red in passed if red], rule
+        assert len(passed) >= 0.9 * len(scene.agents), rule
 
 
 @pytest.mark.slow
@@ -283,26 +283,29 @@ def test_two_that_change_to_each_others_lane_side_by_side_do_not_touch(apart: fl
     assert min(agent.progress[-1] for agent in trace.agents.values()) > 0.9
 
 
-@pytest.mark.parametrize("rule", RULES)
-def test_left_hand_traffic_drives_as_the_mirror_image_of_right_hand_traffic(rule: str) -> None:
+def test_left_hand_traffic_drives_as_the_mirror_image_of_right_hand_traffic() -> None:
+    """Under all rules."""
     arm = "." * 12 + "#" + "." * 17
     plan = "\n".join([arm] * 14 + ["#" * 30] + [arm] * 9)
     other = "\n".join(row[::-1] for row in plan.splitlines())
-    right = scene_with(rule, plan)
-    left = scene_with(rule, other, world="traffic: left")
-    agents, images = [], []
-    for number, (road, lane) in enumerate(entries(right)):
-        for turn, distance in (("left", 20.0), ("right", 34.0), ("straight", 48.0)):
-            start = before_junction(right, road, lane, distance + number)
-            path = route(right, road, lane, start, [turn])
-            agents.append(car(right, f"{number}.{turn}", path, drive=call("traffic")))
-            images.append(image_of(agents[-1], turn, distance + number, left, 30 * 8.0))
-    (trace,) = drive_scenes([replace(right, agents=tuple(agents))], duration=25.0)
-    (mirrored,) = drive_scenes([replace(left, agents=tuple(images))], duration=25.0)
-    for name, one in trace.agents.items():
-        image = mirrored.agents[name]
-        assert np.abs(one.x + image.x - 30 * 8.0).max() < 1e-9
-        assert np.abs(one.y - image.y).max() < 1e-9
+    scenes = []
+    for rule in RULES:
+        right = scene_with(rule, plan)
+        left = scene_with(rule, other, world="traffic: left")
+        agents, images = [], []
+        for number, (road, lane) in enumerate(entries(right)):
+            for turn, distance in (("left", 20.0), ("right", 34.0), ("straight", 48.0)):
+                start = before_junction(right, road, lane, distance + number)
+                path = route(right, road, lane, start, [turn])
+                agents.append(car(right, f"{number}.{turn}", path, drive=call("traffic")))
+                images.append(image_of(agents[-1], turn, distance + number, left, 30 * 8.0))
+        scenes += [replace(right, agents=tuple(agents)), replace(left, agents=tuple(images))]
+    traces = drive_scenes(scenes, duration=25.0)
+    for rule, trace, mirrored in zip(RULES, traces[::2], traces[1::2], strict=True):
+        for name, one in trace.agents.items():
+            image = mirrored.agents[name]
+            assert np.abs(one.x + image.x - 30 * 8.0).max() < 1e-9, rule
+            assert np.abs(one.y - image.y).max() < 1e-9, rule
 
 
 def image_of(

@@ -46,3 +46,11 @@ def test_it_waits_for_a_gap_if_it_says_so() -> None:
     turns = ego.time[np.abs(ego.heading) > 0.3][0]
     assert trace.agents["oncoming[1]"].station[np.searchsorted(ego.time, turns)] < 100.0
     assert trace.events == ()
+
+
+def test_where_it_could_hardly_move_across_the_road_it_drives_on() -> None:
+    text = STREET.format(lanes=2, width=7, lane=-1, options="when: time > 1s")
+    (trace,) = drive(text.replace("ego is car", "ego is van"), duration=12.0)
+    ego = trace.agents["ego"]
+    assert np.abs(ego.heading).max() < 0.05
+    assert ego.station[-1] > 150.0

@@ -48,7 +48,8 @@ _PHASE, _BEGAN, _TARGET, _CLOCK, _ORIGIN = range(5)
 class Merge(Controller):
     """Merge into the adjacent lane: adapt the speed to a gap, change lanes where there is room,
     and stop before the end of its own lane if there is none. It returns if the gap closes during
-    the first half of the change. Afterwards the controller before it drives on."""
+    the first half of the change. Afterwards the controller before it drives on, but keeps its
+    distance to who is ahead."""
 
     name: ClassVar[str] = "merge"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -97,6 +98,7 @@ class Merge(Controller):
         seen = observations
         open_ = np.full(len(seen.x), np.nan)
         line, steering, acceleration = open_.copy(), open_, open_
+        limit = self._following(seen, *ahead_in_lane(seen))
         state[:, _BEGAN] = np.where(np.isnan(state[:, _BEGAN]), seen.traveled, state[:, _BEGAN])
         if (state[:, _PHASE] != DONE).any():
             middle = seen.offset_of_lane(self.to)
@@ -115,12 +117,15 @@ class Merge(Controller):
             waiting = state[:, _PHASE] == WAITING
             acceleration = np.where(waiting, self._waiting(seen, lane, state), np.nan)
             moving = state[:, _PHASE] == MOVING
+            limit = np.where(moving, self._following(seen, *lane.nearest_ahead()), limit)
             steering = np.where(moving, along_line(seen), np.nan)
             state[moving, _CLOCK] += seen.step
             settled = state[:, _CLOCK] >= self.duration + SETTLING_TIME
             state[moving & settled, _PHASE] = DONE
         time = np.zeros(len(open_)) + self.duration
-        return ControlBatch(steering, acceleration, line_offset=line, line_time=time)
+        return ControlBatch(
+            steering, acceleration, line_offset=line, line_time=time, acceleration_limit=limit
+        )
 
     def _turn_back(
         self, seen: ObservationBatch, lane: LaneTraffic, state: Floats, line: Floats
@@ -159,6 +164,17 @@ class Merge(Controller):
         stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)
         least = np.minimum(np.minimum(free, in_lane), np.minimum(gentle, stopping))
         return np.maximum(least, -HARDEST)
+
+    def _following(self, seen: ObservationBatch, gap: Floats, pace: Floats) -> Floats:
+        """(N,) the greatest acceleration behind somebody: it brakes gently where it has merged
+        into a gap that is small for its speed, and as hard as it has to where it would touch."""
+        import numpy as np
+
+        closing = np.maximum(seen.speed - pace, 0.0)
+        needed = -closing * closing / (2.0 * np.maximum(gap - 0.5 * GAP, 0.1))
+        gentle = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
+        hardest = np.maximum(needed, -HARDEST)
+        return np.asarray(np.where(needed < -self.deceleration, hardest, gentle))
 
     def _left(self, seen: ObservationBatch, state: Floats) -> Floats:
         """(N,) meters in which the center has to be in the other lane."""

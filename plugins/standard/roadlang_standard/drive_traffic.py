@@ -20,22 +20,15 @@ LATE = 0.7
 """Share of the comfortable deceleration from which on cars brake evenly for a stop."""
 MERGING = 1.5
 """Times the comfortable deceleration, with which cars make room for who goes first."""
-LOOKAHEAD, NEAR, FAR = 0.8, 4.0, 20.0
-"""Seconds of its speed, and meters at least and at most, to the point that a fast car steers to:
-far enough that it does not weave, although a decision holds for `interval`."""
-SLOW, FAST = 6.0, 10.0
+LOOKAHEAD = 0.8
+"""Seconds of its speed to the point that a very fast car steers to: far enough that it does not
+weave, although a decision holds for `interval`."""
+FAST, FASTEST = 40.0, 45.0
 """m/s: up to the first, cars keep to the line exactly; from the second on they steer to a point."""
 NEAREST = 0.1
 """Meters: gaps count as no smaller."""
-SLIP, SLIP_OF_PURSUIT = 0.0085, 0.005
-"""Radians for each m/s^2 to the side by which a car steers more, as its tires slip (R. Rajamani,
-Vehicle Dynamics and Control, ch. 3): along the line exactly, and to a point ahead."""
 CAR_BASE = 3.5
 """Meters between the axles, from which on a vehicle takes bends the slower, the longer it is."""
-SLIP_PREVIEW = 0.12
-"""Seconds ahead at which it does."""
-
-
 FORESIGHT = 2.0
 """Seconds ahead at which a lower speed limit is obeyed, so that it holds where it begins."""
 
@@ -105,16 +98,14 @@ class Traffic(Controller):
 
 
 def _steering(seen: ObservationBatch) -> Floats:
-    """(N,) exact at the speed of turns, calm at that of straight roads."""
+    """(N,) exact up to the speeds of motorways, calm beyond."""
     import numpy as np
 
-    _, _, _, curvature = seen.line_ahead(SLIP_PREVIEW * seen.speed)
-    aside = seen.speed * seen.speed * curvature
-
-    share = np.minimum(np.maximum((seen.speed - SLOW) / (FAST - SLOW), 0.0), 1.0)
-    lookahead = np.minimum(np.maximum(LOOKAHEAD * seen.speed, NEAR), FAR)
-    exact = along_line(seen) + SLIP * aside
-    calm = pursuit(seen, lookahead) + SLIP_OF_PURSUIT * aside
+    exact = along_line(seen)
+    share = np.minimum(np.maximum((seen.speed - FAST) / (FASTEST - FAST), 0.0), 1.0)
+    if not share.any():
+        return exact
+    calm = pursuit(seen, LOOKAHEAD * np.maximum(seen.speed, FAST))
     return np.asarray((1.0 - share) * exact + share * calm)
 
 

@@ -32,6 +32,9 @@ LANE_WIDTH = 3.5
 """Meters, where there are no lanes."""
 EDGE = 0.2
 """Meters that its corners keep from the edges of the road."""
+SHUNT = 0.6
+"""Meters of each move at least: on a road that leaves less to a vehicle that stands across it, it
+does not turn around."""
 STRAIGHTENING = 0.8
 """Radians from the way back at which it steers toward its lane."""
 LOOKAHEAD = 6.0
@@ -48,7 +51,8 @@ _PHASE, _PACE, _MIDDLE, _RIGHT, _STATION = range(5)
 class UTurn(Controller):
     """Turn around on the road and drive back in a lane of the other direction, or in its own where
     there is none; in several moves where the road is too narrow for one. It waits while something
-    stands in its way."""
+    stands in its way. Where the lanes are hardly as wide as the vehicle is long, it does not turn:
+    the controller before it drives on."""
 
     name: ClassVar[str] = "u_turn"
     speed: Speed = option(
@@ -82,16 +86,27 @@ class UTurn(Controller):
         seen = observations
         near = seen.nearby(SIGHT)
         coming = state[:, _PHASE] == COMING
-        waits = coming & ((seen.speed > TURNING) | self._has_to_wait(seen, near))
-        begins = coming & ~waits
         lane = seen.lane_place()
         width = np.where(np.isfinite(lane.width), lane.width, LANE_WIDTH)
         right = np.where(np.isfinite(lane.offset), lane.offset, seen.road_offset) - 0.5 * width
+        drives_on = coming & ~self._has_room(seen, right, width)
+        waits = coming & ((seen.speed > TURNING) | self._has_to_wait(seen, near)) & ~drives_on
+        begins = coming & ~waits & ~drives_on
         state[begins, _RIGHT] = right[begins]
         state[begins, _PACE], state[begins, _PHASE] = seen.speed[begins], FORWARD
         pose = self._driven(seen, near, state, width)
-        pose[waits] = np.nan
-        return ControlBatch(np.full(len(waits), np.nan), np.where(waits, -BRAKING, 0.0), pose=pose)
+        pose[waits | drives_on] = np.nan
+        acceleration = np.where(drives_on, np.nan, np.where(waits, -BRAKING, 0.0))
+        return ControlBatch(np.full(len(waits), np.nan), acceleration, pose=pose)
+
+    def _has_room(self, seen: ObservationBatch, right: Floats, width: Floats) -> Booleans:
+        """(N,) whether it can move to and fro standing across the lanes, at worst diagonally.
+        `right`: offset of the right edge of the lane from which it comes."""
+        import numpy as np
+
+        left = _left_edge(self._lanes_back(seen), right, width)
+        needed = np.hypot(seen.length, seen.width) + 2.0 * EDGE + SHUNT
+        return np.asarray(left - right >= needed)
 
     def _has_to_wait(self, seen: ObservationBatch, near: Neighbors) -> Booleans:
         """(N,) whether somebody who comes toward the agent, or from behind beside it, will soon be
@@ -134,8 +149,7 @@ class UTurn(Controller):
         stop = way * (pace * pace / (2.0 * BRAKING) + pace * seen.step + EDGE)
         then = arc_move(seen, stop, bend)
         high, low = lateral_reach(seen, then)
-        most = np.fmax.reduce(lanes, axis=0) + 0.5 * width - EDGE
-        most = np.where(np.isfinite(most), most, state[:, _RIGHT] + width)
+        most = _left_edge(lanes, state[:, _RIGHT], width) - EDGE
         over = ~returns & np.where(way > 0.0, high > most, low < state[:, _RIGHT] + EDGE)
         limit = np.where(phase == BACKWARD, BACKING, TURNING)
         limit = np.where(phase == RETURNING, self._speed_back(seen, near), limit)
@@ -187,6 +201,15 @@ class UTurn(Controller):
         speed = np.minimum(speed, np.sqrt(BRAKING * np.maximum(left, 0.0)))
         behind = np.where(there, safe, np.inf).min(axis=1, initial=np.inf)
         return np.asarray(np.minimum(speed, behind))
+
+
+def _left_edge(lanes: Floats, right: Floats, width: Floats) -> Floats:
+    """(N,) offset of the left edge of the lanes that it may use: of those of the other direction,
+    whose middles are at the offsets (L, N), or where there are none of its own."""
+    import numpy as np
+
+    edge = np.fmax.reduce(lanes, axis=0) + 0.5 * width
+    return np.where(np.isfinite(edge), edge, right + width)
 
 
 def _nearest(lanes: Floats, offset: Floats, other: Floats) -> Floats:

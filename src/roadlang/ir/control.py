@@ -77,8 +77,7 @@ class Observation(Frozen):
     traveled: float = 0.0
     """meters along the line since the start of the drive"""
     lane_place: Callable[[], LanePlace] = LanePlace
-    """where the agent is among the lanes; `lane`, `lane_offset`, `lane_width` and `speed_limit` are
-    its members"""
+    """its place among the lanes: `lane`, `lane_offset`, `lane_width` and `speed_limit`"""
     offset_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
     """`offset_of_lane(-2)`, `offset_of_lane("left")`: how far left of the tabled line of the agent
     the middle of a lane is here; NaN where there is none"""
@@ -282,6 +281,9 @@ class ControlBatch:
     """seconds in which the line moves there, smoothly; None or 0: at once"""
     pose: Floats | None = None
     """(N, 4) x, y, heading and speed one step later; NaN: left to the equations of motion"""
+    acceleration_limit: Floats | None = None
+    """(N,) m/s^2, NaN for none: where it leaves the acceleration open, the upper limit of what
+    controllers before it decide"""
 
     @classmethod
     def of(cls, controls: Sequence[Control]) -> ControlBatch:

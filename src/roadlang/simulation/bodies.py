@@ -31,8 +31,9 @@ class Body:
     rolling: float = 0.012
     """rolling resistance for each newton of weight"""
     mass_height: float = 0.28
-    """height of the center of mass, share of the height of the agent; 0 on two wheels, where riders
-    keep the balance: else they spin when they brake in a bend"""
+    """height of the center of mass, share of the height of the agent; 0 on two wheels, whose
+    riders balance: load transfer would take grip from the rear wheel, so that they spin when they
+    brake in a bend"""
     steering_lag: float = 0.1
     """time constant of the steering, seconds"""
     steering_rate: float = 1.2

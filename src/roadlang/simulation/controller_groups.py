@@ -19,7 +19,9 @@ from .option_columns import columns_of, options_of, words_of
 from .triggers import PlacedCall
 from .world import World
 
-HELD = ("steering", "acceleration", "heading", "line_offset", "line_time")
+HELD = (
+    "steering", "acceleration", "heading", "line_offset", "line_time", "acceleration_limit",
+)  # fmt: skip
 """Members of a decision that hold until the next; a pose is that of one step."""
 
 
@@ -37,7 +39,7 @@ class Group:
     since: Floats
     """when each decided last"""
     held: Floats
-    """(5, N) what each decided then, in the order of `HELD`; NaN where it said nothing"""
+    """(6, N) what each decided then, in the order of `HELD`; NaN where it said nothing"""
     built: Controller | None = None
     """the controller with the options of all its agents, once there is one"""
     said: Sequence[bool] = (True,) * len(HELD)
@@ -84,11 +86,12 @@ class Group:
         """What some of the agents decided when they did last."""
         held = self.held if len(agents) == len(self.rows) else self.held[:, agents]
         steering, acceleration, *others = held
-        return ControlBatch(
-            steering, acceleration,
-            *(one if says and not np.isnan(one).all() else None
-              for says, one in zip(self.said[2:], others, strict=True)),
-        )  # fmt: skip
+        said = {
+            name: one
+            for name, says, one in zip(HELD[2:], self.said[2:], others, strict=True)
+            if says and not np.isnan(one).all()
+        }
+        return ControlBatch(steering, acceleration, **said)
 
     def take(self, place: Integers) -> None:
         """Agents are at other places of the world now; at -1, no more."""

@@ -113,16 +113,17 @@ class GuardedController(Controller):
         acceleration = self._column(decided.acceleration, "acceleration", count)
         if _has_infinite(acceleration) or _has_infinite(steering):
             raise wrong_result(self.entry, None, "gave controls that are not finite")
-        heading, offset, time = (
+        heading, offset, time, limit = (
             None if value is None else self._column(value, name, count)
             for name, value in (
                 ("heading", decided.heading),
                 ("line_offset", decided.line_offset),
                 ("line_time", decided.line_time),
+                ("acceleration_limit", decided.acceleration_limit),
             )
         )
         pose = None if decided.pose is None else self._poses(decided.pose, count)
-        return ControlBatch(steering, acceleration, heading, offset, time, pose)
+        return ControlBatch(steering, acceleration, heading, offset, time, pose, limit)
 
     def _poses(self, values: Any, count: int) -> Floats:
         numbers = real_numbers(values, "poses", self.entry, None)

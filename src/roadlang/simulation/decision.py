@@ -21,6 +21,9 @@ class Decision:
     heading: Floats | None = None
     pose: Floats | None = None
     """(N, 4) x, y, heading, speed; NaN where the equations of motion decide"""
+    limit: Floats | None = None
+    """(N,) the greatest acceleration where it is decided by controllers before the one in charge;
+    infinite for none"""
 
     @classmethod
     def open(cls, driven: Booleans) -> Decision:
@@ -53,14 +56,28 @@ class Decision:
             if self.pose is None:
                 self.pose = np.full((len(self.steering), 4), math.nan)
             self.pose[rows] = found.pose
+        self._bound(rows, found)
 
     def fill(self, rows: Integers, found: ControlBatch) -> None:
         """What controllers before those decide, where it is still open."""
         for mine, theirs in (
             (self.steering, found.steering),
-            (self.acceleration, found.acceleration),
+            (self.acceleration, self._within_limit(rows, found.acceleration)),
         ):
             mine[rows] = np.where(np.isnan(mine[rows]), theirs, mine[rows])
+        self._bound(rows, found)
+
+    def _bound(self, rows: Integers, found: ControlBatch) -> None:
+        """A controller that leaves the acceleration open may limit what those before it decide."""
+        if found.acceleration_limit is None:
+            return
+        if self.limit is None:
+            self.limit = np.full(len(self.steering), math.inf)
+        limit = np.where(np.isnan(self.acceleration[rows]), found.acceleration_limit, math.inf)
+        self.limit[rows] = np.fmin(self.limit[rows], limit)
+
+    def _within_limit(self, rows: Integers, acceleration: Floats) -> Floats:
+        return acceleration if self.limit is None else np.minimum(acceleration, self.limit[rows])
 
     def single(self, row: int) -> Control:
         """That of one agent."""
@@ -75,4 +92,6 @@ class Decision:
     def close(self) -> None:
         """0 is what nobody has decided."""
         for column in (self.steering, self.acceleration):
-            column[np.isnan(column)] = 0.0
+            column[is_open := np.isnan(column)] = 0.0
+        if self.limit is not None:
+            self.acceleration[is_open] = np.minimum(0.0, self.limit[is_open])

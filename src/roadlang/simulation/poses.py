@@ -70,8 +70,9 @@ def foot_points(track: Track, x: Floats, y: Floats, along: Floats) -> tuple[Floa
         line_x, line_y, heading, _, _ = frames_in(track, cell, rest)
         curvature = track.lines.curvature[cell]
         off_x, off_y = x - line_x, y - line_y
-        offset = np.cos(heading) * off_y - np.sin(heading) * off_x
-        ahead = np.cos(heading) * off_x + np.sin(heading) * off_y
+        cosine, sine = np.cos(heading), np.sin(heading)
+        offset = cosine * off_y - sine * off_x
+        ahead = cosine * off_x + sine * off_y
         along = along + ahead / np.maximum(1.0 - offset * curvature, 0.5)
     cell, rest = track.cell(along)
     return along, offset, track.lines.heading[cell] + track.lines.curvature[cell] * rest
