@@ -15,7 +15,7 @@ from roadlang_godot import engine
 from roadlang_godot.session import Session
 from roadlang_godot.simulate import Settings, drive_in
 
-SECONDS, STEP, TURNS = 40.0, 0.05, 3
+SETTINGS, TURNS = Settings(duration=40.0, step=0.05), 3
 ROAD = """
 road main {
   draw with segments { pieces: [
@@ -50,7 +50,10 @@ def lockstep() -> None:
     for drive in DRIVES:
         for count in (1, 10):
             rates, shares = [], []
-            with engine.start(fixed_fps=60) as running, running.connect() as session:
+            with (
+                engine.start(fixed_fps=SETTINGS.frame_rate) as running,
+                running.connect() as session,
+            ):
                 for _ in range(TURNS):
                     rate, share = _rate(session, running, ROAD % (count, drive))
                     rates.append(rate)
@@ -58,8 +61,9 @@ def lockstep() -> None:
             best = max(range(TURNS), key=rates.__getitem__)
             name = drive.split()[0]
             print(
-                f"lock-step at {1000 * STEP:.0f} ms, {name}, {count} agents: {rates[best]:.1f}"
-                f" simulated s per CPU s ({100 * shares[best]:.0f} % of it in the engine)"
+                f"lock-step at {1000 * SETTINGS.step:.0f} ms, {name}, {count} agents: "
+                f"{rates[best]:.1f} simulated s per CPU s "
+                f"({100 * shares[best]:.0f} % of it in the engine)"
             )
 
 
@@ -69,7 +73,7 @@ def _rate(session: Session, running: engine.Engine, text: str) -> tuple[float, f
     scene = scenario.sample(1, seed=0)[0].record
     controllers = python_controllers(scene, testing.registry_with(Follower))
     of_client, of_engine = time.process_time(), engine_seconds(running)
-    trace = drive_in(session, scene, Settings(duration=SECONDS, step=STEP), controllers)
+    trace = drive_in(session, scene, SETTINGS, controllers)
     of_client, of_engine = time.process_time() - of_client, engine_seconds(running) - of_engine
     seconds = of_client + of_engine
     return float(trace.time[-1]) / seconds, of_engine / seconds

@@ -11,7 +11,6 @@ const KINDS: Dictionary = {
 	"lane_follow": preload("controllers/lane_follow.gd"),
 	"car_follow": preload("controllers/car_follow.gd"),
 	"brake": preload("controllers/brake.gd"),
-	"crossing": preload("controllers/crossing.gd"),
 	"manual": preload("controllers/manual.gd"),
 }
 const MAX_CONTROLLERS := 32

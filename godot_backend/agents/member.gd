@@ -1,11 +1,9 @@
 extends RefCounted
 ## An agent that takes part in a run: where it is built, what drives it, how fast it was.
 
-## What a client says of it in a step.
-enum Outside { NOTHING, STEER, FACE, POSE, LEAVE }
-
 const Stage := preload("../build/stage.gd")
 const Agent := preload("agent.gd")
+const Command := preload("command.gd")
 const Signals := preload("signals.gd")
 const Vehicle := preload("vehicle.gd")
 const Walker := preload("walker.gd")
@@ -24,10 +22,8 @@ var wish := Vector2.ZERO
 ## Over the ground (x east, y north) before the last physics step.
 var velocity_before := Vector2.ZERO
 
-var _outside := Outside.NOTHING
-var _place := Vector2.ZERO
-var _toward := 0.0
-var _speed := 0.0
+## What a client says; nothing, where it drives itself.
+var _told := Command.new()
 ## Where it was when it was told where to be: x, y, heading.
 var _from := Vector3.ZERO
 
@@ -40,7 +36,7 @@ func _init(of_world: int, one: Agent, built_on: Stage) -> void:
 
 ## Back to the start of a run.
 func reset() -> void:
-	_outside = Outside.NOTHING
+	_told = Command.new()
 	wanted = Vector2.ZERO
 	agent.follow(stage.path(agent.path_id))
 	agent.start_station()
@@ -55,30 +51,31 @@ func ask_human(time: float, dt: float) -> void:
 		wish = agent.driver.controls(agent, signals.value, time, dt)
 
 
+## Whether a client says what it is to do.
+func is_told() -> bool:
+	return _told.form != Command.Form.NOTHING
+
+
 func observe(dt: float) -> void:
 	agent.observe(dt)
-	if _outside == Outside.NOTHING:
+	if not is_told():
 		agent.follow(stage.path(agent.path_id))
 		agent.find_station()
 
 
-## From now on a client gives the controls: a steering angle or a heading and an acceleration, or
-## the pose and the speed that are reached at the end of the step.
-func drive_from_outside(how: Outside, place: Vector2, first: float, second: float) -> void:
-	_outside = how
-	_place = place
-	_toward = first
-	_speed = second
+## From now on a client says what it is to do.
+func obey(command: Command) -> void:
+	_told = command
 	_from = Vector3(agent.x, agent.y, agent.heading)
-	var steers := how == Outside.STEER or how == Outside.LEAVE
-	wanted = Vector2(first, second) if steers else Vector2.ZERO
+	var steers := command.form == Command.Form.STEER or command.form == Command.Form.LEAVE
+	wanted = Vector2(command.angle, command.pull) if steers else Vector2.ZERO
 
 
 ## Moves on by one tick; `share` of the present step will then be over.
 func act(time: float, dt: float, share: float) -> void:
 	velocity_before = agent.body.ground_velocity()
-	match _outside:
-		Outside.NOTHING:
+	match _told.form:
+		Command.Form.NOTHING:
 			wanted = agent.driver.controls(agent, signals.value, time, dt)
 			# There is no road any more.
 			var arrived := agent.at_end() and not agent.path.closed
@@ -86,14 +83,14 @@ func act(time: float, dt: float, share: float) -> void:
 				wanted.y = minf(wanted.y, -END_BRAKING)
 			_leave(arrived and agent.traveled > Agent.ARRIVED)
 			agent.body.command(wanted.x, wanted.y, dt)
-		Outside.STEER, Outside.LEAVE:
-			_leave(_outside == Outside.LEAVE)
+		Command.Form.STEER, Command.Form.LEAVE:
+			_leave(_told.form == Command.Form.LEAVE)
 			agent.body.command(wanted.x, wanted.y, dt)
-		Outside.FACE:
+		Command.Form.FACE:
 			if agent.body is Walker:
-				(agent.body as Walker).turn(_toward)
-			agent.body.command(0.0, _speed, dt)
-		Outside.POSE:
+				(agent.body as Walker).turn(_told.angle)
+			agent.body.command(0.0, _told.pull, dt)
+		Command.Form.POSE:
 			_go_to_place(minf(share, 1.0), dt)
 
 
@@ -112,6 +109,6 @@ func _go_to_place(share: float, dt: float) -> void:
 		agent.body.let_go()
 		agent.body.command(0.0, -END_BRAKING, dt)
 		return
-	var at := Vector2(_from.x, _from.y).lerp(_place, share)
-	var heading := _from.z + share * angle_difference(_from.z, _toward)
+	var at := Vector2(_from.x, _from.y).lerp(_told.place, share)
+	var heading := _from.z + share * angle_difference(_from.z, _told.angle)
 	agent.body.carry(Vector3(at.x, 0.0, -at.y), heading, dt)

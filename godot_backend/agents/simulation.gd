@@ -13,6 +13,7 @@ const Stage := preload("../build/stage.gd")
 const Objects := preload("../build/objects.gd")
 const Agent := preload("agent.gd")
 const Contacts := preload("contacts.gd")
+const Command := preload("command.gd")
 const Member := preload("member.gd")
 const Signals := preload("signals.gd")
 const Telemetry := preload("telemetry.gd")
@@ -27,8 +28,6 @@ const STATE_EVERY_USEC := 20000
 ## A step is looked for this often at first, and less often the longer it does not come.
 const POLL_USEC := 30
 const LONGEST_POLL_USEC := 2000
-const MAX_STEERING := 10.0
-const MAX_ACCELERATION := 1000.0
 
 ## Called again and again while a step is waited for.
 var while_waiting: Callable
@@ -155,8 +154,10 @@ func step(dt: float) -> void:
 	for lights in _traffic_signals:
 		if is_instance_valid(lights):
 			lights.show_at(tick * dt)
-	for member in _members:
-		member.observe(dt)
+	# While all are told what to do, nothing asks where they are before the next step.
+	if tick >= _hold_until or not _are_all_told():
+		for member in _members:
+			member.observe(dt)
 	_contacts.gather(_members, tick)
 	if mode == Mode.LOCKSTEP and tick >= _hold_until:
 		for member in _members:
@@ -195,9 +196,12 @@ func take_step(payload: PackedByteArray) -> String:
 		return ""
 	for i in count:
 		var key := reader.u16() << 16 | reader.u16()
-		var wrong := _take_control(key, reader)
-		if not wrong.is_empty():
-			return wrong
+		var command := Command.new()
+		if not command.read(reader):
+			return "bad step"
+		var member: Member = _by_key.get(key)
+		if member != null:
+			member.obey(command)
 	if not reader.at_end() or ticks < 1:
 		return "bad step"
 	_contacts.told(Telemetry.MOST_IN_A_STATE)
@@ -209,26 +213,6 @@ func take_step(payload: PackedByteArray) -> String:
 func agent(world: int, id: int) -> Agent:
 	var member: Member = _by_key.get(world << 16 | id)
 	return null if member == null else member.agent
-
-
-func _take_control(key: int, reader: Reader) -> String:
-	var how := reader.u32()
-	var place := Vector2.ZERO
-	var first := 0.0
-	if how == Member.Outside.POSE:
-		place = Vector2(reader.f32(Protocol.MAX_COORDINATE), reader.f32(Protocol.MAX_COORDINATE))
-		first = reader.f32(Protocol.MAX_COORDINATE)
-	else:
-		reader.f32(0.0)
-		reader.f32(0.0)
-		first = reader.f32(MAX_STEERING)
-	var second := reader.f32(MAX_ACCELERATION)
-	var member: Member = _by_key.get(key)
-	if reader.failed or how > Member.Outside.LEAVE:
-		return "bad step"
-	if member != null:
-		member.drive_from_outside(how, place, first, second)
-	return ""
 
 
 func _gather() -> void:
@@ -291,6 +275,13 @@ func _flush() -> void:
 	for from in range(0, told.size(), most):
 		_server.send(Protocol.CONTACTS, told.slice(from, from + most))
 	_contacts.told(_contacts.count)
+
+
+func _are_all_told() -> bool:
+	for member in _members:
+		if not member.is_told():
+			return false
+	return true
 
 
 func _all_at_end() -> bool:

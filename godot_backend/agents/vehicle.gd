@@ -53,6 +53,7 @@ func assemble(dimensions: Vector3, numbers: Callable) -> void:
 		maxf(numbers.call("rear_stiffness", 14.0), 0.1)
 	)
 	_wheels.lift = _mass_height * (1.0 - ROLL if size.z > NARROW else 1.0)
+	_wheels.join(self)
 	_prepare()
 	_add_shape()
 
@@ -87,8 +88,7 @@ func command(steer: float, acceleration: float, dt: float) -> void:
 	var weighs := _wheels.weighs
 	_wheels.force = -forward * weighs * _drag * pace * absf(pace)
 	_wheels.torque = Vector3.ZERO
-	var space := get_world_3d().direct_space_state
-	_wheels.roll(space, pose, pose * center_of_mass, velocity, spin, acceleration, pace, dt)
+	_wheels.roll(pose, pose * center_of_mass, velocity, spin, acceleration, pace, dt)
 	var force := _wheels.force
 	var torque := _wheels.torque
 	if _wheels.down > 0:
@@ -152,9 +152,11 @@ func go_on(other: PhysicsBody3D) -> void:
 	if not other is Vehicle:
 		return
 	var car := other as Vehicle
-	global_transform = car.global_transform
-	linear_velocity = car.linear_velocity
-	angular_velocity = car.angular_velocity
+	# Between two physics steps, nodes are still where they were before the last one.
+	var now := PhysicsServer3D.body_get_direct_state(car.get_rid())
+	global_transform = now.transform
+	linear_velocity = now.linear_velocity
+	angular_velocity = now.angular_velocity
 	gravity_scale = car.gravity_scale
 	freeze = car.freeze
 	_wheels.tangent = car._wheels.tangent

@@ -42,7 +42,7 @@ var torque := Vector3.ZERO
 ## What soft ground adds to the rolling resistance, m/s^2.
 var soft := 0.0
 
-var _ray := PhysicsRayQueryParameters3D.new()
+var _rays: Array[RayCast3D] = []
 ## The plane that a wheel is on, and directions in it: along and across the body, along and across
 ## the turned wheels.
 var _normal := Vector3.ZERO
@@ -62,14 +62,26 @@ func _init(length: float, width: float, ground: int) -> void:
 	for along: float in [0.5, -0.5]:
 		for side: float in [0.5, -0.5]:
 			mounts.append(Vector3(side * maxf(width - 0.25, 0.1), RAY_TOP, along * length))
-	_ray.collision_mask = ground
+	for mount in mounts:
+		var ray := RayCast3D.new()
+		ray.enabled = false
+		ray.exclude_parent = false
+		ray.position = mount
+		ray.target_position = Vector3.DOWN * (RAY_TOP + SAG)
+		ray.collision_mask = ground
+		_rays.append(ray)
+
+
+## Goes with a body, in which rays to the ground begin.
+func join(body: Node3D) -> void:
+	for ray in _rays:
+		body.add_child(ray)
 
 
 ## Looks where the ground is below a body, and adds to `force` and `torque` what it does to the
 ## wheels. `center`: of mass; `velocity` and `spin`: of the body; `wanted`: the acceleration along
 ## it; `pace`: its speed.
 func roll(
-	space: PhysicsDirectSpaceState3D,
 	pose: Transform3D,
 	center: Vector3,
 	velocity: Vector3,
@@ -80,19 +92,16 @@ func roll(
 ) -> void:
 	down = 0
 	soft = 0.0
-	var reach := pose.basis.y * (RAY_TOP + SAG)
 	var collider: Object = null
 	_normal = Vector3.ZERO
 	for wheel in 4:
-		var place := pose * mounts[wheel]
-		_ray.from = place
-		_ray.to = place - reach
-		var hit := space.intersect_ray(_ray)
-		if hit.is_empty():
+		var ray := _rays[wheel]
+		ray.force_raycast_update()
+		if not ray.is_colliding():
 			continue
-		var point: Vector3 = hit.position
-		var normal: Vector3 = hit.normal
-		var height := place.distance_to(point) - RAY_TOP
+		var point := ray.get_collision_point()
+		var normal := ray.get_collision_normal()
+		var height := (pose * mounts[wheel]).distance_to(point) - RAY_TOP
 		if looks != null:
 			looks.drop(wheel, height)
 		var arm := point - center
@@ -104,8 +113,8 @@ func roll(
 		# Mostly all wheels are on the same plane of the same surface.
 		if normal != _normal:
 			_lie_on(normal, pose.basis.z)
-		if hit.collider != collider:
-			collider = hit.collider
+		if ray.get_collider() != collider:
+			collider = ray.get_collider()
 			_stand_on(collider, wanted, pace, dt)
 		soft += 0.25 * _resistance
 		var along := _steered if wheel < 2 else _along

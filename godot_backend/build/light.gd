@@ -7,6 +7,8 @@ const SkyShader := preload("shaders/sky.gdshader")
 ## Radians of the sun's height: night below the first, full day above the second.
 const NIGHT := -0.3
 const DAY := 0.2
+## Meters of visibility below which there is fog.
+const FOG := 500.0
 ## Below this height of the sun the moon shines instead.
 const SUNSET := -0.1
 ## Of the moon, which shines from one place all night.
@@ -31,9 +33,10 @@ func is_dark() -> bool:
 	return elevation < 0.06 or visibility < 150.0
 
 
-## Whether what it shines on casts shadows that are seen.
+## Whether what it shines on casts shadows that are seen: not under clouds, nor in fog, of which
+## light comes from all sides.
 func casts_shadows() -> bool:
-	return cloud < 0.9
+	return cloud < 0.9 and visibility > FOG
 
 
 func prepare() -> void:

@@ -105,17 +105,21 @@ func places() -> Array[Transform3D]:
 
 ## Things of one size and variant are instances of one mesh.
 func _add_instances(places_given: Array[Transform3D], color: String) -> void:
-	var groups := {}
+	# By size, and variant as the fourth number.
+	var groups: Dictionary = {}
 	for i in places_given.size():
 		var size := Props.drawn_size(sort, places_given[i].basis.get_scale())
 		var variant := _variant(places_given[i].origin) if color.is_empty() else 0
-		groups.get_or_add([size, variant], PackedInt32Array()).append(i)
-	for look: Array in groups:
+		var look := Vector4(size.x, size.y, size.z, variant)
+		groups.get_or_add(look, PackedInt32Array()).append(i)
+	for look: Vector4 in groups:
 		var numbers: PackedInt32Array = groups[look]
+		var size := Vector3(look.x, look.y, look.z)
 		var scaled: Array[Transform3D] = []
 		for number in numbers:
-			scaled.append(places_given[number].scaled_local(Vector3.ONE / (look[0] as Vector3)))
-		_drawn.append(Instances.make(Props.mesh(sort, color, look[0], look[1]), scaled, numbers))
+			scaled.append(places_given[number].scaled_local(Vector3.ONE / size))
+		var mesh := Props.mesh(sort, color, size, int(look.w))
+		_drawn.append(Instances.make(mesh, scaled, numbers))
 		_numbers.append(numbers)
 		var instance := MultiMeshInstance3D.new()
 		instance.multimesh = _drawn[-1]

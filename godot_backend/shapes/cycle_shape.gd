@@ -4,6 +4,8 @@ extends RefCounted
 const Solid := preload("solid.gd")
 const Paints := preload("paints.gd")
 
+## Radius of the tubes of a frame, meters.
+const TUBE := 0.026
 const CLOTHES := Color(0.16, 0.2, 0.3)
 
 
@@ -18,15 +20,13 @@ static func bicycle(
 	var pedals := Vector3(0, radius - 0.04, -0.1)
 	var saddle := Vector3(0, 0.92, -0.27)
 	var head := Vector3(0, 0.86, 0.37 * wheelbase)
-	for pair: Array in [
-		[rear, pedals],
-		[rear, saddle - Vector3(0, 0.16, 0)],
-		[pedals, saddle],
-		[pedals, head],
-		[saddle - Vector3(0, 0.14, -0.03), head],
-		[head, front]
-	]:
-		out.bar(pair[0], pair[1], 0.026, look)
+	var below_saddle := saddle - Vector3(0, 0.14, -0.03)
+	out.bar(rear, pedals, TUBE, look)
+	out.bar(rear, saddle - Vector3(0, 0.16, 0), TUBE, look)
+	out.bar(pedals, saddle, TUBE, look)
+	out.bar(pedals, head, TUBE, look)
+	out.bar(below_saddle, head, TUBE, look)
+	out.bar(head, front, TUBE, look)
 	var grip := Vector3(0, 1.02, head.z - 0.05)
 	out.bar(head, grip, 0.02, Paints.metal())
 	out.bar(grip - Vector3(0.27, 0, 0), grip + Vector3(0.27, 0, 0), 0.02, Paints.trim())

@@ -1,6 +1,7 @@
 extends RefCounted
 ## What the hand of a human gets hold of.
 
+const Light := preload("../build/light.gd")
 const Protocol := preload("../net/protocol.gd")
 const Reader := preload("../net/reader.gd")
 const Stage := preload("../build/stage.gd")
@@ -63,6 +64,17 @@ func test_slow_frames_are_drawn_with_less_detail_while_something_is_dragged() ->
 	if samples != Viewport.MSAA_2X:
 		return "samples %d" % samples
 	return "" if seen == wanted else str(seen)
+
+
+func test_there_are_no_shadows_in_fog_or_under_clouds() -> String:
+	var light := Light.new()
+	var casts: Array[bool] = [light.casts_shadows()]
+	light.visibility = 120.0
+	casts.append(light.casts_shadows())
+	light.visibility = 20000.0
+	light.cloud = 1.0
+	casts.append(light.casts_shadows())
+	return "" if casts == ([true, false, false] as Array[bool]) else str(casts)
 
 
 func test_the_chase_camera_sees_past_what_it_follows() -> String:

@@ -164,20 +164,6 @@ def test_a_cone_is_pushed_away_and_stands_again_in_the_next_drive(session: Sessi
     session.prove()
 
 
-def test_a_pedestrian_crosses_and_a_car_that_does_not_look_touches_it(session: Session) -> None:
-    main = road("main", pieces(straight(200)))
-    walker = car("walker", main, 60.0, call("crossing", speed=1.4), kind="pedestrian", offset=-4.5)
-    made = scene(main, agents=[walker])
-    crossed = driven(session, made, 8).agents["walker"]
-    assert crossed.y[0] == pytest.approx(-4.5)
-    assert crossed.y[-1] == pytest.approx(3.5 + 1.0, abs=0.1)
-    assert np.ptp(crossed.x) == pytest.approx(0.0, abs=0.05)
-    ego = car("ego", main, 47.0, call("lane_follow", speed=14.0))
-    hit = driven(session, scene(main, agents=[ego, walker]), 8)
-    assert hit.agents["ego"].contacts.max() >= 1
-    assert hit.events[0]["event"] == "contact"
-
-
 class Steady:
     """A controller in Python: pure pursuit, written with what an observation has."""
 

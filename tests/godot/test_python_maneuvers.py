@@ -187,3 +187,27 @@ def test_who_arrives_leaves_whether_the_engine_or_python_drives(
     assert trace.agents["ego"].progress[-1] == 1.0
     assert trace.agents["lead"].present[-1] == 0.0
     assert trace.events == ()
+
+
+STREET = """
+road main { draw with segments { pieces: [straight(200m)] }, lanes: 2 }
+agent walker is pedestrian on main at 60m { side: right, offset: 1m, drive with crossing }
+"""
+
+
+def test_a_pedestrian_crosses_and_a_car_that_does_not_look_touches_it(session: Session) -> None:
+    crossed = driven(session, STREET, 8.0).agents["walker"]
+    assert crossed.y[0] == pytest.approx(-4.8, abs=0.05)
+    assert crossed.y[-1] == pytest.approx(3.5 + 1.0, abs=0.1)
+    assert np.ptp(crossed.x) == pytest.approx(0.0, abs=0.05)
+    ego = "agent ego is car on main at 22m { drive with lane_follow { speed: 14m/s } }\n"
+    hit = driven(session, STREET + ego, 8.0)
+    assert hit.agents["ego"].contacts.max() >= 1
+    assert hit.events[0]["event"] == "contact"
+
+
+def test_a_pedestrian_does_not_walk_into_a_van_that_stands_in_the_way(session: Session) -> None:
+    van = "agent van is van on main at 60.5m { start_speed: 0m/s }\n"
+    trace = driven(session, STREET + van, 14.0)
+    assert trace.agents["van"].contacts.max() == 0
+    assert trace.agents["walker"].y[-1] == pytest.approx(3.5 + 1.0, abs=0.2)

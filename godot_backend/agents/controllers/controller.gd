@@ -13,6 +13,9 @@ const PREVIEW_TIME := 0.12
 const SLOWEST := 3.0
 ## Seconds: steering angle for each rad/s of a yaw rate that is not that of the line.
 const YAW_DAMPING := 0.1
+## Radians for each m/s^2 to the side by which a car steers more, as its tires slip.
+const SLIP := 1.0 / (12.0 * GRAVITY)
+const GRAVITY := 9.81
 
 var max_acceleration := 3.0
 var max_deceleration := 6.0
@@ -83,7 +86,9 @@ static func along_line(agent: Agent) -> float:
 	# A car on a circle points along the circle at its rear axle.
 	var turn := angle_difference(agent.heading, agent.line_heading(-0.5 * wheelbase))
 	var correction := atan(2.0 * agent.cross_track_error / maxf(agent.speed, SLOWEST))
-	return bend + turn - correction - YAW_DAMPING * (agent.yaw_rate - agent.speed * curvature)
+	var turning := agent.speed * curvature
+	var slip := SLIP * clampf(agent.speed * turning, -GRAVITY, GRAVITY)
+	return bend + slip + turn - correction - YAW_DAMPING * (agent.yaw_rate - turning)
 
 
 ## Steering angle of pure pursuit (Coulter 1992): the arc from the rear axle through the line

@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 MANUAL = "manual"
-IN_ENGINE = frozenset(
-    {"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", "crossing", MANUAL}
-)
+IN_ENGINE = frozenset({"pure_pursuit", "stanley", "lane_follow", "car_follow", "brake", MANUAL})
 
 
 def is_walker(actor: SceneActor) -> bool:
@@ -50,8 +48,7 @@ def decided_in_python(scene: Scene, controllers: Mapping[str, T]) -> dict[str, T
 def is_in_engine(call: Call) -> bool:
     """Whether the engine has a copy of a controller, and can evaluate its conditions."""
     conditions = [condition for condition in (call.when, call.during) if condition is not None]
-    waits = dict(call.options).get("wait_for", "nothing") != "nothing"
-    return plain_name(call.kind) in IN_ENGINE and not waits and all(map(is_known, conditions))
+    return plain_name(call.kind) in IN_ENGINE and all(map(is_known, conditions))
 
 
 def undriven_agents(scene: Scene, python_driven: Collection[str]) -> tuple[str, ...]:

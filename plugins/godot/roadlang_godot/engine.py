@@ -135,7 +135,10 @@ class Engine:
     def connect(self, name: str = "", patience: float | None = None) -> Session:
         """A session with this engine."""
         seconds = ANSWER_TIMEOUT if patience is None else patience
-        return connect(self.host, self.port, self.transport, name, seconds, self.ending)
+        session = connect(self.host, self.port, self.transport, name, seconds, self.ending)
+        # One that draws makes use of several cores; its process may be that of a virtual screen.
+        session.process = None if self.draws else self.process.pid
+        return session
 
     def ending(self) -> str:
         """How the process has ended, in words; nothing while it runs."""

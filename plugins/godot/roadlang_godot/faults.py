@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
-from roadlang.api import DiagnosticError, diagnose
+from roadlang.api import Code, DiagnosticError, diagnose
 
 EXIT_CODE = 5
 """Of a command that failed because an outside part did."""
+_NAMED = 8
+"""Things that are named at most, of those that an engine has not built."""
 
 
 class EngineError(DiagnosticError):
@@ -18,3 +20,9 @@ class EngineError(DiagnosticError):
 def fault(code: str, help: str | Iterable[str] = (), **values: Any) -> EngineError:
     """The error to raise for a catalog page."""
     return EngineError(diagnose(code, help=help, **values))
+
+
+def not_built(names: Sequence[str]) -> EngineError:
+    """The error RL504 about things that an engine should have, or should not have."""
+    shown = ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
+    return fault(Code.SCENE_NOT_BUILT, count=len(names), names=shown)

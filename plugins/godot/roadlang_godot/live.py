@@ -77,17 +77,20 @@ class LiveScene:
         restarted: frozenset[str] = frozenset(),
         handles: Sequence[Handle] = (),
         poses: Mapping[str, AgentPose] | None = None,
+        *,
+        waits: bool = True,
     ) -> int:
         """Send what differs; everything else drives on. Returns how many messages it took.
 
-        Agents keep pose, speed and what their controllers remember, wherever their roads are now,
-        but for agents or groups that are `restarted`: at one of the `poses` where there is one.
+        Where it does not wait, the engine may not have all of it yet. Agents keep pose, speed and
+        what their controllers remember, wherever their roads are now, but for agents or groups that
+        are `restarted`: at one of the `poses` where there is one.
         """
         controllers = controllers or {}
         layout = layout_of(scene, self._road, controllers, self.layout, restarted, poses)
         followed, was_driven = self._followed, self._drive is not None
         self._shown, self._handles = handle_parts(handles, layout.frame)
-        count = self._session.update([*layout.parts, *self._shown])
+        count = self._session.update([*layout.parts, *self._shown], waits=waits)
         self.scene, self.layout = scene, layout
         self._begin(scene, controllers)
         if self._drive is not None and layout.agents:
@@ -101,9 +104,9 @@ class LiveScene:
 
     def show_moved(self, plane: PlaneMap) -> int:
         """Show all roads and junctions moved by a map of the plane, until the next change. Agents
-        and objects stay. Returns how many messages it took."""
+        and objects stay. Does not wait for it. Returns how many messages it took."""
         parts = moved_parts(self.layout.parts, self.layout.frame, plane)
-        return self._session.update([*parts, *self._shown])
+        return self._session.update([*parts, *self._shown], waits=False)
 
     def show(self, lines: list[str]) -> None:
         """Lines of text over the picture."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import struct
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from .protocol import Message
@@ -56,3 +56,11 @@ def record_key(record: bytes) -> Key:
     """Kind and id of a record."""
     kind, id, _, _ = _RECORD.unpack(record)
     return (kind, id)
+
+
+def unlike(
+    wanted: Mapping[Key, bytes], found: Mapping[Key, bytes], labels: Mapping[Key, str]
+) -> list[str]:
+    """What is missing, or not as its record says; and what nobody has asked for."""
+    extra = [f"something never sent ({key[0]:#x}, {key[1]})" for key in found.keys() - wanted]
+    return [labels[key] for key in wanted if found.get(key) != wanted[key]] + sorted(extra)

@@ -14,17 +14,17 @@ from roadlang.api import Code
 
 from . import protocol
 from .channel import Channel
-from .faults import fault
+from .faults import fault, not_built
 from .link import DatagramLink
 from .messages import Proof, as_json, text_of
 from .protocol import Message
-from .scene_part import RECORD_BYTES, Key, ScenePart, part_digest, record_key, removal
+from .scene_part import RECORD_BYTES, Key, ScenePart, part_digest, record_key, removal, unlike
 
 PATIENCE = 5.0
 """Seconds for which an engine that someone else started is waited for."""
 SILENCE = 30.0
 """Seconds for which one that has answered may be silent: drawing in software takes long."""
-_HELLO_EVERY, _PING_EVERY, _NAMED = 0.1, 1.0, 8
+_HELLO_EVERY, _PING_EVERY = 0.1, 1.0
 GOODBYE_SECONDS, _GOODBYE_EVERY = 1.0, 0.05
 """For how long, and how often, goodbye is said to an engine that does not answer it."""
 
@@ -61,6 +61,8 @@ class Session:
         self._last_heard = self._last_sent = self._last_pump = time.monotonic()
         self._session = 0
         self.on_state: Callable[[bytes], None] | None = None
+        self.process: int | None = None
+        """of an engine that only computes, and takes turns with this one"""
         self.welcome = self._greet(name)
 
     def __enter__(self) -> Session:
@@ -100,8 +102,12 @@ class Session:
         self.send(Message.BEGIN, payload, "the scene's beginning")
         self.flush()
 
-    def update(self, parts: Iterable[ScenePart], world: int = 0) -> int:
-        """Send what differs from what this world holds. Returns how many messages that took."""
+    def update(self, parts: Iterable[ScenePart], world: int = 0, *, waits: bool = True) -> int:
+        """Send what differs from what this world holds. Returns how many messages that took.
+
+        What was sent before has arrived by then. So has this, unless it does not wait for that.
+        """
+        self.flush()
         built = self._built.setdefault(world, {})
         wanted = {part.key: part for part in parts}
         self._revision += 1
@@ -115,7 +121,7 @@ class Session:
             label = built.pop(key)[1].label
             self.send(Message.REMOVE, removal(world, key, self._revision), f"end of {label}")
             count += 1
-        self.flush()
+        self.flush() if waits else self.pump(0.0)
         return count
 
     def prove(self, world: int = 0) -> Proof:
@@ -213,11 +219,11 @@ class Session:
         if now - self._last_sent > _PING_EVERY:
             self.send_once(Message.PING, b"")
         wait = min(timeout, max(0.0, self._channel.next_due() - now))
-        for datagram in self._receive(wait):
+        for datagram in (heard := self._receive(wait)):
             self._take(datagram)
         if ack := self._channel.take_ack():
             self._link.send(protocol.pack(Message.ACK, self._session, 0, ack))
-        self._check_alive()
+        self._check_alive(bool(heard))
 
     def _receive(self, wait: float) -> list[bytes]:
         try:
@@ -241,13 +247,12 @@ class Session:
                 raise fault(Code.GODOT_ERROR, reason=text_of(frame.payload))
             self._inbox.append((frame.type, frame.payload))
 
-    def _check_alive(self) -> None:
-        if ending := self._ending():
+    def _check_alive(self, spoke: bool) -> None:
+        if not spoke and (ending := self._ending()):
             raise fault(Code.GODOT_DISCONNECTED, reason=ending)
         now = time.monotonic()
         if late := self._channel.overdue(now, self._silence):
-            named = ", ".join(late[:_NAMED]) + (", ..." if len(late) > _NAMED else "")
-            raise fault(Code.SCENE_NOT_BUILT, count=len(late), names=named)
+            raise not_built(late)
         if now - self._last_heard > self._silence + 2 * _PING_EVERY:
             raise fault(
                 Code.GODOT_DISCONNECTED, reason=f"nothing heard for {now - self._last_heard:.0f} s"
@@ -276,13 +281,8 @@ class Session:
         raise fault(Code.GODOT_NOT_ANSWERING, seconds=f"{self.patience:.0f}")
 
     def _name_missing(self, world: int, wanted: Mapping[Key, bytes]) -> None:
-        found = self.records(world)
         labels = {key: part.label for key, (_, part) in self._built[world].items()}
-        wrong = [key for key in wanted if found.get(key) != wanted[key]]
-        extra = [f"something never sent ({key[0]:#x}, {key[1]})" for key in found.keys() - wanted]
-        names = [labels[key] for key in wrong] + sorted(extra)
-        shown = ", ".join(names[:_NAMED]) + (", ..." if len(names) > _NAMED else "")
-        raise fault(Code.SCENE_NOT_BUILT, count=len(names), names=shown)
+        raise not_built(unlike(wanted, self.records(world), labels))
 
     def _parts(self, type: Message, request: int) -> bytes:
         parts: dict[int, bytes] = {}

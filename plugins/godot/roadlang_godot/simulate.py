@@ -19,6 +19,7 @@ from .faults import fault
 from .followed_scene import FollowedScene
 from .layout import layout_of
 from .mounted_camera import cameras_of
+from .one_core import on_one_core
 from .restarted_engine import RestartedEngine
 from .session import Session
 from .telemetry import of_agent
@@ -50,6 +51,11 @@ class Settings:
         return max(1, round(self.every / self.step))
 
     @property
+    def frame_rate(self) -> int:
+        """Frames a second of an engine that runs as fast as it can: one for each record."""
+        return max(1, round(self.rate / self.every))
+
+    @property
     def ticks(self) -> int:
         """Physics ticks of a whole drive."""
         return round(self.duration * self.rate)
@@ -67,8 +73,8 @@ def drive_scenes(
     An engine that is lost is started again, and drives the same scene from its start: the trace is
     the same. Raises RL505 with the name of a scene in which too many engines were lost.
     """
-    fixed = settings.rate if settings.headless else None
     draw = any(map(cameras_of, scenes))
+    fixed = None if not settings.headless else settings.rate if draw else settings.frame_rate
     engines = RestartedEngine(
         lambda: engine.start(fixed_fps=fixed, draw=draw, window=not settings.headless)
     )
@@ -134,7 +140,7 @@ def drive_batch(session: Session, scenes: Sequence[Scene], settings: Settings) -
 
 def _step_by_step(session: Session, followed: FollowedScene, settings: Settings) -> None:
     """Drive in lock-step: at every step Python sees all agents, and decides for them."""
-    with driving.LockStep(session) as lock:
+    with on_one_core(session.process), driving.LockStep(session) as lock:
         followed.look(lock.state)
         for _ in range(settings.ticks // settings.every):
             followed.look(lock.step(followed.controls(), settings.every))

@@ -208,7 +208,8 @@ class Watcher:
             return False
         controllers = python_controllers(scene, self._loaded.registry)
         handles, moved = handles_of(self._edited.shown, scene), self._edited.dragged_agent
-        live.change(scene, controllers, moved, handles, self._held.poses_in(self._edited.shown))
+        poses = self._held.poses_in(self._edited.shown)
+        live.change(scene, controllers, moved, handles, poses, waits=False)
         return True
 
     def _read(self) -> str | None:
