@@ -44,3 +44,18 @@ def photographed(image: np.ndarray, seed: int = 1) -> np.ndarray:
     light = 1 - 0.35 * x / _SHAPE[1] - 0.25 / (1 + np.exp(-(x - 250 + 0.5 * y) / 12))
     lit = image * light[..., None] + rng.normal(0, 3, (*_SHAPE, 1))
     return np.asarray(np.clip(lit, 0, 255), np.uint8)
+
+
+def on_desk(image: np.ndarray, desk: tuple[int, int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """The sheet on a desk of this color, seen at an angle, and the homography (3, 3) to there."""
+    height, width = image.shape[:2]
+    sheet_corners = np.array([[0, 0], [width, 0], [width, height], [0, height]], np.float32)
+    seen = np.array([[60, 50], [430, 35], [460, 330], [25, 345]], np.float32)
+    homography = cv2.getPerspectiveTransform(sheet_corners, seen)
+    rng = np.random.default_rng(3)
+    around = np.clip(rng.normal(0, 3, image.shape) + desk, 0, 255).astype(np.uint8)
+    cv2.circle(around, (20, 20), 30, (250, 250, 250), -1, cv2.LINE_AA)
+    size = (width, height)
+    covered = cv2.warpPerspective(np.full(image.shape, 255, np.uint8), homography, size)
+    paper = cv2.warpPerspective(image, homography, size)
+    return np.where(covered > 127, paper, around), homography

@@ -11,7 +11,7 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.map_letters import letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import flat_colors, map_tones
+from roadlang_standard.extraction.map_tones import MapTone, flat_colors, map_tones
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import (
     DARK,
@@ -52,6 +52,20 @@ def test_roads_are_the_colors_of_streets_not_of_water_buildings_or_land(style: M
     found = road_tones(map_tones(image, flat_colors(image)), 360)
     colors = {tuple(int(x) for x in tone.color[::-1]) for tone in found}
     assert colors == {style.street, style.main}
+
+
+def test_buildings_are_no_roads_where_there_are_more_of_them_than_of_streets() -> None:
+    mask = np.zeros((300, 300), bool)
+    land, streets, buildings = ~mask, mask.copy(), mask.copy()
+    streets[100:107] = True
+    buildings[200:290:30, 20:280] = True
+
+    def tone(gray: float, where: np.ndarray, length: float, ribbons: float, even: float) -> MapTone:
+        return MapTone(np.full(3, gray), where, length, ribbons, 7.0, 1.2, even, 12.0)
+
+    tones = [tone(14, land, 9000, 1.0, 0.4), tone(44, streets, 1500, 0.96, 0.9)]
+    found = road_tones([*tones, tone(24, buildings, 3400, 0.74, 0.56)], 300)
+    assert [one.color[0] for one in found] == [44]
 
 
 def test_widths_are_those_of_each_class_of_road() -> None:

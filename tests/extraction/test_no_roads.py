@@ -51,6 +51,21 @@ def test_shades_without_texture_are_a_photo() -> None:
     assert picture_kind(banded).name != PHOTO
 
 
+def test_sand_and_sea_are_a_photo_and_a_drawing_stored_as_jpeg_is_none() -> None:
+    rng = np.random.default_rng(1)
+    dunes = cv2.GaussianBlur(rng.normal(0, 1, (300, 400)), (0, 0), 25)
+    shades = 6 * dunes / dunes.std() + rng.normal(0, 2.4, dunes.shape)
+    beach = np.array([120, 160, 175]) + shades[..., None]
+    beach[:, 250:] += np.array([-20, -80, -130])
+    beach[:, 244:250] = 245
+    assert picture_kind(np.clip(beach, 0, 255).astype(np.uint8)).name == PHOTO
+    plan = np.full((300, 400, 3), (230, 240, 242), np.uint8)
+    cv2.circle(plan, (200, 150), 90, (150, 170, 250), 14, cv2.LINE_AA)
+    cv2.rectangle(plan, (20, 200), (110, 280), (160, 210, 180), -1)
+    stored = cv2.imdecode(cv2.imencode(".jpg", plan, [cv2.IMWRITE_JPEG_QUALITY, 85])[1], 1)
+    assert picture_kind(stored).name != PHOTO
+
+
 def test_the_ribbons_of_a_busy_picture_are_not_traced() -> None:
     shades = 120 + 3 * (np.arange(200) % 7) // 2
     rows = np.repeat(shades[:, None], 200, axis=1).astype(np.uint8)
@@ -74,6 +89,13 @@ def _road(
 
 def _sure(*roads: FoundRoad) -> list[float]:
     return [road.confidence for road in with_doubts(_network(*roads)).roads]
+
+
+def test_many_short_lines_are_words_also_where_they_leave_the_picture() -> None:
+    words = [_road(2 * k, 2 * k + 1, (20, 45), 10.0 + 9 * k) for k in range(8)]
+    at_rim = _road(20, 21, (0, 25), 95)
+    assert max(_sure(*words, at_rim)) < 0.5
+    assert _sure(words[0], at_rim) == [0.4167, 1.0]
 
 
 def test_confidence_of_drawn_roads_by_length() -> None:

@@ -12,7 +12,8 @@ from roadlang_standard.extraction.edges import normals
 from roadlang_standard.extraction.open_edges import with_closed_ends
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.ruling import without_ruling
-from tests.extraction.paper_drawings import drawn, photographed, ruled, sheet, wave
+from roadlang_standard.extraction.sheet_outline import sheet_outline
+from tests.extraction.paper_drawings import drawn, on_desk, photographed, ruled, sheet, wave
 from training.rendering.aerial import render_aerial
 
 
@@ -55,6 +56,20 @@ def test_two_lines_side_by_side_are_the_edges_of_one_road_with_open_ends() -> No
     assert np.median(found.roads[0].widths) == pytest.approx(28, abs=3)
 
 
+@pytest.mark.parametrize("desk", [(45, 45, 50), (85, 135, 185)], ids=["dark", "wood"])
+def test_a_sheet_on_a_desk_is_read_without_its_rim(desk: tuple[int, int, int]) -> None:
+    image, homography = on_desk(photographed(drawn(ruled(sheet()), wave())), desk)
+    line = cv2.perspectiveTransform(wave()[None].astype(np.float32), homography)[0]
+    assert_one_road_along(image, line)
+    assert_no_road(on_desk(photographed(sheet()), desk)[0])
+
+
+def test_a_sheet_that_the_picture_cuts_off_is_read() -> None:
+    image, homography = on_desk(photographed(drawn(sheet(), wave())), (45, 45, 50))
+    line = cv2.perspectiveTransform(wave()[None].astype(np.float32), homography)[0]
+    assert_one_road_along(image[:300], line)
+
+
 def test_letters_are_no_roads() -> None:
     image = sheet()
     for row in range(40, 340, 30):
@@ -64,7 +79,9 @@ def test_letters_are_no_roads() -> None:
 
 
 def test_photos_from_above_and_drawings_made_on_a_screen_are_no_sheets() -> None:
-    assert sheet_of(render_aerial("curve", 901, 256).image) is None
+    photo = render_aerial("curve", 901, 256).image
+    assert sheet_outline(photo) is None
+    assert sheet_of(photo) is None
     assert sheet_of(drawn(sheet(), wave())) is None
 
 

@@ -15,6 +15,9 @@ from .found_network import FoundNetwork, FoundRoad
 _LONG, _SLENDER = 0.6, 3.0
 """Roads that hang together are believed if they are so long in all, in shorter sides of the
 picture, and each so long in widths; the confidence of less is lowered in proportion."""
+_MANY, _MOSTLY = 6, 0.7
+"""So many parts that hang together are words unless at least this share of their length is in long
+ones; the confidence of all is lowered in proportion, and leaving the picture excuses none."""
 _RIM = 3.0
 """Pixels from the border at which a road leaves the picture: how long it is there is unknown."""
 
@@ -23,19 +26,29 @@ def with_doubts(found: FoundNetwork) -> FoundNetwork:
     """The same roads, those less sure that are short, alone, or hardly longer than wide."""
     side = min(found.mask.shape)
     factors: dict[int, float] = {}
-    for part in parts(found.roads):
+    parts = connected_parts(found.roads)
+    mostly = _share_in_long(parts, _LONG * side) if len(parts) >= _MANY else 1.0
+    words = mostly < _MOSTLY
+    for part in parts:
         lengths = np.array([road.length for road in part])
         widths = np.array([float(np.median(road.widths)) for road in part])
         total = max(float(lengths.sum()), 1e-9)
         slender = float((lengths**2).sum() / max(float(lengths @ widths), 1e-9))
-        leaves = any(_at_rim(road, found.mask.shape) for road in part)
+        leaves = not words and any(_at_rim(road, found.mask.shape) for road in part)
         factor = min(1.0, slender / _SLENDER) * (1.0 if leaves else min(1.0, total / side / _LONG))
+        factor *= min(1.0, mostly / _MOSTLY)
         factors.update((id(road), factor) for road in part)
     roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
     return replace(found, roads=roads)
 
 
-def parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
+def _share_in_long(parts: list[list[FoundRoad]], least: float) -> float:
+    """The share of the length that is in parts of at least so many pixels."""
+    lengths = np.array([sum(road.length for road in part) for part in parts])
+    return float(lengths[lengths >= least].sum() / max(float(lengths.sum()), 1e-9))
+
+
+def connected_parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
     """The roads by the connected part of the network that they belong to."""
     starts, ends = ([getattr(road, end) for road in roads] for end in ("start", "end"))
     count = 1 + max([*starts, *ends], default=0)

@@ -14,6 +14,7 @@ from .found_network import FoundNetwork
 from .hysteresis import hysteresis
 from .masks import roads_of_surface
 from .ruling import without_ruling
+from .sheet_outline import sheet_outline
 from .skeleton import skeleton
 from .tones import Image, Layer, thinned
 
@@ -47,19 +48,24 @@ class Sheet:
     noise: float
 
 
-def sheet_of(image: Image) -> Sheet | None:
-    """The ink of a picture (h, w, 3), freed from how it is lit; None if it shows no light sheet."""
-    light = _light(image)
-    if not _has_one_light_color(light) or _is_flat(image):
+def sheet_of(image: Image, within: Booleans | None = None) -> Sheet | None:
+    """The ink of a picture (h, w, 3), freed from how it is lit; None if it shows no light sheet.
+
+    Where a sheet lies on a desk, it is `within` (h, w) these pixels.
+    """
+    light = _light(image, within)
+    seen = np.ones(image.shape[:2], bool) if within is None else within
+    if not _has_one_light_color(light) or _is_flat(image, seen):
         return None
     light = cv2.resize(light, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
     blue, green, red = cv2.split(image.astype(np.float32) / np.maximum(light, 1))
     ink = cv2.GaussianBlur(1 - cv2.min(cv2.min(blue, green), red), (0, 0), 0.7)
-    middle = float(np.median(ink))
-    noise = 1.4826 * float(np.median(np.abs(ink - middle)))
-    if (np.abs(ink - middle) < _PLAIN).mean() < _EVEN:
+    on_sheet = ink[seen]
+    middle = float(np.median(on_sheet))
+    noise = 1.4826 * float(np.median(np.abs(on_sheet - middle)))
+    if (np.abs(on_sheet - middle) < _PLAIN).mean() < _EVEN:
         return None
-    return Sheet(np.clip(ink - middle, 0, 1), noise)
+    return Sheet(np.where(seen, np.clip(ink - middle, 0, 1), 0).astype(np.float32), noise)
 
 
 def _has_one_light_color(light: Layer) -> bool:
@@ -72,9 +78,10 @@ def _has_one_light_color(light: Layer) -> bool:
     return bool((np.abs(tint - color / color.mean()) < _TINT).all(axis=1).mean() >= _ONE)
 
 
-def _is_flat(image: Image) -> bool:
-    """Whether most of the picture has exactly one color: it was drawn on a screen."""
-    sample = thinned(image, 100_000).reshape(-1, 3).astype(np.int16)
+def _is_flat(image: Image, seen: Booleans) -> bool:
+    """Whether most of what is seen has exactly one color: it was drawn on a screen."""
+    chosen = thinned(seen.astype(np.uint8), 100_000) > 0
+    sample = thinned(image, 100_000)[chosen].astype(np.int16)
     middle = np.median(sample, axis=0)
     return bool((np.abs(sample - middle).max(axis=1) <= _SAME).mean() > _EXACT)
 
@@ -82,9 +89,12 @@ def _is_flat(image: Image) -> bool:
 def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | None:
     """The roads (pixels) drawn on a photographed sheet (h, w, 3); None if it shows no sheet.
 
-    A line is a road; two lines side by side are the edges of one. There may be none.
+    The sheet fills the picture or lies on a darker desk. A line is a road; two lines side by side
+    are the edges of one. There may be none.
     """
-    sheet = sheet_of(image)
+    outline = sheet_outline(image)
+    sheet = None if outline is None else sheet_of(image, outline)
+    sheet = sheet or sheet_of(image)
     if sheet is None:
         return None
     marked = _strokes(sheet)
@@ -100,16 +110,30 @@ def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | N
     return roads_of_surface(surface, "line on paper", width=width)
 
 
-def _light(image: Image) -> Layer:
+def _light(image: Image, within: Booleans | None) -> Layer:
     """How bright the sheet is in a small copy (h, w, 3): the picture without its thin dark
     parts."""
     scale = min(1.0, _SMALL / max(image.shape[:2]))
     size = (max(1, round(image.shape[1] * scale)), max(1, round(image.shape[0] * scale)))
     small = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+    if within is not None:
+        small = _carried_on(small, cv2.resize(within.astype(np.float32), size) > 0.99)
     side = 2 * (min(size) // (2 * _BROADEST)) + 1
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
     closed = cv2.morphologyEx(small, cv2.MORPH_CLOSE, kernel)
     return np.asarray(cv2.GaussianBlur(closed.astype(np.float32), (0, 0), side / 4))
+
+
+def _carried_on(image: Image, seen: Booleans) -> Image:
+    """The picture (h, w, 3) with the nearest pixel that is `seen` (h, w) in place of all others."""
+    if not seen.any():
+        return image
+    _, nearest = cv2.distanceTransformWithLabels(
+        (~seen).astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    colors = np.zeros((int(nearest.max()) + 1, 3), np.uint8)
+    colors[nearest[seen]] = image[seen]
+    return np.asarray(colors[nearest])
 
 
 def _strokes(sheet: Sheet) -> Booleans:

@@ -49,7 +49,8 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     even = [tone for tone in ribbons if tone.even >= _EVEN]
     if not even:
         return []
-    main = max(even, key=lambda tone: tone.length * tone.ribbons * tone.even)
+    # Squares: many buildings are long in all, but far less even than any roads.
+    main = max(even, key=lambda tone: tone.length * (tone.ribbons * tone.even) ** 2)
     if main.length < _LEAST * side:
         return []
     others = [
