@@ -1,4 +1,4 @@
-"""Distinct failures of a lane keeper where 1.1 to 1.4 % of the roads drawn at random fail.
+"""Distinct failures of a lane keeper where 1.0 to 1.2 % of the roads drawn at random fail.
 
 python -m benchmarks.falsification.medium [SEARCHER ...] [--seeds N] [--evaluations N]
 """

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roadlang import Falsification
+from roadlang.falsification.evaluator import Proposal
 from roadlang.testing import scenario
 from tests.falsification.slider import TEXT, Slider
 
@@ -36,6 +37,11 @@ def test_what_matters_comes_first(search: Falsification) -> None:
     assert worst is not None
     known = [rho for rho in found.values() if rho is not None]
     assert known == sorted(known, reverse=True)
+    failure = search.failures[0].outcome
+    for number, axis in enumerate(search.evaluator.task.axes):
+        point = tuple(0.5 if k == number else v for k, v in enumerate(failure.point))
+        (alone,) = search.evaluator.evaluate([Proposal(failure.index, point)])
+        assert alone.expectations["in_lane"] == found[axis,]
     speed = found[("ego/drive 1/speed",)]
     assert speed is not None
     assert speed > worst

@@ -18,6 +18,7 @@ from roadlang_standard.falsify_grid import Grid
 from roadlang_standard.falsify_halton import Halton
 from roadlang_standard.falsify_random import Random
 from roadlang_standard.learned_kernel import LearnedKernel
+from roadlang_standard.near_misses import NearMisses
 
 Floats = NDArray[np.float64]
 CONTINUOUS = tuple(Axis(f"road/{number}") for number in range(5))
@@ -105,6 +106,27 @@ def test_cma_starts_somewhere_else_once_it_has_found_enough() -> None:
     failing = points[values < 0].mean(axis=1)
     assert (failing < 0.5).any()
     assert (failing > 0.5).any()
+
+
+def test_cma_begins_with_random_candidates_that_satisfy_the_requirements() -> None:
+    search = Cma().start(CONTINUOUS, seed=2)
+    search.screen_with(lambda points: np.where(points[:, 0] > 0.6, 0.0, 1.5))
+    first = search.ask(20)
+    assert len(first) == 20
+    assert (first[:, 0] > 0.6).all()
+    assert first[:, 1].std() > 0.2
+
+
+def test_a_near_miss_whose_neighbors_are_no_better_is_given_up() -> None:
+    near_misses = NearMisses(np.random.Generator(np.random.Philox(key=1)), APART)
+    best, beside, elsewhere = np.full(3, 0.2), np.full(3, 0.25), np.full(3, 0.8)
+    safe = [(0.1, best), (0.2, beside), (0.5, elsewhere)]
+    for batch in range(6):
+        near_misses.tell(safe)
+        is_given_up = bool(np.median(near_misses.children(400)) > 0.6)
+        assert is_given_up == (batch >= 3)  # the first batch brought them
+    near_misses.tell([(0.05, best + 0.3), *safe])
+    assert np.median(near_misses.children(400)) < 0.66  # a better one, far enough from the first
 
 
 def test_cma_climbs_out_of_requirements_that_are_violated() -> None:

@@ -36,14 +36,17 @@ class FailureModel:
         self._values.append(values)
         self._descriptors.append(descriptors)
 
-    def predicted(self, vectors: Floats, optimism: float) -> tuple[Floats, Floats]:
-        """(n,) values and (n, k) what `described` gives of candidates (n, columns); the values less
-        `optimism` times their standard deviation."""
+    def fit(self) -> None:
+        """Learn from what was told since the last time, and before."""
         import numpy as np
 
         known, values = np.concatenate(self._vectors), graded(np.concatenate(self._values))
         best = np.argsort(values, kind="stable")[:_MOST]
         self._kernel.fit(known[best], values[best])
+
+    def predicted(self, vectors: Floats, optimism: float) -> tuple[Floats, Floats]:
+        """(n,) values and (n, k) what `described` gives of candidates (n, columns), by the last
+        fit; the values less `optimism` times their standard deviation."""
         return self._kernel.predicted(vectors, optimism), self.described(vectors)
 
     def described(self, vectors: Floats) -> Floats:

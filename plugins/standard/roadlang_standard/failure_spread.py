@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from .failure_model import FailureModel
 from .learned_kernel import squares_apart
+from .near_misses import NearMisses
 
 if TYPE_CHECKING:
     import numpy as np
@@ -66,6 +67,7 @@ class FailureSpread:
         self._failures: list[Floats] = []
         self._safe: list[tuple[float, Floats]] = []
         self._elite: list[Floats] = []
+        self._near_misses = NearMisses(random, APART)
         self._model = FailureModel()
 
     def __len__(self) -> int:
@@ -90,6 +92,8 @@ class FailureSpread:
         safe = np.flatnonzero((values >= 0.0) & (values < 1.0)).tolist()
         self._safe += [(float(values[row]), vectors[row]) for row in safe]
         self._safe = sorted(self._safe, key=lambda pair: pair[0])[:_REMEMBERED]
+        if self._safe and not self._failures:
+            self._near_misses.tell(self._safe)
         failing = np.flatnonzero(values < 0.0)
         self._failures = [*self._failures, *vectors[failing]][-_RECENT:]
         descriptors = np.column_stack([descriptors, self._choices(vectors)])[failing]
@@ -108,8 +112,18 @@ class FailureSpread:
         """(count, columns) vectors in [0, 1]; there have to be parents."""
         import numpy as np
 
-        children = self._children(_POOL * count)
-        optimism = 0.0 if self._failures else _OPTIMISM
+        self._model.fit()
+        if self._failures:
+            return self._chosen(self._children(_POOL * count), count, 0.0)
+        close = count // 2
+        far = self._chosen(self._children(_POOL * (count - close)), count - close, _OPTIMISM)
+        children = _reflected(self._near_misses.children(_POOL * close))
+        return np.concatenate([far, self._chosen(children, close, 0.0)])
+
+    def _chosen(self, children: Floats, count: int, optimism: float) -> Floats:
+        """(count, columns): of children those that should fail, unlike each other."""
+        import numpy as np
+
         values, predicted = self._model.predicted(children, optimism)
         descriptors = np.column_stack([predicted, self._choices(children)])
         nearest, unlike = np.full(len(children), np.inf), _UNLIKE_AT_FIRST
@@ -144,7 +158,7 @@ class FailureSpread:
         children = self._varied(count - different)
         if different:
             children = np.concatenate([self._differing(different), children])
-        return np.asarray(1.0 - np.abs(np.mod(children, 2.0) - 1.0))
+        return _reflected(children)
 
     def _varied(self, count: int) -> Floats:
         """Children of one parent or of two, in steps of many sizes."""
@@ -178,6 +192,13 @@ class FailureSpread:
         moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (first - second)
         noise = _NOISE * random.random((count, 1)) * random.standard_normal(base.shape)
         return np.asarray(moved + noise)
+
+
+def _reflected(vectors: Floats) -> Floats:
+    """The vectors, with what is beyond 0 and 1 thrown back."""
+    import numpy as np
+
+    return np.asarray(1.0 - np.abs(np.mod(vectors, 2.0) - 1.0))
 
 
 def one_of_each_neighborhood(vectors: Sequence[Floats]) -> list[Floats]:

@@ -19,6 +19,8 @@ _FIRST_BATCH, _GROWTH = 20, 25
 """Candidates in the first batches, and how many more for each distinct failure that is known."""
 _SMALLEST = 6
 """Points in a generation, at least."""
+_ROUNDS = 6
+"""How often candidates are drawn until there are enough that satisfy the requirements."""
 _STALE = 10
 """Generations without a better point after which a run has stagnated."""
 
@@ -26,8 +28,13 @@ _STALE = 10
 @dataclass(frozen=True)
 class Cma(Searcher):
     """CMA-ES (Hansen and Ostermeier 2001) with restarts, and a model of what was evaluated: the
-    default. Most candidates that violate a requirement are replaced before they are evaluated,
-    which costs a small part of a drive; they are not counted."""
+    default. It begins with random candidates. Until something fails, half of each batch is near the
+    two drives that came nearest to it (near others where three batches find nothing better), and
+    half where a model of the drives so far leaves hope; then all are around failures, each unlike
+    those that are known. Most candidates that violate a requirement are replaced before they are
+    evaluated, which costs a small part of a drive; they are not counted. The strategy leads to
+    scenes that satisfy the requirements where none is found at random, and has what `spread`
+    leaves."""
 
     name: ClassVar[str] = "cma"
     is_default: ClassVar[bool] = True
@@ -53,11 +60,11 @@ class Cma(Searcher):
 
 
 class CmaSearch(Search):
-    """Runs of the strategy, each with half of a batch as its generation; the first begins in the
-    middle of the cube, all others at random points, and what is over is replaced. As soon as some
-    candidates could be driven, a share of each batch (by default all) is spread around failures
-    and the safe candidates that came nearest to failing, and screened by the requirements; the
-    runs get the rest."""
+    """Random candidates that satisfy the requirements, until some were driven. From then on a share
+    of each batch (by default all) is spread around failures and the safe candidates that came
+    nearest to failing. The rest, and what no random candidate is found for, come of runs of the
+    strategy, each with half of a batch as its generation; the first begins in the middle of the
+    cube, all others at random points, and what is over is replaced."""
 
     def __init__(self, axes: Sequence[Axis], seed: int, options: Cma) -> None:
         import numpy as np
@@ -89,10 +96,12 @@ class CmaSearch(Search):
         if columns < 2:  # the strategy needs two dimensions
             return self._encoding.points(self._random.random((count, columns)))
         self._population = self._population or max(_SMALLEST, round(0.5 * count))
-        share = round(count * self._options.spread) if self._spread.has_parents else 0
+        share = round(count * self._options.spread)
         if share:
-            self._pending.append((self._spread, self._spread.ask(share)))
-            count -= share
+            has_parents = self._spread.has_parents
+            spread = self._spread.ask(share) if has_parents else self._drawn(share)
+            self._pending.append((self._spread, spread))
+            count -= len(spread)
         number = 0
         while count > 0:
             if number == len(self._runs):
@@ -112,6 +121,18 @@ class CmaSearch(Search):
             if isinstance(source, _Run) and source.tell(vectors, values[part], restart):
                 self._runs.remove(source)
             self._spread.tell(vectors, values[part], descriptors[part])
+
+    def _drawn(self, count: int) -> Floats:
+        """At most `count` random vectors that satisfy the requirements."""
+        import numpy as np
+
+        found = np.empty((0, self._encoding.columns))
+        for _ in range(_ROUNDS):
+            drawn = self._random.random((2 * count, self._encoding.columns))
+            found = np.concatenate([found, drawn[self._screened(drawn) < 1.0]])[:count]
+            if len(found) == count:
+                break
+        return found
 
     def _screened(self, vectors: Floats) -> Floats:
         return self._screen(self._encoding.points(vectors))
