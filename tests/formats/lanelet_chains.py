@@ -8,7 +8,8 @@ from roadlang_formats.lanelets.network import lanelet_map
 
 
 def chains_of(scene: Scene) -> list[list[int]]:
-    """Before, in and after each connection of a junction, by their ids in the Lanelet2 file."""
+    """Before, in and after each connection of a junction, by their ids in the Lanelet2 file; none
+    of lanes for buses alone, which Lanelet2 does not open to vehicles as such."""
     lanelets = lanelet_map(scene, TOLERANCE)
     ids = written_lanelets(lanelets)
     chains = []
@@ -17,7 +18,9 @@ def chains_of(scene: Scene) -> list[list[int]]:
             at = junction.connection(id)
             source = lanelets.leaving[at.source.road, at.source.end, at.source.lane]
             target = lanelets.entering[at.target.road, at.target.end, at.target.lane]
-            chains.append([ids[source], ids[number], ids[target]])
+            parts = (source, number, target)
+            if not any(lanelets.lanelets[part].kind == "bus" for part in parts):
+                chains.append([ids[part] for part in parts])
         assert len(junction.connections) == len(junction.junction.connections)
     return chains
 

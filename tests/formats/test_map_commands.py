@@ -70,7 +70,7 @@ def test_view_draws_next_to_the_map(town: Path) -> None:
     ("arguments", "said"),
     [
         (("a.xodr", "b.doc"), "RL930"),
-        (("none.xodr", "b.svg"), "RL450"),
+        (("none.xodr", "b.svg"), "RL400"),
         (("a.xodr", "b.doc", "--emit", "nothing"), "RL471"),
         (("a.xodr", "b.doc", "--emit", "svg"), "RL930"),
         (("broken.xodr", "b.svg"), "RL479"),

@@ -215,3 +215,16 @@ def test_faults_of_geojson_are_reported(tmp_path: Path, text: str, word: str) ->
     with pytest.raises(roadlang.DiagnosticError, match=word) as caught:
         GeoJson().read(path)
     assert caught.value.diagnostics[0].code == "RL479"
+
+
+def test_properties_that_are_no_words_or_numbers_are_no_tags(tmp_path: Path) -> None:
+    """A null is what GIS programs write where a column has no value."""
+    file = geojson(
+        tmp_path,
+        line((0, 0), (3, 0), highway="residential", name=None, lanes=2, oneway=False),
+        line((0, 2), (3, 2), highway="residential", name="Elm St", lanes=["2"], oneway=True),
+    )
+    first, second = sampled(f'network town from "{file}"\n').roads
+    assert (first.street, second.street) == ("", "Elm St")
+    assert {lane.direction for lane in first.lane_list if lane.drivable} == {"forward", "backward"}
+    assert {lane.direction for lane in second.lane_list if lane.drivable} == {"forward"}

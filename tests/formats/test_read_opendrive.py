@@ -192,12 +192,15 @@ def test_speed_limits_are_meters_per_second(read: Read) -> None:
     assert limits == {1: pytest.approx(13.4112), -1: pytest.approx(50 / 3.6)}
 
 
-def test_a_lane_shorter_than_the_stations_are_apart_is_no_fault(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("end", "width"), [(20.7, 2.0), (20.205, 0.0)])
+def test_short_lanes_keep_their_width_and_the_shortest_are_no_fault(
+    tmp_path: Path, end: float, width: float
+) -> None:
     short = section(20.2, [lane(1)], [lane(-1), lane(-2, 2.0, "shoulder")])
-    lanes = TWO_WAY + short + section(20.7, [lane(1)], [lane(-1)])
+    lanes = TWO_WAY + short + section(end, [lane(1)], [lane(-1)])
     scene = sampled(tmp_path, xodr(straight(1, 0, 0, lanes=lanes)))
     widths = {found.id: np.max(found.width) for found in scene.roads[0].lane_list}
-    assert widths == pytest.approx({1: 3.5, -1: 3.5, -2: 0.0}, abs=1e-5)
+    assert widths == pytest.approx({1: 3.5, -1: 3.5, -2: width}, abs=1e-5)
 
 
 @pytest.mark.parametrize(

@@ -128,3 +128,14 @@ def test_a_ring_is_cut_round_its_seam(west: float, east: float) -> None:
     assert edge.length == pytest.approx(100.0 * (np.pi - np.arccos(0.4)), rel=1e-4)
     ends = edge.curve.at([0.0, edge.length])
     np.testing.assert_allclose(ends[:, 0], 20.0 if west < -50 else -20.0, atol=1e-3)
+
+
+def test_turns_that_are_forbidden_are_forgotten_with_one_of_their_ends() -> None:
+    """From the end of 7 to the start of 8, both at 200 m: what is cut elsewhere does not matter."""
+    for region, left in (
+        (west_of(190.0), ()),
+        (lambda points: (points[:, 0] < 150.0) | (points[:, 1] > 20.0), ()),
+        (lambda points: (points[:, 0] > 150.0) & (points[:, 1] < 20.0), (("end", 8, "start"),)),
+    ):
+        found = {edge.id: edge for edge in clipped(street(), region).edges}
+        assert found[7].no_turns == left

@@ -98,6 +98,15 @@ def test_a_lane_drawn_among_words_differs_by_copy(sample: Sample) -> None:
     assert {car.lane for car in things.values()} == {-1, None}
 
 
+@pytest.mark.parametrize("kinds", ["choice(parking, outer)", "choice(outer, parking)"])
+def test_a_lane_is_drawn_among_kinds_and_words(sample: Sample, kinds: str) -> None:
+    street = "road main { draw with segments { pieces: [straight(200m)] }, left: [drive(3m)], "
+    street += "right: [drive(3m), parking(2m)] }\n"
+    text = f"agent cars is car on main at 0%..100% {{ count: 9, lane: {kinds} }}\n"
+    (scene,) = sample(street + text).scenes
+    assert {car.lane for car in scene.agents} == {-1, -2}
+
+
 @pytest.mark.parametrize("side", ["", ", side: left"])
 def test_a_kind_of_lane_that_is_not_there_is_refused(sample: Sample, side: str) -> None:
     with pytest.raises(DiagnosticError) as caught:

@@ -200,6 +200,17 @@ def test_no_way_from_where_another_has_put_it(sample: Sample) -> None:
     assert "`lead`" in message
 
 
+def test_the_point_that_no_way_leads_to_is_named_where_the_first_was_passed(sample: Sample) -> None:
+    ego = "agent ego is car on town { route: [(10m, 45m), (125m, 45m)], drive with traffic }\n"
+    code, message, _ = raised(
+        sample,
+        ego + "agent lead is car on town at ahead_of(ego, 8m) { route: [(14m, 45m), (10m, 45m)] }",
+        "lanes: 2, oneway: true",
+    )
+    assert code == "RL618"
+    assert "(10m, 45m)" in message
+
+
 def test_who_is_placed_again_stands_where_a_way_leads_on(sample: Sample) -> None:
     ego = "agent ego is car on town at random { lane: outer }\n"
     lead = "agent lead is car on town at ahead_of(ego, 2m..60m) { route: [(125m, 45m)] }"

@@ -176,7 +176,7 @@ class CrossSection:
         """`drivable_width` at the stations of all widths."""
         periods = [lane.width.period for lane in self.lanes if lane.width.period is not None]
         period = min(periods, default=None)
-        stations = self._stations
+        stations = self.stations
         return WidthProfile(stations, self.drivable_width(stations), period)
 
     @property
@@ -252,7 +252,7 @@ class CrossSection:
         All other lanes keep their width. Where no lane is drivable, all are stretched. Raises
         GeometryError where lanes between drivable ones leave those no width.
         """
-        stations = np.union1d(width.stations, self._stations)
+        stations = np.union1d(width.stations, self.stations)
         if width.period is not None:
             stations = np.unique(np.mod(stations, width.period))
         widths = np.stack([lane.width.at(stations) for lane in self.lanes])
@@ -269,7 +269,8 @@ class CrossSection:
         return sum(lane.id > 0 for lane in self.lanes)
 
     @cached_property
-    def _stations(self) -> Floats:
+    def stations(self) -> Floats:
+        """(n,) at which the widths of its lanes are given."""
         return np.unique(np.concatenate([lane.width.stations for lane in self.lanes]))
 
     @cached_property

@@ -40,6 +40,7 @@ from .root_roads import undisplaced_road
 from .seen_pictures import seen_before
 from .stations import StationSpacing, station_spacing
 from .verified import verified
+from .width_changes import with_width_changes
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,12 +64,14 @@ class NetworkRoot:
     _rooms: dict[int, Floats | None] = field(default_factory=dict)
 
     def frame(self, edge: int) -> CurveFrame:
-        """The frame of an edge at its stations, of which one is at each trim; always the same
-        object."""
+        """The frame of an edge at its stations, of which one is at each trim, and some where the
+        widths of its lanes change; always the same object."""
         if edge not in self._frames:
-            curve = self.network.edge(edge).curve
-            even = self.spacing.stations(curve)
-            stations = self.junctions.stations(edge, even, curve.length)
+            curve, section = self.network.edge(edge).curve, self.network.edge(edge).cross_section
+            stations = self.spacing.stations(curve)
+            if section is not None:
+                stations = with_width_changes(stations, section)
+            stations = self.junctions.stations(edge, stations, curve.length)
             self._frames[edge] = CurveFrame.of(curve, stations)
         return self._frames[edge]
 

@@ -27,8 +27,8 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     copies = CopyBatch(candidates, np.zeros(1, np.intp), np.ones(1, np.int64))
     by_another = names_another(actor, candidates.scenario)
     if by_another:
-        vias = route_points(actor, copies, lanes)
-        parts = () if vias is None else vias.parts
+        points = route_points(actor, copies, lanes)
+        parts = () if points is None else points.parts
     else:
         parts = route_parts(actor, copies, lanes)
     for part in parts:
@@ -54,15 +54,15 @@ def _no_way_from_there(
     """RL618 of copies that are placed by another, which decides where they begin."""
     where = placed(actor, candidates)
     copies = CopyBatch.every(candidates, where.x.shape[1])
-    vias = route_points(actor, copies, lanes)
-    if vias is None:
+    points = route_points(actor, copies, lanes)
+    if points is None:
         return None
     places = start_places(actor, where, lanes, copies)
     for row in np.flatnonzero(where.present[0]).tolist():
-        place, stages = places[row], vias.stages(row)
+        place, stages = places[row], points.stages(row)
         found = 0 if place is None else route_through(lanes, place, stages)
         if place is not None and not isinstance(found, PlannedRoute):
-            return _unreachable(actor, vias.parts[found - 1], [(place,), *stages], found, lanes)
+            return _unreachable(actor, points.parts[found - 1], [(place,), *stages], found, lanes)
     return None
 
 

@@ -104,8 +104,8 @@ def route_parts(
 ) -> tuple[NearPoints | NamedPlaces, ...]:
     """Where copies begin, if that is a point or position of the network, and what they pass."""
     at = evaluate(actor.at, copies, element_of(actor))
-    vias = route_points(actor, copies, lanes)
-    rest = () if vias is None else vias.parts
+    route = route_points(actor, copies, lanes)
+    rest = () if route is None else route.parts
     if isinstance(at, PassCall):
         return (NamedPlaces(actor, at, copies, lanes), *rest)
     if isinstance(at, tuple):

@@ -112,7 +112,10 @@ def route_through(
         place.lane == start.lane and abs(place.station - start.station) < PASSED
         for place in stages[0]
     )
-    return shortest_route(lanes, [(start,), *stages[1:]]) if is_passed else found
+    if not is_passed:
+        return found
+    onward = shortest_route(lanes, [(start,), *stages[1:]])
+    return onward if isinstance(onward, PlannedRoute) else onward + 1
 
 
 def _after(lanes: LaneGraph, start: RoutePlace, lead: PlannedRoute | None) -> PlannedRoute:

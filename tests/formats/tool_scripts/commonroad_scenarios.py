@@ -8,10 +8,12 @@ from __future__ import annotations
 import json
 import sys
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import commonroad
+import numpy as np
 from commonroad.common.file_reader import CommonRoadFileReader
 from commonroad.scenario.lanelet import LaneletType
 from commonroad.scenario.obstacle import ObstacleType
@@ -22,12 +24,16 @@ from commonroad_dc.collision.collision_detection.pycrcc_collision_dispatch impor
 )
 from commonroad_dc.pycrcc import CollisionChecker
 from lxml import etree
+from shapely.geometry import Point, Polygon
 from shapely.ops import unary_union
 
-_LONG = 6.0
-"""Meters: longer vehicles cut the inside of tight bends, wherever they are."""
+_LONG, _LONGEST = 6.0, 20.0
+"""Meters: longer vehicles cut the inside of tight bends, wherever they are; none is longer."""
 _NEAR, _SAME = 5.0, 1e-3
 """Meters within which lanelets matter, and within which they meet."""
+_BESIDE, _LONG_BESIDE = 0.3, 2.0
+"""Meters that a body may be beside lanelets in a junction, whose area is not all of lanelets; long
+ones anywhere."""
 _SCHEMA = Path(commonroad.__file__).parent / (
     "scenario_definition/xml_definition_files/XML_commonRoad_XSD.xsd"
 )
@@ -57,7 +63,7 @@ def faults(file: str, schema: Any) -> list[str]:
         is_on_lanes = all(network.find_lanelet_by_position(ends if is_long else places))
         if not is_on_lanes or (not is_long and off_road.collide(begins)):
             found.append(f"dynamic obstacle {obstacle.obstacle_id} leaves the road")
-        elif not is_long and _sticks_out(obstacle, network, off_road):
+        elif _sticks_out(obstacle, network, off_road):
             found.append(f"a part of dynamic obstacle {obstacle.obstacle_id} leaves the road")
     for problem in problems.planning_problem_dict.values():
         place = problem.initial_state.position
@@ -70,32 +76,49 @@ def faults(file: str, schema: Any) -> list[str]:
 
 def _sticks_out(obstacle: Any, network: Any, off_road: Any) -> bool:
     """Whether any of its footprint is beside the road at any time; in junctions, whose area is not
-    all of lanelets, it may be: where its middle is in one, or what is out is nearest to one."""
+    all of lanelets, it may be by `_BESIDE`: where its middle is in one, or what is out is nearest
+    to one. Long vehicles may be by `_LONG_BESIDE` anywhere."""
+    is_long = obstacle.obstacle_shape.length > _LONG
     for state in obstacle.prediction.trajectory.state_list:
         shape = obstacle.occupancy_at_time(state.time_step).shape
         if off_road.collide(create_collision_object(shape)):
             ids = network.find_lanelet_by_position([state.position])[0]
             types = [kind for id in ids for kind in network.find_lanelet_by_id(id).lanelet_type]
-            if LaneletType.INTERSECTION not in types and _is_out(shape.shapely_object, network):
-                return True
+            in_junction = LaneletType.INTERSECTION in types
+            for away, nearest_in_junction in _beside(shape.shapely_object, network):
+                excused = is_long or in_junction or nearest_in_junction
+                if away > (_LONG_BESIDE if is_long else _BESIDE) or not excused:
+                    return True
     return False
 
 
-def _is_out(body: Any, network: Any) -> bool:
-    """Whether some part of it that is on no lanelet is nearest to one outside of junctions."""
+def _beside(body: Any, network: Any) -> Iterator[tuple[float, bool]]:
+    """How far each part of it that is on no lanelet is from one, and whether the nearest one is in
+    a junction."""
     near = [
         (lanelet.polygon.shapely_object, LaneletType.INTERSECTION in lanelet.lanelet_type)
         for lanelet in network.lanelets
         if lanelet.polygon.shapely_object.distance(body) < _NEAR
     ]
-    out = body.difference(unary_union([area.buffer(_SAME) for area, _ in near]))
+    ends = [end for lanelet in network.lanelets for end in _beyond(lanelet)]
+    lanes = unary_union([area.buffer(_SAME) for area in (*(area for area, _ in near), *ends)])
+    out = body.difference(lanes)
     for part in getattr(out, "geoms", [out]):
         if not part.is_empty:
+            away = max(lanes.distance(Point(corner)) for corner in part.exterior.coords)
             place = part.representative_point()
             least = min(area.distance(place) for area, _ in near)
-            if not any(inside for area, inside in near if area.distance(place) < least + _SAME):
-                return True
-    return False
+            yield away, any(inside for area, inside in near if area.distance(place) < least + _SAME)
+
+
+def _beyond(lanelet: Any) -> Iterator[Polygon]:
+    """Where vehicles leave the map over its ends that lead nowhere."""
+    for end, before, links in ((-1, -2, lanelet.successor), (0, 1, lanelet.predecessor)):
+        if not links:
+            ahead = lanelet.center_vertices[end] - lanelet.center_vertices[before]
+            ahead *= _LONGEST / np.hypot(*ahead)
+            left, right = lanelet.left_vertices[end], lanelet.right_vertices[end]
+            yield Polygon((left, right, right + ahead, left + ahead)).buffer(0.0)
 
 
 def _unlinked(network: Any) -> list[str]:

@@ -23,6 +23,9 @@ def opened(name: str) -> roadlang.Scene:
     Prints warnings. Raises DiagnosticError if the file cannot be read.
     """
     import roadlang
+    from roadlang.api import read_input
+
+    from ..map_xml import LARGEST
 
     path = Path(name)
     if path.suffix.lower() == ".json":
@@ -35,7 +38,10 @@ def opened(name: str) -> roadlang.Scene:
     if path.suffix.lower() == SCENE_FILE:
         loaded = roadlang.load(name)
     else:
-        loaded = roadlang.loads(_scenario(path), folder=path.parent)
+        text = _scenario(path)
+        if not path.exists() and not set("*?") & set(name):
+            read_input(path, LARGEST)  # RL400, without the line of a scene file that is not there
+        loaded = roadlang.loads(text, folder=path.parent)
     scenes = loaded.sample(1)
     report(scenes.diagnostics)
     return scenes[0]
