@@ -45,7 +45,7 @@ class Compilation:
         self, count: int | None, seed: int, workers: Workers, print_after: str | None
     ) -> None:
         from ..search.worker_pool import Workers
-        from ..session.emitting import compiled
+        from ..session.compiling import compiled
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
 

@@ -24,7 +24,8 @@ from .commands import LazyGroup
 from .standard_output import claim_standard_output
 
 _COLLECTED_AFTER = (20_000, 20, 100)
-"""Python looks for garbage more seldom: most of what a command makes lives until it ends."""
+"""Thresholds of the garbage collector, above its defaults: most objects of a command live until it
+ends, so that frequent collections find nothing."""
 
 
 @click.group(
@@ -94,6 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         # whoever ends a process does not.
         os._exit(exit_codes.TERMINATED)
     _flush()
+    gc.freeze()  # spares the last collection: the process ends now
     sys.exit(code)
 
 
@@ -119,8 +121,10 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except click.ClickException as error:
         _show(error)
         return error.exit_code
-    except (click.Abort, KeyboardInterrupt):
-        click.echo("interrupted", err=True)
+    except (click.Abort, KeyboardInterrupt) as error:
+        # click raises its own, which says nothing, from that of Python
+        when = str(error.__cause__ if isinstance(error, click.Abort) else error)
+        click.echo(f"interrupted {when}" if when.startswith("while ") else "interrupted", err=True)
         return exit_codes.INTERRUPTED
     except BrokenPipeError:
         _forget_standard_output()

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from .diagnostic import Diagnostic
+from .diagnostic import Diagnostic
 
 
 class DiagnosticError(Exception):
-    """Raised for bad input, never for bugs. As text it is what the command line would print."""
+    """Raised for bad input, never for bugs. As text it is what the command line would print.
+
+    Raises `TypeError` for what is no diagnostic: plugins raise these too.
+    """
 
     def __init__(self, *diagnostics: Diagnostic) -> None:
+        if not diagnostics or not all(isinstance(item, Diagnostic) for item in diagnostics):
+            raise TypeError("a DiagnosticError takes one or more diagnostics")
         super().__init__(*diagnostics)
         self.diagnostics = diagnostics
 

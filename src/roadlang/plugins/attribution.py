@@ -76,12 +76,20 @@ def reason_of(error: BaseException) -> str:
     """An exception in one line, with the place in the plugin that it comes from."""
     if isinstance(error, Reason):
         return str(error)
-    if isinstance(error, NotImplementedError) and not str(error):
+    if isinstance(error, NotImplementedError) and not _text_of(error):
         return f"it does not implement `{_raised_in(error.__traceback__)}`"
-    text = " ".join(str(error).split())
+    text = " ".join(_text_of(error).split())
     line = f"{type(error).__name__}: {text}" if text else type(error).__name__
     place = _place_of(error)
     return f"{line} ({place})" if place else line
+
+
+def _text_of(error: BaseException) -> str:
+    """`str()`, which is code of the plugin too where the class is."""
+    try:
+        return str(error)
+    except Exception as fault:  # noqa: BLE001 - it is code of the plugin
+        return f"its message cannot be read: {type(fault).__name__}"
 
 
 def _raised_in(trace: TracebackType | None) -> str:

@@ -61,15 +61,15 @@ class PlacementOptions:
     side: Word = option(
         None,
         words=("left", "right"),
-        help="puts it next to the road, on this side; with a kind of lane, on which side the lane "
-        "is",
+        help="places it beside the road, on this side; with a kind of lane, selects the lane on "
+        "this side",
         example="right",
     )
     facing: Word = option(
         None,
         words=("forward", "back"),
-        help="along the road or against it; by default the direction of the lane, in a parking "
-        "lane that of the driving lanes beside it",
+        help="along the road or against it; by default the direction of the lane; in a parking "
+        "lane, that of the adjacent driving lanes",
         example="back",
     )
     heading: Angle = option(

@@ -47,6 +47,8 @@ def collect(found: Iterable[Candidate]) -> Registry:
                 brought, faults, expected = _load(candidate)
         except (KindFault, PluginFault) as fault:
             broken.append(BrokenPlugin(candidate.origin, str(fault)))
+        except KeyboardInterrupt as error:  # it may hang
+            raise KeyboardInterrupt(f"while {candidate.origin} was loaded") from error
         else:
             entries.extend(brought)
             broken.extend(faults)

@@ -19,7 +19,6 @@ from ..judging.deciding_moment import DecidingMoment, deciding_moment
 from ..judging.robustness_series import robustness_series
 from ..search.worker_pool import ALONE, WorkerPool, Workers
 from .expectations import Expectation, expectations_of
-from .scene import Scene
 from .tables import columns_of, frame_of
 
 if TYPE_CHECKING:
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from ..ir.scene import Verdict
     from ..ir.trace import Trace
     from ..plugins.registry import Registry
+    from .scene import Scene
 
 
 def drive(

@@ -1,11 +1,7 @@
-"""A set of scenes to files in a folder, with their manifest.
-
-A facade: a set of scenes writes itself, and what writes it takes or makes the set.
-"""
+"""A set of scenes to files in a folder, with their manifest."""
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,10 +24,8 @@ if TYPE_CHECKING:
     from ..ir.manifest import Manifest
     from ..ir.scene import Scene
     from ..plugins.registry import Registry
-    from ..scenes.sampling import SamplingResult, SceneObserver
-    from ..search.worker_pool import Workers
+    from ..scenes.sampling import SamplingResult
     from .loading import LoadedScenario
-    from .scene_set import SceneSet
 
 
 DEFAULT_EMITS = ("json", "svg")
@@ -46,58 +40,26 @@ def _default_emits(registry: Registry) -> list[PassCall]:
 
 
 def emit(
-    scenes: SceneSet,
+    loaded: LoadedScenario,
+    result: SamplingResult,
+    seed: int,
     folder: Path,
-    outputs: Sequence[str] | None,
     progress: Callable[[int, int], None] | None,
 ) -> Manifest:
     """Write everything, then deliver to the backends that speak to an engine."""
-    folder = folder.absolute()  # before a plugin can change the current folder
-    loaded = scenes.loaded if outputs is None else scenes.loaded.with_outputs(outputs)
-    records = [scene.record for scene in scenes]
-    with _Writing(loaded, folder) as writing:
+    records = result.scenes
+    with SetWriting(loaded, folder) as writing:
         for number, record in enumerate(records):
             for output in outputs_of_scene(writing.backends, record):
                 writing.add(output)
             if progress is not None:
                 progress(number, len(records))
-        manifest = writing.finish(scenes.result, scenes.seed, records)
+        manifest = writing.finish(result, seed, records)
     send(writing.backends, records)
     return manifest
 
 
-def compiled(
-    loaded: LoadedScenario,
-    folder: Path,
-    n: int | None,
-    seed: int,
-    workers: Workers,
-    after_pass: SceneObserver | None = None,
-) -> tuple[SceneSet, Manifest]:
-    """As `sample` and `emit`, but that scenes are written as they are found, so that memory does
-    not grow with their number: those of the set are outlines, without roads and things."""
-    from ..scenes.emitted import Emission, EmittedScene
-    from ..scenes.spool import SceneSpool
-    from .scene_set import sampled
-
-    folder = folder.absolute()
-    with contextlib.closing(SceneSpool()) as spool:
-        with _Writing(loaded, folder) as writing:
-
-            def take(scene: EmittedScene) -> None:
-                for output in scene.outputs:
-                    writing.add(output)
-                if scene.whole is not None:
-                    spool.add(scene.whole)
-
-            emission = Emission(writing.backends, take)
-            scenes = sampled(loaded, n, seed, workers, after_pass, emission)
-            manifest = writing.finish(scenes.result, seed, spool)
-        send(writing.backends, spool)
-    return scenes, manifest
-
-
-class _Writing:
+class SetWriting:
     """The files of a scenario, written one after the other; they are in the folder at the end."""
 
     def __init__(self, loaded: LoadedScenario, folder: Path) -> None:
@@ -109,7 +71,7 @@ class _Writing:
         self._names = OutputNames(self.backends)
         self._written: list[OutputFile] = []
 
-    def __enter__(self) -> _Writing:
+    def __enter__(self) -> SetWriting:
         self._files = self._staging.__enter__()
         return self
 
@@ -117,6 +79,7 @@ class _Writing:
         return self._staging.__exit__(*error)
 
     def add(self, output: Output) -> None:
+        """Write a file, unless another has its name."""
         self._names.add(output)
         self._files.add(output.path, output.content)
         self._written.append(file_of(output))

@@ -152,7 +152,9 @@ class SceneSet(Sequence[Scene]):
         """
         from .emitting import emit
 
-        return emit(self, Path(folder), outputs, progress)
+        resolved = Path(folder).absolute()  # before a plugin can change the current folder
+        loaded = self.loaded if outputs is None else self.loaded.with_outputs(outputs)
+        return emit(loaded, self.result, self.seed, resolved, progress)
 
     def run(self, engine: str | None = None, **options: Any) -> DriveSet:
         """Drive every scene in a simulator, all with one engine; see `Scene.run`."""

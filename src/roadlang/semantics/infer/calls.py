@@ -85,7 +85,9 @@ def _no_function(
         arguments = ", ".join([owner, *(argument.span.text for argument in call.arguments)])
         help_ = f"write `{last}({arguments})`"
         return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=help_)
-    return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, meant=meant_name(name, known))
+    meant = meant_name(name, known)
+    hints = () if meant else checker.registry.hints
+    return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=hints, meant=meant)
 
 
 def _built_in(

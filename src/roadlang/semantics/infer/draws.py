@@ -77,6 +77,9 @@ def _type_of(checker: Checker, found: ResolvedKind, bound: BoundOptions) -> ty.T
 def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Type | None:
     """The type of any of several values; None, reported, where they have not one."""
     first = parts[0]
+    kinds = [part.type for part in parts if isinstance(part.type, ty.KindCallType)]
+    if kinds and all(part.type == kinds[0] or _is_word(part) for part in parts):
+        return kinds[0]
     for part in parts[1:]:
         if type(part.type) is not type(first.type) or (
             isinstance(part.type, ty.KindCallType) and part.type != first.type
@@ -100,6 +103,11 @@ def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Typ
         known = [values for values in texts if values is not None]
         return ty.StringType(frozenset().union(*known) if len(known) == len(texts) else None)
     return first.type
+
+
+def _is_word(part: TypedExpression) -> bool:
+    """Whether it is a word of the option, such as `outer` beside the kinds of lanes."""
+    return isinstance(part.type, ty.StringType) and part.type.word
 
 
 def _is_reversed(checker: Checker, call: PassCall, found: ResolvedKind) -> bool:

@@ -254,7 +254,7 @@ def _itself(checker: Checker, name: ast.Name, context: Context) -> TypedExpressi
         what=f"`{context.place.rpartition('/')[2]}`",
         expected=f"another {' or '.join(context.roles)}",
         name=name.text,
-        found="the agent that it drives",
+        found="the agent that this controller drives",
     )
     return unknown(name.span)
 

@@ -28,7 +28,7 @@ def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnosti
     if isinstance(present, Diagnostic):
         return present
     help_ = did_you_mean(name, present) or (f"looked in `{folder}`",)
-    return diagnose(Code.MISSING_FILE, span, file=written, like="", help=help_)
+    return diagnose(Code.MISSING_FILE, span, file=written, what="file", help=help_)
 
 
 def _files_in(folder: Path, span: Span, written: str) -> list[str] | Diagnostic:
@@ -36,7 +36,7 @@ def _files_in(folder: Path, span: Span, written: str) -> list[str] | Diagnostic:
         return os.listdir(folder)
     except OSError:
         help_ = f"there is no folder `{folder}`"
-        return diagnose(Code.MISSING_FILE, span, file=written, like="", help=help_)
+        return diagnose(Code.MISSING_FILE, span, file=written, what="file", help=help_)
 
 
 def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
@@ -65,7 +65,7 @@ def _missing_tiles(folder: Path, span: Span, written: str) -> Diagnostic:
     more = f" and {len(pictures) - _MOST_SHOWN} more" if len(pictures) > _MOST_SHOWN else ""
     there = f"the pictures in `{folder}` are {shown}{more}"
     help_ = there if pictures else f"there is no picture in `{folder}`"
-    return diagnose(Code.MISSING_FILE, span, file=written, like=" named like", help=help_)
+    return diagnose(Code.MISSING_FILE, span, file=written, what="file named like", help=help_)
 
 
 def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagnostic | None:
