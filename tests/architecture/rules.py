@@ -49,7 +49,6 @@ FACADES = {
     ),
     "the front door": Facade(
         (
-            "src/roadlang/session/emitting.py",
             "src/roadlang/session/falsification.py",
             "src/roadlang/session/loading.py",
             "src/roadlang/session/scene.py",

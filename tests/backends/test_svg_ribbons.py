@@ -345,3 +345,18 @@ def test_names_on_the_map_have_a_halo_of_the_ground() -> None:
     assert painted(ghost.end_label(straight_ribbon(), [], FONT, "red"), "text", *halo) == [
         [palette.GROUND, "stroke", "middle"]
     ]
+
+
+@pytest.mark.parametrize(
+    ("kinds", "between"),
+    [
+        (("sidewalk", "drive", "drive", "shoulder"), (1, 3)),
+        (("drive",), (0, 1)),
+        (("sidewalk", "bicycle"), (0, 2)),
+    ],
+)
+def test_what_is_drivable_lies_between_two_borders(
+    kinds: tuple[str, ...], between: tuple[int, int]
+) -> None:
+    lanes = [lane(-1 - k, kind, 3.0) for k, kind in enumerate(kinds)]
+    assert straight_ribbon(**of_lanes(*lanes)).drivable == between

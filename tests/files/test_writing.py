@@ -234,3 +234,21 @@ def test_recovering_a_clean_folder_changes_nothing(tmp_path: Path) -> None:
     before = files_of(tmp_path)
     recover(tmp_path)
     assert files_of(tmp_path) == before
+
+
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [(OSError(28, "No space left on device"), "no space left on device"),
+     (TimeoutError(), "timeouterror")],
+)  # fmt: skip
+def test_a_file_that_cannot_be_replaced_stays_and_the_reason_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: OSError, reason: str
+) -> None:
+    def refuse(handle: int) -> None:
+        raise error
+
+    (tmp_path / "a.rl").write_text("before")
+    monkeypatch.setattr(os, "fsync", refuse)
+    with pytest.raises(DiagnosticError, match=reason):
+        replace_file(tmp_path / "a.rl", "after")
+    assert (tmp_path / "a.rl").read_text() == "before"

@@ -13,6 +13,7 @@ from roadlang.api import AgentTrace, DiagnosticError, Trace
 from roadlang.drive.trace_files import from_json, to_csv, to_json
 from roadlang.ir.scene import Provenance, Scene, Verdict
 from roadlang.judging.drives import DriveCondition, judge
+from roadlang.judging.robustness_series import robustness_series
 from roadlang.plugins.discovery import load_registry
 
 TIME = np.linspace(0.0, 10.0, 101)
@@ -24,8 +25,8 @@ def agent(name: str, x: np.ndarray, y: float = 0.0, **more: Any) -> AgentTrace:
     zero = np.zeros_like(TIME)
     columns = {"steering": zero, "station": x, "cross_track_error": zero + y, "progress": x / 100}
     columns |= {"contacts": zero, "acceleration": zero, "heading": zero}
-    speed = np.gradient(x, TIME)
-    return AgentTrace(name=name, time=TIME, x=x, y=zero + y, speed=speed, **{**columns, **more})
+    columns |= {"speed": np.gradient(x, TIME)}
+    return AgentTrace(name=name, time=TIME, x=x, y=zero + y, **{**columns, **more})
 
 
 def trace(*agents: AgentTrace) -> Trace:
@@ -170,3 +171,16 @@ def test_a_group_without_members_satisfies_what_is_asked_of_each() -> None:
     pair = {"first": "ego", "second": "cars"}
     apart = condition({"always": {">": ["d", 1.0]}}, d=("distance", pair))
     assert rho_of(apart, ego) == math.inf
+
+
+def test_a_group_is_as_robust_as_its_worst_member_at_each_time() -> None:
+    """0.5 t, 10 - t and 3 m/s: the fastest of the three decides."""
+    speeds = [0.5 * TIME, 10.0 - TIME, 0.0 * TIME + 3.0]
+    cars = [agent(f"cars[{i}]", 0 * TIME, speed=speed) for i, speed in enumerate(speeds)]
+    slow = condition({"always": {"<": ["v", 12.0]}}, v=("speed", {"agent": "cars"}))
+    assert rho_of(slow, trace(*cars)) == 2.0
+    verdict = verdict_of(slow, trace(*cars))
+    assert verdict.robustness == 2.0
+    series = robustness_series(verdict, trace(*cars), REGISTRY)
+    assert series is not None
+    np.testing.assert_allclose(series, 12.0 - np.max(speeds, axis=0))

@@ -32,11 +32,28 @@ def test_a_kind_of_a_broken_plugin_gives_the_reason(site: Path) -> None:
     assert "no license found" in fault.message
 
 
-def test_a_broken_plugin_is_mentioned_where_a_kind_is_not_known(site: Path) -> None:
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("agent ego is car on main at 5m { drive with mpc { horizon: 2s } }", "RL210"),
+        ("let j = zqx(main)", "RL225"),
+    ],
+)
+def test_a_broken_plugin_is_mentioned_where_a_kind_is_not_known(
+    site: Path, text: str, code: str
+) -> None:
     install(site, "acme", "raise RuntimeError('no license found')")
-    [fault] = faults("agent ego is car on main at 5m { drive with mpc { horizon: 2s } }", site)
-    assert fault.code == "RL210"
+    [fault] = faults(text, site)
+    assert fault.code == code
     assert any("acme-plugin 1.2 could not be loaded" in line for line in fault.help)
+
+
+def test_who_interrupts_a_plugin_that_hangs_hears_which(
+    site: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    install(site, "acme", "raise KeyboardInterrupt")  # as Ctrl-C does
+    assert run(["plugins"]) == 130
+    assert capsys.readouterr().err.strip() == "interrupted while acme-plugin 1.2 was loaded"
 
 
 def test_a_kind_that_fails_when_it_is_imported(site: Path) -> None:

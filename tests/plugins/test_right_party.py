@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import numpy as np
 import pytest
@@ -14,6 +14,7 @@ from roadlang import testing
 from roadlang.api import (
     Adjuster,
     Code,
+    DiagnosticError,
     Drawer,
     FoundObject,
     Monitor,
@@ -43,6 +44,29 @@ def test_too_little_memory_is_nobodys_bug() -> None:
     assert found.help == (
         "the machine has too little memory for this, or the plugin asks for too much",
     )
+
+
+class Unreadable(Exception):
+    """Its message cannot be read."""
+
+    def __str__(self) -> str:
+        raise KeyError("text")
+
+
+@pytest.mark.parametrize(
+    ("raises", "says"),
+    [
+        (lambda road: DiagnosticError(cast(Any, [])), "TypeError: a DiagnosticError takes"),
+        (lambda road: DiagnosticError(), "TypeError: a DiagnosticError takes"),
+        (raising(Unreadable()), "Unreadable: its message cannot be read: KeyError"),
+    ],
+)
+def test_exceptions_that_are_wrong_themselves_are_faults_of_the_plugin(
+    raises: Callable[[Any], Any], says: str
+) -> None:
+    found = fault(BENT, perturber(raises))
+    assert found.code == Code.PLUGIN_FAILED
+    assert f"`perturb tested.odd` failed (tested 0): {says}" in found.message
 
 
 def test_a_fault_says_the_line_of_the_plugin() -> None:

@@ -86,3 +86,15 @@ def test_the_color_of_the_path_is_the_sign_of_the_worst_expectation() -> None:
     assert [v["robustness"] for v in record["verdicts"]] == [
         j.verdict.robustness for j in seen.judged
     ]
+
+
+def test_an_agent_is_shown_until_it_leaves() -> None:
+    seen, _ = driven()
+    trace = seen.drive.trace
+    ego = trace.agents["ego"]
+    for last in (0.5, 1.7):
+        gone = replace(ego, present=(trace.time <= last).astype(float))
+        other = replace(seen.drive, trace=replace(trace, agents={"ego": gone}))
+        record = drive_record(view(other, installed()), {}, 20)
+        time = np.cumsum(record["time"]) / 1000
+        assert record["agents"][0]["until"] == (time <= last + 1e-3).sum() < len(time)

@@ -7,6 +7,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
+from roadlang.stl.evaluate.stream_nodes import Sample, StreamPointwise
 from roadlang.stl.formula.horizon import horizon
 from tests.stl_draws import FormulaDraw, draw_trace
 
@@ -108,3 +109,17 @@ def test_a_boolean_monitor_decides_where_robustness_is_zero(seed: int) -> None:
         found += monitor.push(position, {name: float(values[k]) for name, values in row.items()})
     found += monitor.finish()
     assert [sample.rho > 0 for sample in found] == formula.truth(positions, row).tolist()
+
+
+def test_samples_of_uneven_inputs_wait_for_each_other() -> None:
+    """Whatever pieces two inputs come in, they are joined sample by sample."""
+    draw = np.random.default_rng(3)
+    for _ in range(40):
+        streams = [[(float(time), draw.uniform()) for time in range(9)] for _ in range(2)]
+        cuts = [[0, *np.sort(draw.integers(0, 10, 3)).tolist(), 9] for _ in streams]
+        node = StreamPointwise(lambda first, second: first - second, 2)
+        found: list[Sample] = []
+        for step in range(4):
+            pieces = [s[at[step] : at[step + 1]] for s, at in zip(streams, cuts, strict=True)]
+            found.extend(node.step(pieces))
+        assert found == [(a[0], a[1] - b[1]) for a, b in zip(*streams, strict=True)]
