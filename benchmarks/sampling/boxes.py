@@ -21,9 +21,9 @@ from benchmarks.sampling.guided import coordinates
 from roadlang.geometry import Floats
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
-from roadlang.search.attempts import accepted_attempts
 from roadlang.search.diversity import mean_nearest
 from roadlang.search.guiding import guided_attempts
+from roadlang.search.rejection_sampling import accepted_attempts
 from roadlang.search.samplers import sampler_of
 from roadlang.semantics import check_text
 from roadlang.world.index import index_scenario

@@ -21,9 +21,9 @@ from roadlang.ir.values import ConstantValue, Options, PassCall
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
 from roadlang.search.accepted import Accepted, candidates_of
-from roadlang.search.attempts import accepted_attempts
 from roadlang.search.diversity import mean_nearest
 from roadlang.search.guiding import guided_attempts, run_pilot
+from roadlang.search.rejection_sampling import accepted_attempts
 from roadlang.semantics import check_text
 from roadlang.world.index import index_scenario
 

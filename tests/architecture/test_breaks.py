@@ -64,7 +64,7 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     (rules.private_names_stay_in_their_file, "scenes/roads.py", "from .actors import _CAR"),
     (
         rules.private_names_stay_in_their_file,
-        "search/attempts.py",
+        "search/rejection_sampling.py",
         "def f(candidates):\n    return candidates._computed",
     ),
     (rules.no_circles, "world/stations.py", "def f():\n    from .roads import road_batch"),

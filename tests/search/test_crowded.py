@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from roadlang.ir.encoding import to_json
 from roadlang.scenes.sampling import SamplingResult
-from roadlang.search.attempts import CROWDED
+from roadlang.search.rejection_sampling import CROWDED
 from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]

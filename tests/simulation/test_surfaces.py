@@ -7,7 +7,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.simulation.surfaces import SURFACES, TireSurface
-from roadlang.simulation.vehicle import GRAVITY
+from roadlang.simulation.vehicle_dynamics import GRAVITY
 from roadlang.simulation.world import World
 from roadlang.simulation.world_building import world_of
 

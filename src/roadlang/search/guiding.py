@@ -28,9 +28,9 @@ from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
 from .accepted import Accepted
-from .attempts import accepted_attempts
 from .effort import quicker_share
 from .rejection_report import RejectionStats
+from .rejection_sampling import accepted_attempts
 
 FIRST = 320
 """Candidates of the pilot that are drawn evenly."""

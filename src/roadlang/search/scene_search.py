@@ -14,8 +14,8 @@ from ..evaluate.kind_instance import KindInstance
 from ..ir.paused_collector import collector_paused
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted, Concretize, Sample, SearchedBlock, candidates_of
-from .attempts import accepted_attempts
 from .guiding import guided_attempts
+from .rejection_sampling import accepted_attempts
 from .samplers import is_steering, sampler_of
 
 T = TypeVar("T")

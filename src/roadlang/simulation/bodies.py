@@ -12,7 +12,7 @@ import numpy as np
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import SceneActor
 from .surfaces import TireSurface
-from .vehicle import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
+from .vehicle_dynamics import FRONT_STIFFNESS, GRAVITY, REAR_STIFFNESS, SLOW
 
 AIR = 1.2
 """density, kg/m^3"""

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Floats, Integers
-from . import kernels, lines, vehicle
+from . import kernels, lines
+from . import vehicle_dynamics as dynamics
 from .bodies import Bodies
 from .motion import Motion, Track
 
@@ -156,7 +157,7 @@ def _digest() -> str:
     import hashlib
     import inspect
 
-    text = "".join(inspect.getsource(module) for module in (kernels, vehicle, lines))
+    text = "".join(inspect.getsource(module) for module in (kernels, dynamics, lines))
     return hashlib.sha256(text.encode()).hexdigest()
 
 
@@ -166,9 +167,9 @@ def _register_formulas() -> None:
     from numba.extending import overload, register_jitable
 
     for formula in (
-        vehicle.steered, vehicle.brush, vehicle.demand, vehicle.forces, vehicle.loads,
-        vehicle.accelerated, vehicle.walked, vehicle.displaced, vehicle.turned, vehicle.driven,
-        vehicle.moved, lines.on_arc,
+        dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
+        dynamics.accelerated, dynamics.walked, dynamics.displaced, dynamics.turned, dynamics.driven,
+        dynamics.moved, lines.on_arc,
     ):  # fmt: skip
         register_jitable(**_OPTIONS)(formula)
     for loop in (
@@ -181,5 +182,5 @@ def _register_formulas() -> None:
         # Into the loop itself: only there is it seen that agents do not depend on each other.
         register_jitable(inline="always", **_OPTIONS)(part)
     # Of numbers, and with NaN only where both are NaN.
-    overload(vehicle.least, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
-    overload(vehicle.greatest, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)
+    overload(dynamics.least, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
+    overload(dynamics.greatest, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)

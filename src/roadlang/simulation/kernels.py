@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from . import lines, vehicle
+from . import lines
+from . import vehicle_dynamics as dynamics
 
 ABREAST = 32
 """Agents that are moved side by side: with the numbers of so many in one small array,
@@ -44,7 +45,7 @@ def advanced(
             for j in range(ABREAST):
                 heading = rows[32, j] + rows[29, j] * (rows[30, j] - rows[33, j] * rows[27, j])
                 angle = rows[4, j] * dt - (heading - rows[8, j])
-                rows[5, j], rows[6, j] = vehicle.turned(rows[5, j], rows[6, j], angle)
+                rows[5, j], rows[6, j] = dynamics.turned(rows[5, j], rows[6, j], angle)
                 rows[8, j] = heading
         for k in range(10):
             for j in range(used):
@@ -73,7 +74,7 @@ def place_on_line(rows: Any, j: Any) -> None:
     it."""
     advance = rows[0, j] - rows[26, j]
     rows[30, j] = advance
-    rows[31, j] = vehicle.least(vehicle.greatest(advance * rows[28, j], 0.0), rows[25, j])
+    rows[31, j] = dynamics.least(dynamics.greatest(advance * rows[28, j], 0.0), rows[25, j])
 
 
 def drive(rows: Any, j: Any, dt: Any) -> None:
@@ -82,16 +83,16 @@ def drive(rows: Any, j: Any, dt: Any) -> None:
         rows[10, j], rows[11, j], rows[12, j], rows[13, j], rows[14, j], rows[15, j], rows[16, j],
         rows[17, j], rows[18, j], rows[19, j], rows[20, j],
     )  # fmt: skip
-    tangent = vehicle.steered(rows[7, j], rows[23, j], rows[21, j], rows[22, j])
+    tangent = dynamics.steered(rows[7, j], rows[23, j], rows[21, j], rows[22, j])
     motion = (rows[2, j], rows[3, j], rows[4, j])
-    driven = vehicle.driven(motion, tangent, rows[9, j], rows[24, j], car, dt)
-    walked = vehicle.walked(motion, tangent, rows[24, j], rows[10, j], dt)
+    driven = dynamics.driven(motion, tangent, rows[9, j], rows[24, j], car, dt)
+    walked = dynamics.walked(motion, tangent, rows[24, j], rows[10, j], dt)
     on_foot = rows[34, j] > 0.5
     speed = walked[0] if on_foot else driven[0]
     slide = walked[1] if on_foot else driven[1]
     yaw_rate = walked[2] if on_foot else driven[2]
     place, direction = (rows[0, j], rows[1, j]), (rows[5, j], rows[6, j])
-    moved = vehicle.moved(place, (rows[2, j], speed, slide), direction, rows[29, j], dt)
+    moved = dynamics.moved(place, (rows[2, j], speed, slide), direction, rows[29, j], dt)
     rows[0, j], rows[1, j] = moved
     rows[2, j], rows[3, j], rows[4, j], rows[7, j] = speed, slide, yaw_rate, tangent
     rows[9, j] = walked[3] if on_foot else driven[3]
@@ -103,7 +104,7 @@ def framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
     for i in range(along.shape[0]):
         last, origin, spacing, per_meter = numbers[:, i]
         advance = along[i] - origin
-        place = int(vehicle.least(vehicle.greatest(advance * per_meter, 0.0), last))
+        place = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
         cell = table[first[i] + place]
         x, y, heading = lines.on_arc(cell, advance - place * spacing, spacing)
         out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = x, y, heading, cell[6], cell[7]
@@ -114,7 +115,7 @@ def looked_up(values: Any, shift: Any, along: Any, first: Any, numbers: Any, out
     for i in range(along.shape[0]):
         last, origin, _, per_meter = numbers[:, i]
         advance = along[i] - origin
-        cell = int(vehicle.least(vehicle.greatest(advance * per_meter, 0.0), last))
+        cell = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
         out[i] = values[shift[i] + first[i] + cell]
 
 
@@ -135,7 +136,7 @@ def gaps_in_corridors(
     for p in range(column.shape[0]):
         i, t = column[p], target[p]
         out[0, p], out[1, p], out[2, p] = np.inf, 1.0, 0.0
-        bar = vehicle.greatest(half_length[t] - half_width[t], 0.0)
+        bar = dynamics.greatest(half_length[t] - half_width[t], 0.0)
         wide = bar + halves[p] + spacing + widest(swept, i)
         if not nearest_sample(lines, s, view[i], i, x[t], y[t])[1] < wide * wide:
             continue
@@ -155,7 +156,7 @@ def gaps_in_corridors(
             found[c, 1] = 1.0 if abs(left) < free else 0.0
             found[c, 2], found[c, 3] = along, across
         for c in range(circles):
-            begins = found[c, 0] - vehicle.least(half_width[t], half_length[t])
+            begins = found[c, 0] - dynamics.least(half_width[t], half_length[t])
             is_ahead = found[circles // 2, 0] > 0.0 or begins > own[p] - begin
             fits = is_ahead and found[c, 1] > 0.5 and found[c, 0] < view[i] + spacing
             gap = begins - own[p] if fits else np.inf
@@ -178,7 +179,7 @@ def nearest_sample(lines: Any, s: Any, view: Any, i: Any, x: Any, y: Any) -> Any
 
 def widest(swept: Any, i: Any) -> Any:
     """The most that agent `i` covers beyond its width, anywhere in its window."""
-    most = vehicle.greatest(swept[0][0, i], swept[1][0, i])
+    most = dynamics.greatest(swept[0][0, i], swept[1][0, i])
     for m in range(1, swept[0].shape[0]):
-        most = vehicle.greatest(most, vehicle.greatest(swept[0][m, i], swept[1][m, i]))
+        most = dynamics.greatest(most, dynamics.greatest(swept[0][m, i], swept[1][m, i]))
     return most

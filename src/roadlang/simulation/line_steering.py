@@ -7,7 +7,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats, wrapped
 from ..ir.control import ObservationBatch
-from .vehicle import FRONT_STIFFNESS, GRAVITY
+from .vehicle_dynamics import FRONT_STIFFNESS, GRAVITY
 
 PREVIEW_TIME = 0.12
 """Seconds by which the curvature is looked up ahead."""

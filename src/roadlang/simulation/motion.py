@@ -12,7 +12,7 @@ import numpy as np
 from ..geometry.arrays import Booleans, Floats
 from .bodies import Bodies
 from .lines import Lines
-from .vehicle import driven, moved, steered, turned, walked
+from .vehicle_dynamics import driven, moved, steered, turned, walked
 
 
 @dataclass

@@ -19,7 +19,7 @@ from .bodies import Bodies
 from .motion import Motion
 from .route_table import RouteTable
 from .surfaces import TireSurface, road_surface, surface_names
-from .vehicle import GRAVITY
+from .vehicle_dynamics import GRAVITY
 
 TIRE = 0.25
 """Meters by which the wheels are closer together than the body is wide."""

@@ -17,7 +17,7 @@ from .motion import Motion
 from .patches import TIRE, WHEELS, Patches
 from .route_table import RouteTable
 from .surfaces import BESIDE, TireSurface, below
-from .vehicle import GRAVITY
+from .vehicle_dynamics import GRAVITY
 
 _AHEAD, _LEFT = np.array(WHEELS).T[:, :, None]
 

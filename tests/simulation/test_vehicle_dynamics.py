@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.ir.scene import SceneActor
-from roadlang.simulation import vehicle
+from roadlang.simulation import vehicle_dynamics as vehicle
 from roadlang.simulation.bodies import Bodies, Body
 from roadlang.simulation.lines import Lines, straight_line
 from roadlang.simulation.motion import Motion, Track, advance
