@@ -7,8 +7,13 @@ import math
 import subprocess
 from collections import Counter
 from pathlib import Path
+from typing import TypeAlias
 from xml.etree import ElementTree
 
+from tests.formats.opendrive_reader import ReadRoad, pose_of
+
+Line: TypeAlias = list[tuple[float, float]]
+"""Meters east and north."""
 _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
 <Config><Param name="InputFile" value="{file}"/><CheckerBundle application="xodrBundle">
 <Param name="resultFile" value="{result}"/></CheckerBundle></Config>
@@ -88,21 +93,48 @@ def _turns(file: ElementTree.Element, net: ElementTree.Element) -> list[str]:
     ]
 
 
-def _nodes(net: ElementTree.Element, junctions: set[str]) -> dict[frozenset[str], list[float]]:
-    """The lengths of lanes within nodes that are no junctions, by the two roads that they join."""
+def _nodes(net: ElementTree.Element, junctions: set[str]) -> dict[frozenset[str], list[Line]]:
+    """The lanes within nodes that are no junctions, in the coordinates of the file, by the two
+    roads that they join."""
+    offset = str(net.find("location").attrib["netOffset"])  # type: ignore[union-attr]
+    east, north = map(float, offset.split(","))
     inner = {
-        str(lane.get("id")): _plan_length(lane)
+        str(lane.get("id")): [(x - east, y - north) for x, y, *_ in _points(lane)]
         for edge in net.iterfind("edge[@function='internal']")
         for lane in edge.iterfind("lane")
     }
-    found: dict[frozenset[str], list[float]] = {}
+    found: dict[frozenset[str], list[Line]] = {}
     for link in net.iter("connection"):
         via = str(link.get("via"))
-        if via[1:].rsplit("_", 2)[0] in junctions:
-            continue
-        ends = frozenset(_road(str(link.get(name))) for name in ("from", "to"))
-        found.setdefault(ends, []).append(inner.get(via, 0.0))
+        if via[1:].rsplit("_", 2)[0] not in junctions and via in inner:
+            ends = frozenset(_road(str(link.get(name))) for name in ("from", "to"))
+            found.setdefault(ends, []).append(inner[via])
     return found
+
+
+def part_inside(road: ElementTree.Element, end: str, lanes: list[Line]) -> float:
+    """Meters of the lanes of a node, on the average, that are a part of the road: those before the
+    line across its end."""
+    pieces = ReadRoad(road).pieces()
+    at_start = end == "predecessor"
+    # The stated length of the road is what is to be judged: its pieces say where it ends.
+    x, y, heading = (
+        pose_of(pieces[0], 0.0)
+        if at_start
+        else pose_of(pieces[-1], float(pieces[-1].attrib["length"]))
+    )
+    outward = heading + math.pi if at_start else heading
+    cos, sin = math.cos(outward), math.sin(outward)
+    total = 0.0
+    for lane in lanes:
+        past = [cos * (px - x) + sin * (py - y) for px, py in lane]
+        for (one, other), (first, last) in zip(
+            itertools.pairwise(past), itertools.pairwise(lane), strict=True
+        ):
+            low, high = sorted((one, other))
+            whole = math.dist(first, last)
+            total += whole if high <= 0.0 else whole * -low / (high - low) if low < 0.0 else 0.0
+    return total / len(lanes)
 
 
 def _road(edge: str) -> str:
@@ -112,13 +144,13 @@ def _road(edge: str) -> str:
 def _lengths(
     file: ElementTree.Element,
     edges: dict[str | None, ElementTree.Element],
-    nodes: dict[frozenset[str], list[float]],
+    nodes: dict[frozenset[str], list[Line]],
 ) -> list[str]:
     """Roads that are missing, and those whose two directions are not as long on the average.
 
-    Where a road bends on into another one netconvert puts a node of 0.15 m or more on each side
-    (NBNodeShapeComputer::computeNodeShapeDefault): half of what one drives through it belongs to
-    each of the two.
+    Where a road bends on into another one netconvert puts a node
+    (NBNodeShapeComputer::computeNodeShapeDefault), which may lie on one side of the joint alone: of
+    what one drives through it, each road has the part on its side.
     """
     faults = []
     for road in file.iterfind("road"):
@@ -140,9 +172,8 @@ def _lengths(
             mean = sum(map(_plan_length, both)) / len(both)
             length = float(str(road.get("length")))
             for other in road.iterfind("link/*[@elementType='road']"):
-                ends = frozenset((str(road.get("id")), str(other.get("elementId"))))
-                inside = nodes.get(ends, [0.0])
-                mean += 0.5 * sum(inside) / len(inside)
+                inner = nodes.get(frozenset((str(road.get("id")), str(other.get("elementId")))))
+                mean += part_inside(road, other.tag, inner) if inner else 0.0
             if abs(mean / length - 1.0) > _SHARE:
                 faults.append(f"road {road.get('id')} is {mean:.2f} m long, not {length:.2f} m")
     return faults
@@ -150,10 +181,14 @@ def _lengths(
 
 def _plan_length(lane: ElementTree.Element) -> float:
     """netconvert's length, but on a slope that of the plan, as lengths of OpenDRIVE are."""
-    points = [tuple(map(float, point.split(","))) for point in str(lane.get("shape")).split()]
+    points = _points(lane)
     if not any(len(point) > 2 for point in points):
         return float(str(lane.get("length")))
     return sum(math.dist(one[:2], other[:2]) for one, other in itertools.pairwise(points))
+
+
+def _points(lane: ElementTree.Element) -> list[tuple[float, ...]]:
+    return [tuple(map(float, point.split(","))) for point in str(lane.get("shape")).split()]
 
 
 def _edges(name: str, edges: dict[str | None, ElementTree.Element]) -> list[ElementTree.Element]:
