@@ -60,10 +60,14 @@ def test_what_is_asked_about_is_handed_on_and_answered_as_a_column() -> None:
 
 def test_neighbors_of_one_agent_are_the_same_as_columns() -> None:
     words = [("lead", "car"), ("bike", "bicycle"), ("late", "van")]
-    seen = [Neighbor(*pair, *(10.0 * k + n for n in range(10))) for k, pair in enumerate(words)]
+    seen = [
+        Neighbor(*pair, *(10.0 * k + n for n in range(10)), walks=k == 1)
+        for k, pair in enumerate(words)
+    ]
     together = Neighbors.of_single(tuple(seen))
     assert together.single(0) == tuple(seen)
     assert together.name.tolist() == [["lead", "bike", "late"]]
     assert together.drift.tolist() == [[9.0, 19.0, 29.0]]
+    assert together.walks.tolist() == [[False, True, False]]
     two = replace(together, there=np.array([[True, False, True]]))
     assert two.single(0) == (seen[0], seen[2])

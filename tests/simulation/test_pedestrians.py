@@ -132,3 +132,26 @@ def test_who_crosses_goes_round_a_parked_car() -> None:
     assert child.y[-1] > 4.0
     assert one.trace.agents["ego"].progress[-1] > 0.9
     assert contacts(one.trace) == []
+
+
+AT_A_SLANT = """
+road street {
+  draw with segments { pieces: [straight(100m)] }
+  lanes: 2, width: 7m, speed_limit: 50km/h
+}
+param far = 6m..14m
+param aside = 2m..4m
+param turned = choice(20deg, 30deg, 45deg, 60deg)
+agent ego is car on street at 20m { start_speed: 0m/s..6m/s, drive with traffic }
+agent child is child at (24m + far, -1.75m + aside) {
+  heading: 180deg + turned, drive with crossing { speed: 1m/s..2.5m/s }
+}
+"""
+
+
+def test_it_does_not_drive_into_who_walks_toward_it_at_a_slant() -> None:
+    for number, one in enumerate(testing.sample(AT_A_SLANT, 40).run("builtin", duration=8.0)):
+        ego = one.trace.agents["ego"]
+        for event in one.trace.events:
+            before = ego.speed[ego.time < event["time"] - 0.1]
+            assert before[-1] < 0.3, number

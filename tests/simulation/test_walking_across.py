@@ -97,6 +97,46 @@ def test_crossing_waits_for_a_gap_if_it_is_told_to() -> None:
         assert ped.y[-1] > 3.5 or not later
 
 
+COW = """
+road street {{ draw with segments {{ pieces: [straight(200m)] }}, lanes: 2, width: 7m }}
+agent ped is pedestrian on street at 80m {{
+  side: right, offset: 0.5m, drive with crossing {{ {} }}
+}}
+agent other is {}
+"""
+
+
+@pytest.mark.parametrize(
+    ("wait", "other", "waits"),
+    [
+        ("", "animal at (80m, 0m) { length: 2.4m }", False),
+        (
+            "wait_for: gap",
+            "animal on street at 76m { length: 2.4m, lane: -1, drive with walk { speed: 2m/s } }",
+            False,
+        ),
+        (
+            "wait_for: gap",
+            "scooter on street at 70m { drive with lane_follow { speed: 5m/s } }",
+            True,
+        ),
+    ],
+    ids=["a cow that stands", "a cow that walks", "a scooter"],
+)
+def test_crossing_waits_for_vehicles_however_short_and_for_nobody_on_foot(
+    wait: str, other: str, waits: bool
+) -> None:
+    ((one,)) = testing.sample(COW.format(wait, other), 1).run("builtin", duration=12.0)
+    ped = one.trace.agents["ped"]
+    starts = float(ped.time[np.argmax(ped.y > ped.y[0] + 0.5)])
+    assert (starts > 1.0) == waits
+    across = np.flatnonzero(ped.y > 3.5)
+    assert len(across)
+    if not waits:
+        assert np.ptp(ped.x[: across[0]]) < 0.1
+        assert ped.time[across[0]] < 7.0
+
+
 def test_traffic_in_some_scenes_alone() -> None:
     text = TOWN.format(control="control with yield", wait="", more="")
     text += "param n = choice(0, 3)\nagent cars is car on town at random { count: n, drive with "

@@ -7,22 +7,16 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Controller, InitialSpeed, Length, Speed, Word, option
 
-from .gaps_on_foot import SHORTEST, has_gap
+from .gaps_on_foot import blocked_by_vehicle, has_gap
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     from roadlang.api import ControlBatch, ObservationBatch
-    from roadlang.geometry import Booleans, Floats
 
 WITHOUT_ROAD = 10.0
 """Meters to walk where there is no road to cross."""
-AHEAD, NEAR = 1.0, 12.0
-"""Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
-
-STANDS = 0.1
-"""m/s: who walks goes round what is slower."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +57,7 @@ class Crossing(Controller):
             toward = along + np.where(left < 0.0, 0.5 * np.pi, -0.5 * np.pi)
             state[:, 1] = np.where(new, np.where(on_road, across, WITHOUT_ROAD), state[:, 1])
             state[:, 2] = np.where(new, np.where(on_road, toward, seen.heading), state[:, 2])
-        blocked, aside = _blocked(seen, state[:, 2])
+        blocked, aside = blocked_by_vehicle(seen, state[:, 2])
         walks = (state[:, 0] < state[:, 1]) & ~blocked
         speed = np.broadcast_to(np.asarray(self.speed, dtype=np.float64), walks.shape)
         begins = walks & (state[:, 0] == 0.0)
@@ -76,27 +70,3 @@ class Crossing(Controller):
         heading = np.where(around, aside, state[:, 2])
         acceleration = (pace - seen.speed) / seen.step
         return ControlBatch(np.zeros(len(pace)), acceleration, heading)
-
-
-def _blocked(seen: ObservationBatch, heading: Floats) -> tuple[Booleans, Floats]:
-    """(N,) whether the next step would lead into a vehicle that is there already, and if that
-    stands, the direction along it to its nearer end, else NaN."""
-    import numpy as np
-
-    near = seen.nearby(NEAR)
-    ahead = 0.5 * seen.length + AHEAD
-    off_x = (seen.x + ahead * np.cos(heading))[:, None] - near.x
-    off_y = (seen.y + ahead * np.sin(heading))[:, None] - near.y
-    cosine, sine = np.cos(near.heading), np.sin(near.heading)
-    along, across = cosine * off_x + sine * off_y, cosine * off_y - sine * off_x
-    beside = 0.5 * seen.width[:, None]
-    inside = np.abs(along) < 0.5 * near.length + beside
-    inside &= np.abs(across) < 0.5 * near.width + beside
-    inside &= near.there & (near.length > SHORTEST)
-    blocked = np.asarray(inside.any(axis=1))
-    if not blocked.any():
-        return blocked, np.full(len(heading), np.nan)
-    first, each = inside.argmax(axis=1), np.arange(len(heading))
-    onward = near.heading[each, first] + np.where(along[each, first] < 0.0, np.pi, 0.0)
-    stands = (inside & (near.speed < STANDS)).sum(axis=1) == inside.sum(axis=1)
-    return blocked, np.where(blocked & stands, onward, np.nan)

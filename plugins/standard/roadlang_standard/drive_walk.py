@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import Controller, InitialSpeed, Length, Speed, Word, option
 
-from .gaps_on_foot import has_gap
+from .gaps_on_foot import blocked_by_vehicle, has_gap
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,7 +33,7 @@ ROUND = 0.5
 class Walk(Controller):
     """Walk along the road, in the direction that the agent faces: on the nearest sidewalk, or
     beside the edge of the road where there is none. With a `route` it crosses the roads at
-    junctions."""
+    junctions, and does not walk into the side of a vehicle there."""
 
     name: ClassVar[str] = "walk"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
@@ -102,7 +102,11 @@ class Walk(Controller):
             may |= ~by_signal & has_gap(seen, along, left, speed)
             goes[deciding & may] = 1.0
         before[:] = green
-        return np.asarray(deciding & (goes == 0.0))
+        waits = np.asarray(deciding & (goes == 0.0))
+        crossing = (begins <= -CURB) & ~waits
+        if crossing.any():
+            waits |= crossing & blocked_by_vehicle(seen, along)[0]
+        return waits
 
     def _place(self, seen: ObservationBatch) -> Floats:
         """(N,) how far left of the line to walk."""

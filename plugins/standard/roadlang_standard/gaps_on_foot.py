@@ -1,4 +1,4 @@
-"""Gaps in traffic for who crosses on foot."""
+"""Gaps in traffic for who crosses on foot, and vehicles that are in its way."""
 
 from __future__ import annotations
 
@@ -12,14 +12,18 @@ VIEW = 80.0
 """Meters within which vehicles are looked at."""
 STEP, LONGEST = 0.25, 30.0
 """Seconds from one moment that is looked at to the next, and of the longest way."""
-SHORTEST = 1.5
-"""Meters: anything shorter does not count as a vehicle."""
 MOVES = 0.5
 """m/s: what is slower waits, or lets one pass."""
 ASIDE, BEHIND = 0.7, 0.5
 """Meters between a vehicle and who passes beside it or behind it, at least."""
 BEFORE = 1.2
 """Seconds between somebody who passes before a vehicle and the vehicle, at least."""
+AHEAD, NEAR = 1.0, 12.0
+"""Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
+SHORTEST = 1.0
+"""Meters: who walks steps over anything shorter that stands."""
+STANDS = 0.1
+"""m/s: who walks goes round what is slower."""
 
 
 def has_gap(seen: ObservationBatch, heading: Floats, length: Floats, speed: Floats) -> Booleans:
@@ -28,7 +32,7 @@ def has_gap(seen: ObservationBatch, heading: Floats, length: Floats, speed: Floa
     import numpy as np
 
     near = seen.nearby(VIEW)
-    counts = near.there & (near.length > SHORTEST) & (near.speed > MOVES)
+    counts = near.there & ~near.walks & (near.speed > MOVES)
     if not counts.any():
         return np.ones(len(heading), dtype=bool)
     length, speed = length[:, None], speed[:, None]
@@ -45,3 +49,27 @@ def has_gap(seen: ObservationBatch, heading: Floats, length: Floats, speed: Floa
     close &= across < 0.5 * near.width + ASIDE
     walking = speed * times <= length + speed * STEP
     return np.asarray(~(close & walking & counts).any(axis=(0, 2)))
+
+
+def blocked_by_vehicle(seen: ObservationBatch, heading: Floats) -> tuple[Booleans, Floats]:
+    """(N,) whether the next step would lead into a vehicle that is there already, and if that
+    stands, the direction along it to its nearer end, else NaN."""
+    import numpy as np
+
+    near = seen.nearby(NEAR)
+    ahead = 0.5 * seen.length + AHEAD
+    off_x = (seen.x + ahead * np.cos(heading))[:, None] - near.x
+    off_y = (seen.y + ahead * np.sin(heading))[:, None] - near.y
+    cosine, sine = np.cos(near.heading), np.sin(near.heading)
+    along, across = cosine * off_x + sine * off_y, cosine * off_y - sine * off_x
+    beside = 0.5 * seen.width[:, None]
+    inside = np.abs(along) < 0.5 * near.length + beside
+    inside &= np.abs(across) < 0.5 * near.width + beside
+    inside &= near.there & ~near.walks & (near.length > SHORTEST)
+    blocked = np.asarray(inside.any(axis=1))
+    if not blocked.any():
+        return blocked, np.full(len(heading), np.nan)
+    first, each = inside.argmax(axis=1), np.arange(len(heading))
+    onward = near.heading[each, first] + np.where(along[each, first] < 0.0, np.pi, 0.0)
+    stands = (inside & (near.speed < STANDS)).sum(axis=1) == inside.sum(axis=1)
+    return blocked, np.where(blocked & stands, onward, np.nan)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from ..diagnostics.renamed_names import OldName
 
@@ -103,6 +103,8 @@ class Neighbor:
     """its speed along that line; negative for who comes toward the agent"""
     drift: float
     """its speed across that line, to the left"""
+    walks: bool = False
+    """whether it is on foot: a pedestrian or an animal"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +124,7 @@ class Neighbors:
     left: Floats
     pace: Floats
     drift: Floats
+    walks: Booleans
 
     of_one = OldName("of_single")
     """deprecated: now `of_single`"""
@@ -131,11 +134,11 @@ class Neighbors:
         """Those of one agent, (1, K)."""
         import numpy as np
 
-        words = {"name", "kind"}
+        types: dict[str, Any] = {"name": object, "kind": object, "walks": bool}
         columns = {
             name: np.array(
                 [[getattr(neighbor, name) for neighbor in seen]],
-                dtype=object if name in words else np.float64,
+                dtype=types.get(name, np.float64),
             ).reshape(1, len(seen))
             for name in _MEMBERS
         }
@@ -145,18 +148,17 @@ class Neighbors:
         """Those of one agent."""
         import numpy as np
 
-        return tuple(
-            Neighbor(
-                str(self.name[row, i]), str(self.kind[row, i]),
-                *(float(getattr(self, name)[row, i]) for name in _MEMBERS[2:]),
-            )
-            for i in np.flatnonzero(self.there[row])
-        )  # fmt: skip
+        def of(i: int) -> Neighbor:
+            numbers = {name: float(getattr(self, name)[row, i]) for name in _MEMBERS[2:-1]}
+            name, kind, walks = (getattr(self, word)[row, i] for word in ("name", "kind", "walks"))
+            return Neighbor(name=str(name), kind=str(kind), walks=bool(walks), **numbers)
+
+        return tuple(of(i) for i in np.flatnonzero(self.there[row]).tolist())
 
 
 _MEMBERS = (
     "name", "kind", "x", "y", "heading", "speed", "length", "width", "ahead", "left", "pace",
-    "drift",
+    "drift", "walks",
 )  # fmt: skip
 
 

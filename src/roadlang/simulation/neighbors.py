@@ -106,6 +106,7 @@ class Nearby:
             "left": beside - world.motion.offset[rows][:, None],
             "pace": speed * np.cos(turned),
             "drift": speed * np.sin(turned),
+            "walks": world.bodies.walks[others],
         }
 
     def _along(
@@ -180,6 +181,7 @@ class Nearby:
             "left": left - world.motion.offset[rows][:, None],
             "pace": zero,
             "drift": zero,
+            "walks": np.zeros((len(rows), count), dtype=bool),
         }  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..corridors import Window, looks_ahead
+from ..corridors import SAMPLE_SPACING, Window, looks_ahead
 from ..crossings import Crossings
 from ..poses import Poses
 from ..world import World
@@ -24,6 +24,11 @@ STEPS = 0.3
 """m/s toward the lane from which on a pedestrian walks into it."""
 SOON = 6.0
 """Seconds: who comes to the lane later does not count yet."""
+STEP = 0.5
+TIMES: Floats = np.arange(0.0, SOON + 0.5 * STEP, STEP)
+"""Seconds ahead at which it is looked where somebody who goes on as now will be."""
+STARTING = 2.0
+"""m/s: who is slower counts as this fast."""
 CLEARANCE = 1.0
 """Seconds between a car and a pedestrian when one goes before the other."""
 AT_CURB = 3.0
@@ -48,14 +53,27 @@ class _Seen:
     """meters along the line from the middle of the car"""
     outside: Floats
     """meters of the pedestrian from the lane of the car"""
-    lane: Floats
-    """meters of that lane across"""
+    enters: Floats
+    """seconds until it is in that lane if it goes on as now, infinite for who is not there soon"""
+    leaves: Floats
+    """seconds until it has left the lane again"""
+    enters_at: Floats
+    """meters along the line from the middle of the car to where it enters the lane"""
+    nearest: Floats
+    """the same to where it is in the lane, at least: who walks at a slant comes toward the car"""
     half_extent: Floats
     """half of the size of the pedestrian"""
     toward: Floats
     """m/s, of the pedestrian toward the lane"""
+    toward_later: Floats
+    """the same where it enters the lane: other than now where the car turns"""
     faces: Booleans
     is_standing: Booleans
+
+    @property
+    def soon(self) -> Booleans:
+        """Who enters the lane soon if it goes on as now."""
+        return np.isfinite(self.enters)
 
 
 class Pedestrians:
@@ -67,6 +85,7 @@ class Pedestrians:
         self._places = np.where(
             free[:, :, None], np.stack([crossings.stop, crossings.exit], axis=2), math.inf
         )
+        self._junctions = crossings.stop, crossings.exit
         self._waited = np.zeros(len(world.present))
         self._time = np.full(len(world.present), -math.inf)
         self._walkers = bool((world.bodies.walks & world.filled).any())
@@ -75,6 +94,8 @@ class Pedestrians:
         """From now on the world has these of its agents alone."""
         self._places, self._waited = self._places[agents], self._waited[agents]
         self._time = self._time[agents]
+        first, last = self._junctions
+        self._junctions = first[agents], last[agents]
 
     def ahead(self, world: World, poses: Poses, rows: Integers) -> Floats:
         """(n,) meters from the fronts of some agents to where they have to stop for a pedestrian,
@@ -86,15 +107,26 @@ class Pedestrians:
             return out
         car = rows[seen.agent]
         speed, half = world.motion.speed[car], 0.5 * world.bodies.length[car]
-        gap = seen.ahead - half - seen.half_extent
-        stop = gap - BEFORE
-        needs = (stop > -BEFORE) & (_steps_in(seen, gap, speed, half))
+        own = half + seen.half_extent
+        gap = seen.nearest - own
+        toward = np.where(self._turns(world, seen, car), seen.toward_later, seen.toward)
+        needs = (toward > STEPS) & (seen.enters_at > own) & _meet(seen, gap, speed, half)
+        stop = seen.ahead - own - BEFORE
         courteous = self._wants_to_cross(world, seen, car) & (stop > -BEFORE)
         courteous &= braking_to_stop(speed, stop) < COURTEOUS
         courteous &= self._patient(world, rows, car, speed, courteous)
+        stop = np.where(needs, np.minimum(stop, gap - BEFORE), stop)
         needs |= courteous
         np.minimum.at(out, seen.agent[needs], stop[needs])
         return out
+
+    def _turns(self, world: World, seen: _Seen, car: Integers) -> Booleans:
+        """(P,) who enters the lane in a junction, where people walk straight on. Along a road they
+        follow its bends."""
+        along = (world.motion.along[car] + np.where(seen.soon, seen.enters_at, 0.0))[:, None]
+        first, last = self._junctions
+        inside = (along > first[car] - AT_CURB) & (along < last[car] + AT_CURB)
+        return np.asarray(seen.soon & inside.any(axis=1))
 
     def _wants_to_cross(self, world: World, seen: _Seen, car: Integers) -> Booleans:
         """(P,) who stands at a crossing without signals and faces it."""
@@ -120,16 +152,13 @@ class Pedestrians:
         return np.asarray(self._waited[car] < PATIENCE)
 
 
-def _steps_in(seen: _Seen, gap: Floats, speed: Floats, half: Floats) -> Booleans:
-    """(P,) who will be in the lane as the car comes, if both go on as they do."""
-    toward = np.maximum(seen.toward, 1e-3)
-    enters = seen.outside / toward
-    leaves = (seen.outside + seen.lane) / toward
-    pace = np.maximum(speed, 1e-3)
-    arrives = np.maximum(gap, 0.0) / pace
-    passed = (gap + 2.0 * (half + seen.half_extent)) / pace
-    steps = (seen.outside > 0.0) & (seen.toward > STEPS) & (enters < SOON)
-    return np.asarray(steps & (passed + CLEARANCE > enters) & (leaves + CLEARANCE > arrives))
+def _meet(seen: _Seen, gap: Floats, speed: Floats, half: Floats) -> Booleans:
+    """(P,) who will be in the lane as the car comes, if both go on as they do. A car that hardly
+    moves counts as fast as it is soon after it starts: else it creeps toward who walks."""
+    arrives = np.maximum(gap, 0.0) / np.maximum(speed, STARTING)
+    passed = np.maximum(gap + 2.0 * (half + seen.half_extent), 0.0) / np.maximum(speed, 1e-3)
+    before = seen.soon & (seen.leaves + CLEARANCE > arrives)
+    return np.asarray(before & (passed + CLEARANCE > seen.enters))
 
 
 def _backs(world: World) -> Booleans:
@@ -151,22 +180,69 @@ def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
     if not len(place):
         return None
     agents, column = np.unique(rows[place], return_inverse=True)
-    window = Window.of(world, agents)
-    walker = walkers[number]
-    dx = poses.x[walker] - window.x[:, column]
-    dy = poses.y[walker] - window.y[:, column]
-    square = np.where(window.s[:, None] <= window.view[column], dx * dx + dy * dy, math.inf)
-    sample, pair = square.argmin(axis=0), np.arange(len(walker))
-    cosine, sine = window.cosine[sample, column], window.sine[sample, column]
-    dx, dy = dx[sample, pair], dy[sample, pair]
-    left = cosine * dy - sine * dx
-    side = np.where(left > 0.0, -1.0, 1.0)
-    turned = side * (cosine * np.sin(poses.heading[walker]) - sine * np.cos(poses.heading[walker]))
-    speed, bodies = world.motion.speed[walker], world.bodies
+    window, walker = Window.of(world, agents), walkers[number]
+    bodies, speed = world.bodies, world.motion.speed[walker]
     half_extent = 0.5 * np.maximum(bodies.length[walker], bodies.width[walker])
     half = 0.5 * bodies.width[rows[place]] + half_extent + MARGIN
-    ahead = window.s[sample] + cosine * dx + sine * dy
+    square = _squares(window, column, poses.x[walker], poses.y[walker])
+    reach = half + np.maximum(AT_CURB, SOON * np.abs(speed)) + np.maximum(*window.swept).max()
+    close = np.flatnonzero(square.min(axis=0) < (reach + SAMPLE_SPACING) ** 2)
+    if not len(close):
+        return None
+    place, column, walker, speed = place[close], column[close], walker[close], speed[close]
+    half, half_extent = half[close], half_extent[close]
+    pace = speed * np.cos(poses.heading[walker]), speed * np.sin(poses.heading[walker])
+    x = poses.x[walker] + TIMES[:, None] * pace[0]
+    y = poses.y[walker] + TIMES[:, None] * pace[1]
+    ahead, left, outside, line = _on_lines(window, column, x, y, half)
+    side = np.where(left[0] > 0.0, -1.0, 1.0)
+    turned = side * np.sin(poses.heading[walker] - line)
+    enters, leaves, first, nearest = _stay(outside, ahead)
+    later = turned[first, np.arange(len(walker))]
     return _Seen(
-        place, ahead, np.abs(left) - half, 2.0 * half, half_extent, speed * turned,
-        turned > FACES, np.abs(speed) < STEPS,
+        place, ahead[0], outside[0], enters, leaves, ahead[first, np.arange(len(walker))], nearest,
+        half_extent, speed * turned[0], speed * later, turned[0] > FACES, np.abs(speed) < STEPS,
     )  # fmt: skip
+
+
+def _squares(window: Window, column: Integers, x: Floats, y: Floats) -> Floats:
+    """(M, ...) squared distances of points (..., P) from the lines ahead."""
+    extra = (1,) * (x.ndim - 1)
+    shape = (len(window.s), *extra, len(column))
+    dx, dy = x - window.x[:, column].reshape(shape), y - window.y[:, column].reshape(shape)
+    seen = window.s[:, None] <= window.view[column]
+    return np.asarray(np.where(seen.reshape(shape), dx * dx + dy * dy, math.inf))
+
+
+def _on_lines(
+    window: Window, column: Integers, x: Floats, y: Floats, half: Floats
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """Of points (T, P) beside the lines ahead: meters along the line, and left of it, meters
+    outside what the car covers there, and the heading of the line."""
+    sample = _squares(window, column, x, y).argmin(axis=0)
+    dx, dy = x - window.x[sample, column], y - window.y[sample, column]
+    cosine, sine = window.cosine[sample, column], window.sine[sample, column]
+    left = cosine * dy - sine * dx
+    to_left, to_right = window.swept
+    covered = half + np.where(left > 0.0, to_left[sample, column], to_right[sample, column])
+    ahead = window.s[sample] + cosine * dx + sine * dy
+    return ahead, left, np.abs(left) - covered, np.arctan2(sine, cosine)
+
+
+def _stay(outside: Floats, ahead: Floats) -> tuple[Floats, Floats, Integers, Floats]:
+    """(P,) seconds until somebody who goes on as now is in the lane, infinite for who is not there
+    soon, and until it has left it again; the number in `TIMES` of the first; and how far ahead it
+    is there, at least. `outside`, `ahead`: (T, P) at `TIMES`."""
+    inside = outside < 0.0
+    soon, each = inside.any(axis=0), np.arange(outside.shape[1])
+    number = np.arange(len(TIMES))[:, None]
+    first = inside.argmax(axis=0)
+    before = np.maximum(first - 1, 0)
+    step = outside[before, each] - outside[first, each]
+    share = outside[before, each] / np.where(step > 0.0, step, 1.0)
+    enters = np.where(first > 0, TIMES[before] + share * STEP, 0.0)
+    gone = ~inside & (number > first)
+    leaves = np.where(gone, TIMES[:, None], math.inf).min(axis=0)
+    stays = inside & (TIMES[:, None] < leaves)
+    nearest = np.where(stays, ahead, math.inf).min(axis=0)
+    return np.where(soon, enters, math.inf), leaves, first, nearest
