@@ -13,7 +13,7 @@ from roadlang.api import Picture, Scene
 from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.svg import palette
 from roadlang_standard.svg.furniture import round_length
-from roadlang_standard.svg.markup import element, number, path_data, rho, text
+from roadlang_standard.svg.markup import element, group, number, path_data, rho, text
 from roadlang_standard.svg.photo import beneath
 from roadlang_standard.svg.profiles import profiles, rows_of
 from roadlang_standard.svg.sheet import contact_sheet
@@ -150,3 +150,9 @@ def test_only_what_is_violated_is_marked_on_the_road() -> None:
     from roadlang_standard.svg.violations import broken
 
     assert [verdict.name for verdict in broken(bend())] == ["calm"]
+
+
+def test_a_group_has_a_line_for_each_child_that_draws_anything() -> None:
+    assert group(["<a/>", "", "<b/>"], id="x") == '<g id="x">\n<a/>\n<b/>\n</g>'
+    for nothing in ([], [""], ["", ""]):
+        assert group(nothing, id="x") == ""

@@ -11,6 +11,7 @@ from gymnasium.vector import AutoresetMode
 import roadlang
 from roadlang.envs import SceneEnv, SceneVectorEnv
 from roadlang.envs.episodes import can_restart
+from roadlang.envs.rows import rows_of
 from roadlang.envs.scene_pool import pool_of
 from roadlang.envs.settings import EnvSettings
 from tests.envs.scene_texts import ALONE, CUT_IN, FOLLOWED
@@ -137,3 +138,29 @@ def test_scenes_begin_again_beside_others_unless_something_waits(text: str, toge
     """For a condition, at a junction, or for a long vehicle in a bend."""
     pool = pool_of(roadlang.loads(text), EnvSettings(scenes=2))
     assert can_restart(pool) is together
+
+
+@pytest.mark.parametrize(
+    ("count", "scenes_each", "drawn"), [(1, None, 64), (40, None, 1), (65, None, 1), (1, 1, 1)]
+)
+def test_as_few_as_one_at_once_and_one_scene_for_each(
+    count: int, scenes_each: int | None, drawn: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: list[list[list[int]]] = []
+
+    def note(pool: Any, draws: list[list[int]], settings: Any) -> Any:
+        seen.append(draws)
+        return rows_of(pool, draws, settings)
+
+    monkeypatch.setattr("roadlang.envs.scene_vector_env.rows_of", note)
+    loaded = roadlang.loads(ALONE)
+    env = SceneVectorEnv(loaded, count, scenes=2, duration=1.0, scenes_each=scenes_each)
+    observed, _ = env.reset(seed=0)
+    assert len(observed) == count
+    assert [len(each) for each in seen[0]] == [drawn] * count
+
+
+@pytest.mark.parametrize(("count", "scenes_each"), [(0, None), (-1, 4), (2, 0), (2, -1), (0, 0)])
+def test_none_at_once_or_no_scene_for_each_is_refused(count: int, scenes_each: int | None) -> None:
+    with pytest.raises(ValueError, match="at least 1"):
+        SceneVectorEnv(roadlang.loads(ALONE), count, scenes_each=scenes_each)

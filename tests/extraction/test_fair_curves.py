@@ -143,3 +143,15 @@ def test_a_short_road_between_two_parallel_ones_stays() -> None:
     image[31:39] = image[61:69] = image[31:69, 96:104] = 60
     network = Auto().extract(Picture(image, 1.0)).network
     assert sorted(network.degree(node.id) for node in network.nodes) == [1, 1, 1, 1, 3, 3]
+
+
+@pytest.mark.parametrize("limit", [1.0, 2.0, 50.0])
+def test_two_side_roads_that_disagree_both_meet_the_road_that_goes_through(limit: float) -> None:
+    """Their own lines cross beside it; they end there, so it has the say."""
+    road = Passing(dense((0, 0), (100, 0)), through=True)
+    sides = [Passing(dense((48, 40), (48, 4)), False), Passing(dense((56, -40), (56, -4)), False)]
+    guess = np.array([51.0, 1.0])
+    place = meeting_point(guess, [road, *sides], limit)
+    straight = np.array([1.0, -1.0]) * min(1.0, limit / np.sqrt(2.0))
+    assert place == pytest.approx(guess + straight, abs=0.01)
+    assert meeting_point(guess, [*sides[::-1], road], limit) == pytest.approx(place)

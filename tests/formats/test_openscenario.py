@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree.ElementTree import Element, fromstring
@@ -165,6 +166,32 @@ def test_the_nearest_of_a_group_triggers() -> None:
         _, root, _ = written(ROAD + others + EGO % brake)
         (trigger,) = root.findall(".//Event[@name='2 brake']/StartTrigger")
         assert [len(group.findall("Condition")) for group in trigger] == sizes
+
+
+@pytest.mark.parametrize(
+    ("condition", "tag", "rule", "value", "freespace"),
+    [
+        ("time_to_collision(ego, van) < 3s", "TimeToCollisionCondition", "lessThan", 3, "true"),
+        ("time_to_collision(van, ego) <= 2s", "TimeToCollisionCondition", "lessOrEqual", 2, "true"),
+        ("time_headway(ego, van) < 1.5s", "TimeHeadwayCondition", "lessThan", 1.5, "true"),
+        ("4m > gap(van, ego)", "RelativeDistanceCondition", "lessThan", 4, "true"),
+        ("distance(ego, van) >= 9m", "RelativeDistanceCondition", "greaterOrEqual", 9, "false"),
+        ("not (9m >= distance(ego, van))", "RelativeDistanceCondition", "greaterThan", 9, "false"),
+    ],
+)
+def test_a_condition_on_two_names_the_one_and_the_other(
+    condition: str, tag: str, rule: str, value: float, freespace: str
+) -> None:
+    brake = f"\n drive with brake {{ when: {condition} }}\n"
+    _, root, _ = written(ROAD + "agent van is van on main at 60m { lane: -2 }\n" + EGO % brake)
+    (found,) = root.findall(f".//Event[@name='2 brake']/StartTrigger//{tag}")
+    assert (found.get("rule"), float(found.attrib["value"])) == (rule, value)
+    assert found.get("freespace") == freespace
+    (first,) = root.findall(".//Event[@name='2 brake']/StartTrigger//TriggeringEntities/EntityRef")
+    target = found.find("TimeToCollisionConditionTarget/EntityRef")
+    second = found.get("entityRef") if target is None else target.get("entityRef")
+    names = re.findall(r"ego|van", condition)
+    assert [first.get("entityRef"), second] == names
 
 
 def test_what_has_no_action_is_named() -> None:

@@ -20,6 +20,7 @@ from hypothesis.extra.numpy import arrays
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import DiagnosticError
+from roadlang.ir.results_record import RESULTS_FILE
 from roadlang.ir.trace import AgentTrace, Trace
 from roadlang.report.draw_charts import separation
 from roadlang.report.page_text import embedded, page_text
@@ -41,6 +42,16 @@ def data_of(page: Path) -> Any:
 @pytest.fixture(scope="module")
 def search(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made("falsify", tmp_path_factory.mktemp("search"))
+
+
+@pytest.fixture(scope="module")
+def bends(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return made(
+        "run",
+        tmp_path_factory.mktemp("bends"),
+        *("-n", "40"),
+        text=BEND.replace("6m/s..16m/s", "6m/s..12m/s"),
+    )
 
 
 @pytest.fixture
@@ -307,3 +318,48 @@ def test_pairs_of_draws_are_told_that_hold_where_neither_does_alone(copy: Path) 
     ]
     expected = [["a", None], ["b", 0.5], ["c", -1.0], ["a + c", 0.25]]
     assert told == [{"expectation": "slow", "unit": "m/s", "medians": expected}]
+
+
+@pytest.mark.parametrize(
+    ("change", "has_rate"),
+    [
+        ({}, True),
+        ({"sampler": "random"}, True),
+        ({"sampler": "halton"}, False),
+        ({"sampler": "standard.grid"}, False),
+        ({"seed": None}, False),
+    ],
+)
+def test_a_rate_needs_scenes_drawn_at_random_in_one_run(
+    change: dict[str, Any], has_rate: bool, bends: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "out"
+    shutil.copytree(bends, folder)
+    file = folder / RESULTS_FILE
+    file.write_text(json.dumps(json.loads(file.read_text()) | change))
+    found = read_results(folder, installed())
+    assert (found.rate is not None) is has_rate
+    if found.rate is not None:
+        assert (found.rate.failures, found.rate.scenes) == (found.failing, 40)
+
+
+def test_two_runs_are_not_drawn_from_one_distribution(bends: Path, tmp_path: Path) -> None:
+    for number in (0, 1):
+        shutil.copytree(bends, tmp_path / f"run-00{number}")
+    found = read_results(tmp_path, installed())
+    assert found.rate is None
+    assert len(found.rows) == 80
+
+
+def test_safe_drives_are_shown_from_the_nearest_to_failing_to_the_farthest(bends: Path) -> None:
+    found = read_results(bends, installed())
+    worst = {row.number: min(row.robustness.values()) for row in found.rows}
+    safe = sorted(worst[row.number] for row in found.rows if not row.has_failed)
+    shown = [worst[drive.row] for drive in found.drives if not drive.has_failed]
+    assert len(safe) > len(shown) == 12
+    assert shown == sorted(shown)
+    assert (shown[0], shown[-1]) == (safe[0], safe[-1])
+    failed = [worst[drive.row] for drive in found.drives if drive.has_failed]
+    assert failed == sorted(failed)
+    assert len(failed) == found.failing > 0
+    assert found.drives[len(failed) :] == [drive for drive in found.drives if not drive.has_failed]

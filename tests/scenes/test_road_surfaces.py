@@ -133,3 +133,28 @@ def test_what_cannot_be_is_said(text: str, code: str) -> None:
     with pytest.raises(DiagnosticError) as caught:
         scenes(text)
     assert caught.value.diagnostics[0].code.startswith(code)
+
+
+@pytest.mark.parametrize("surface", ["ice", "choice(wet, ice)"])
+def test_patches_that_are_drawn_for_each_scene_are_checked_as_those_that_are_the_same(
+    surface: str, tmp_path: Path
+) -> None:
+    """Road 1 has four lanes, road 2 has two."""
+    (tmp_path / "town.xodr").write_text(
+        xodr(
+            straight(1, 0.0, 50.0, lanes=section(0, [lane(2), lane(1)], [lane(-1), lane(-2)])),
+            straight(2, 0.0, 90.0),
+        )
+    )
+    town = f'network town from "{tmp_path / "town.xodr"}" '
+    town += f"{{ surface_patches: [{{ surface: {surface}, WHERE }}] }}"
+    for scene in scenes(town.replace("WHERE", "lane: -2"), 4):
+        assert {one.edge: len(one.surface_patches) for one in scene.roads} == {1: 1, 2: 0}
+    for where, code in {
+        "lane: -3": "RL613",
+        "lane: -2, road: 2": "RL613",
+        "road: 9": "RL411",
+    }.items():
+        with pytest.raises(DiagnosticError) as caught:
+            scenes(town.replace("WHERE", where), 4)
+        assert caught.value.diagnostics[0].code == code

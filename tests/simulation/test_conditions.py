@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -117,11 +118,20 @@ def test_jerk_is_that_of_the_acceleration_that_the_engine_has() -> None:
     assert int(np.argmax(braked.speed != never.speed[: len(braked.time)])) == begins + 2
 
 
-def test_scenes_of_one_block_measure_what_they_measure_alone() -> None:
-    text = SCENE.replace("count: 2", "count: integer(1, 3)").replace(
-        "CONDITION", "once (post_encroachment_time(child, ego) < 6s) and gap(ego, others) < 60m"
-    )
-    scenes = testing.sample(text, 6)
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "once (post_encroachment_time(child, ego) < 6s) and gap(ego, others) < 60m",
+        "ego.farthest_south > -1m and ego.yaw_rate > 0.1rad/s",
+    ],
+)
+def test_scenes_of_one_block_measure_what_they_measure_alone(condition: str) -> None:
+    """Where the agents that a condition names have other places in the list of each."""
+    text = SCENE.replace("CONDITION", condition).replace("count: 2", "count: integer(1, 3)")
+    world, road_, ego, rest = re.split(r"(?=\n(?:road|agent ego|agent lead))", text)
+    text = world + road_ + rest + ego
+    scenes = testing.sample(text, 6, kinds=[FarthestSouth])
+    assert len({[agent.name for agent in scene.record.agents].index("ego") for scene in scenes}) > 1
     together = [one.trace.agents["ego"].speed for one in scenes.run("builtin", duration=8)]
     for scene, speed in zip(scenes, together, strict=True):
         alone = scene.run("builtin", duration=8).trace.agents["ego"].speed

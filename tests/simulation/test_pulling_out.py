@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 import pytest
+
+from roadlang import testing
+from roadlang.ir.scene_lane import SceneLane
+from roadlang.simulation.lane_endings import has_lane_endings
 
 from .driven_roads import drive
 
@@ -97,3 +102,30 @@ def test_polite_traffic_lets_in_one_by_one_who_has_to_leave_its_lane() -> None:
     assert trace.events == ()
     assert turns["0.9"] > turns["0"]
     assert turns["0.9"] >= 5
+
+
+@pytest.mark.parametrize(
+    ("widths", "kind", "ends"),
+    [
+        ([(3.5, 1.7)], "drive", True),
+        ([(3.5, 3.4, 0.0)], "drive", True),
+        ([(3.5, 1.75)], "drive", False),
+        ([(0.2, 0.4)], "drive", False),
+        ([(3.5,)], "drive", False),
+        ([(3.5, 0.0)], "sidewalk", False),
+        ([(3.5,), (0.0, 3.5)], "drive", True),
+        ([], "drive", False),
+    ],
+)
+def test_a_lane_ends_where_it_has_less_than_half_its_width(
+    widths: list[tuple[float, ...]], kind: str, ends: bool
+) -> None:
+    lanes = tuple(
+        SceneLane(-1 - i, kind, "forward", width, drivable=kind == "drive")
+        for i, width in enumerate(widths)
+    )
+    road = replace(testing.sample(STREET)[0].record.roads[0], lane_list=lanes)
+    assert has_lane_endings([road]) is ends
+    plain = replace(road, lane_list=(SceneLane(-1, "drive", "forward", (3.5,)),))
+    assert has_lane_endings([plain, road]) is has_lane_endings([road, plain]) is ends
+    assert not has_lane_endings([])

@@ -144,3 +144,28 @@ def test_another_road_than_that_of_the_first_agent(tmp_path: Path) -> None:
     assert points[-1] == [120.0, 110.0]
     with pytest.raises(roadlang.DiagnosticError, match="it has no road `mian`"):
         testing.sample(text.replace('"main"', '"mian"'), 1).emit(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "gaps",
+    [
+        [5.0] * 6,
+        [1.0, 1.0, 1.0, 1.0, 60.0, 9.0, 1.0],
+        [60.0, 9.0, 1.0, 1.0, 1.0, 1.0],
+        [40.0, 1.0, 1.0, 40.0, 1.0, 1.0, 40.0],
+        [2.0, 3.0, 2.0],
+    ],
+)
+def test_points_may_be_anything_but_even(gaps: list[float]) -> None:
+    """Where a parameter is many pieces away from where it would be between even points."""
+    x = np.concatenate(([0.0], np.cumsum(gaps)))
+    points = np.stack((x, 4.0 * np.sin(x / 9.0)), axis=-1)
+    both = np.stack((points, points[:, ::-1]))
+    nodes, counts = interpolated(both)
+    spline, _ = splprep(points.T, s=0, k=3)
+    whole = int(np.hypot(*np.diff(points, axis=0).T).sum())
+    step = 1.0 / max(whole, 20)
+    expected = np.array(splev(np.arange(0, 1 + step, step), spline)).T
+    assert list(counts) == [len(expected)] * 2
+    for found, wanted in zip(nodes, (expected, expected[:, ::-1]), strict=True):
+        assert np.abs(found - wanted).max() < 6e-4
