@@ -62,8 +62,9 @@ USE = {
     "simulate": "`simulate with KIND { ... }`",
     "falsify": "`falsify with KIND { ... }`; each also takes the options of the statement",
     "emit": "`emit KIND { ... }`",
-    "agent": "`agent N is KIND`",
-    "object": "`object N is KIND`, and in a `legend`",
+    "agent": "`agent N is KIND on ROAD at POSITION { ... }`, whose block also takes these options",
+    "object": "`object N is KIND on ROAD at POSITION { ... }`, whose block also takes these "
+    "options, and in a `legend`",
 }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+import roadlang
 from roadlang import testing
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 0m)] }, lanes: 2 }\n"
@@ -67,3 +68,12 @@ def test_the_help_says_how_much_room_there_is(place: str, gap: str) -> None:
     assert found.help == (f"{gap}: leave more room, or write `overlap: true` if that is meant",)
     assert found.span is not None
     assert found.span.line == 3
+
+
+def test_a_row_with_a_negative_spacing_leads_back_to_what_it_is_placed_by() -> None:
+    row = "agent cars is car on main at behind(lead, 10m) { count: 2, spacing: -12m }\n"
+    text = f"{ROAD}agent lead is car on main at 100m\n{row}"
+    with pytest.raises(roadlang.DiagnosticError) as caught:
+        roadlang.loads(text).sample(n=1)
+    assert "leave out the sign of `spacing`" in str(caught.value)
+    roadlang.loads(text.replace("-12m", "12m")).sample(n=1)

@@ -24,6 +24,7 @@ GENTLE = "(curvature(main) < 1/m)"
 HABITS = [
     # What is written, the code, a part of the help, what the fix puts in its place.
     ("ego = new Car on main", "RL002", "agent NAME is KIND on ROAD", None),
+    ("agent a is bus { length: 18m } on main at 5m", "RL001", "one block behind the place", None),
     ("ego is car on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),
     ("car ego on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),
     ("x = 5m", "RL002", "`param x = value`", None),
@@ -188,6 +189,24 @@ def test_a_lone_equals_sign_is_one_fault_not_two(tmp_path: Path) -> None:
     assert [diagnostic.code for diagnostic in found] == ["RL010"]
     _, found = check_text(text.replace("=", "=="), tmp_path / "scene.rl", {}, load_registry())
     assert [diagnostic.code for diagnostic in found] == ["RL291"]
+
+
+@pytest.mark.parametrize(
+    ("formula", "help_"),
+    [
+        ("length(main) == 90m", "abs(length(main) - (90m)) < TOLERANCE`"),
+        ("length(main) != 0m", "abs(length(main)) > TOLERANCE`"),
+    ],
+)
+def test_equality_of_computed_numbers_gets_a_tolerance(formula: str, help_: str) -> None:
+    _, found = check_text(ROAD + f"require r: {formula}\n", Path("a.rl"), {}, load_registry())
+    assert help_ in next(each for each in found if each.code == "RL291").help[0]
+
+
+def test_no_collision_is_said_by_contacts() -> None:
+    text = ROAD + EGO + "expect r: always (ego.collision == 0m/s)\n"
+    _, found = check_text(text, Path("a.rl"), {}, load_registry())
+    assert "`abs(ego.collision) < TOLERANCE`, or `ego.contacts == 0`" in found[0].help[0]
 
 
 @pytest.mark.parametrize(

@@ -69,6 +69,42 @@ def test_a_lane_may_be_said_by_its_id_even_of_oncoming_traffic(lane: str, y: flo
     assert traffic(f"to: {lane}").agents["ego"].y[-1] == pytest.approx(y, abs=0.05)
 
 
+def test_the_lane_is_changed_while_a_later_controller_brakes() -> None:
+    """`stop_at` leaves steering, and with it the line, to the change before it."""
+    text = (
+        ROAD
+        + """
+    agent ego is car on main at 100m {
+      lane: -2, start_speed: 20m/s
+      drive with lane_follow { speed: 20m/s }
+      drive with change_lane { to: left, when: time > 1s }
+      drive with stop_at { distance: 120m, deceleration: 2m/s^2 }
+    }
+    """
+    )
+    (trace,) = drive(text, duration=14.0)
+    ego = trace.agents["ego"]
+    assert ego.y[-1] == pytest.approx(INNER, abs=0.05)
+    assert ego.x[-1] == pytest.approx(220.0, abs=0.3)
+
+
+def test_the_last_controller_that_moves_the_line_decides_about_it() -> None:
+    text = (
+        ROAD
+        + """
+    agent ego is car on main at 100m {
+      lane: -2, start_speed: 20m/s
+      drive with lane_follow { speed: 20m/s }
+      drive with change_lane { to: left, when: time > 1s }
+      drive with change_lane { to: -2 }
+      drive with brake { deceleration: 2m/s^2, when: time > 2s }
+    }
+    """
+    )
+    (trace,) = drive(text, duration=12.0)
+    assert np.abs(trace.agents["ego"].y - OUTER).max() < 0.05
+
+
 def test_there_is_no_change_to_where_there_is_no_lane() -> None:
     assert np.abs(traffic("to: right").agents["ego"].y - OUTER).max() < 0.01
 

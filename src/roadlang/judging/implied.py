@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
-from ..ir.values import RandomValue
+from ..ir.values import PassCall, RandomValue
 from ..world.networks import edge_batch, network_root
 from ..world.placement import (
     blocker_of,
@@ -103,10 +103,20 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
         help_ += "or `overlap: true` if they may stand in each other"
         if other == actor.name and "spacing" not in actor.options:
             help_ = "put its copies in a row with `spacing: 8m`, or anywhere with `at random`"
+        elif _runs_back(actor, candidates.scenario):
+            help_ = "a row goes on away from what it is placed by: leave out the sign of `spacing`"
         raise DiagnosticError(
             diagnose(Code.NO_ROOM, actor.span, name=actor.name, other=other, help=help_)
         )
     return room
+
+
+def _runs_back(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
+    """Whether a negative `spacing` leads the copies back to what they are placed by."""
+    if not isinstance(actor.at, PassCall) or "spacing" not in actor.options:
+        return False
+    _, high = scenario.value_bounds.of(actor.options["spacing"])
+    return bool(high < 0.0)
 
 
 def perturbed_names(scenario: IndexedScenario) -> list[str]:

@@ -75,14 +75,16 @@ class DriverGroup:
             self._chosen = [np.flatnonzero(in_charge[g.rows] == g.place) for g in self._groups]
             self._open = Decision.open(in_charge >= 0)
         out = self._open.copy()
+        own_line = np.ones(len(in_charge), dtype=bool)
         for group, chosen in zip(self._groups, self._chosen, strict=True):
             if len(chosen):
                 found = _decided(group, chosen, view)
                 out.put(group.rows[chosen], found)
                 if found.line_offset is not None:
+                    own_line[group.rows[chosen]] = False
                     _move_lines(world, group.rows[chosen], found)
         if out.has_open:
-            self._ask_earlier(in_charge, view, out)
+            self._ask_earlier(world, in_charge, own_line, view, out)
             _keep_to_lines(world, view, out)
             out.close()
         self._actuators.alter(world, self._triggers.active, out)
@@ -135,9 +137,12 @@ class DriverGroup:
             self.sensing.take(agents, count, self._slots)
         self._surroundings.take(agents, count, self._slots)
 
-    def _ask_earlier(self, in_charge: Integers, view: View, out: Decision) -> None:
+    def _ask_earlier(
+        self, world: World, in_charge: Integers, own_line: Booleans, view: View, out: Decision
+    ) -> None:
         """A controller that does not steer, or does not accelerate, leaves that to the last one
-        before it that does, of those whose conditions hold."""
+        before it that does, of those whose conditions hold. `own_line`: the agents whose line is
+        left, with the steering, to the last one before it that moves lines."""
         active = self._triggers.active
         for group in reversed(self._groups):
             open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
@@ -146,7 +151,12 @@ class DriverGroup:
             if len(chosen):
                 rows = group.rows[chosen]
                 accelerates = np.isnan(out.acceleration[rows])
-                out.fill(rows, _decided(group, chosen, view, accelerates))
+                moves = own_line[rows] & np.isnan(out.steering[rows])
+                found = _decided(group, chosen, view, accelerates, moves)
+                if found.line_offset is not None and moves.any():
+                    own_line[rows[moves]] = False
+                    _move_lines(world, rows, found, moves)
+                out.fill(rows, found)
 
 
 def _keep_to_lines(world: World, view: View, out: Decision) -> None:
@@ -166,27 +176,35 @@ def signals_of(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, Kin
     return found
 
 
-def _move_lines(world: World, rows: Integers, found: ControlBatch) -> None:
+def _move_lines(
+    world: World, rows: Integers, found: ControlBatch, moves: Booleans | None = None
+) -> None:
+    """`moves`: whose line is moved, by default that of all."""
     assert found.line_offset is not None
     target = np.full(len(world.present), math.nan)
     time = np.zeros(len(world.present))
-    target[rows] = found.line_offset
+    offset = found.line_offset
+    target[rows] = offset if moves is None else np.where(moves, offset, math.nan)
     if found.line_time is not None:
         time[rows] = found.line_time
     world.lateral.move(target, time)
 
 
 def _decided(
-    group: Group, chosen: Integers, view: View, lasting: Booleans | None = None
+    group: Group,
+    chosen: Integers,
+    view: View,
+    lasting: Booleans | None = None,
+    moves: Booleans | None = None,
 ) -> ControlBatch:
     """What the controllers of some agents of a group decide. `lasting`: whose state goes on,
-    by default that of all."""
+    by default that of all. `moves`: whose state also goes on if the controllers move lines."""
     if group.singles:
         return _decided_singly(group, chosen, view)
     interval = group.controller.kind.interval
     if interval > view.step:
         return _held(group, chosen, view, interval)
-    return _decided_now(group, chosen, view, lasting)
+    return _decided_now(group, chosen, view, lasting, moves)
 
 
 def _held(group: Group, chosen: Integers, view: View, interval: float) -> ControlBatch:
@@ -199,7 +217,11 @@ def _held(group: Group, chosen: Integers, view: View, interval: float) -> Contro
 
 
 def _decided_now(
-    group: Group, chosen: Integers, view: View, lasting: Booleans | None = None
+    group: Group,
+    chosen: Integers,
+    view: View,
+    lasting: Booleans | None = None,
+    moves: Booleans | None = None,
 ) -> ControlBatch:
     rows = group.rows[chosen]
     guarded = group.controller
@@ -208,6 +230,8 @@ def _decided_now(
     state = None if group.state is None else group.state[chosen]
     decided = guarded.decide(built, view.of(rows), state)
     if state is not None:
+        if lasting is not None and moves is not None and decided.line_offset is not None:
+            lasting = lasting | moves
         last = slice(None) if lasting is None else np.flatnonzero(lasting)
         group.state[chosen[last]] = state[last]
     return decided

@@ -46,11 +46,12 @@ def infer_comparison(
             )
     if common_dimension(checker, parts, "compared") is None:
         return unknown(node.span)
-    for operator, right in zip(node.operators, parts[1:], strict=True):
+    for operator, left, right in zip(node.operators, parts, parts[1:], strict=False):
         # A lone `=` is reported already.
         is_written = operator in node.span.text
         if operator in ("==", "!=") and is_written and not _is_integer(right):
-            checker.report(Code.FLOAT_EQUALITY, node.span, operator=operator)
+            help_ = _with_tolerance(operator, left, right)
+            checker.report(Code.FLOAT_EQUALITY, node.span, operator=operator, help=help_)
     evidence = common_domain(checker, parts)
     if isinstance(evidence, TypedExpression):
         return evidence
@@ -61,6 +62,16 @@ def infer_comparison(
     ]
     formula: Formula = pairs[0] if len(pairs) == 1 else And(tuple(pairs))
     return _formula(node.span, formula, evidence, parts, numbers)
+
+
+def _with_tolerance(operator: str, left: TypedExpression, right: TypedExpression) -> str:
+    """What to write instead of `left == right`, or `!=`."""
+    sign, one, other = "<" if operator == "==" else ">", left.span.text, right.span.text
+    is_zero = right.constant == 0.0
+    difference = f"abs({one})" if is_zero else f"abs({one} - ({other}))"
+    owner, _, signal = one.rpartition(".")
+    touched = f", or `{owner}.contacts {operator} 0`" if signal == "collision" else ""
+    return f"compare with a tolerance: `{difference} {sign} TOLERANCE`{touched}"
 
 
 def _is_integer(typed: TypedExpression) -> bool:

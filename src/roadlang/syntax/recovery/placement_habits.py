@@ -11,7 +11,27 @@ def position_on_road(place: ErrorPosition) -> Mistake | None:
     """`at main 5m`, `at 5m main`, `at 5m of main`, `on main 5m` and `is car main at 5m`."""
     if place.first_kind not in ("AGENT", "OBJECT"):
         return None
-    return _road_after_at(place) or _missing_at(place) or _missing_on(place)
+    return (
+        _block_before_place(place)
+        or _road_after_at(place)
+        or _missing_at(place)
+        or _missing_on(place)
+    )
+
+
+def _block_before_place(place: ErrorPosition) -> Mistake | None:
+    """`is car { length: 5m } on main at 5m`."""
+    if place.kind(-1) != "RBRACE" or place.kind() not in ("ON", "AT") or place.starts_line():
+        return None
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(),
+        expected="the end of the statement",
+        found=f"`{place.word()}`",
+        help="all options, those of the kind too, are in one block behind the place: "
+        "`is KIND on ROAD at POSITION { ... }`",
+    )
+    return Mistake(found)
 
 
 def _road_after_at(place: ErrorPosition) -> Mistake | None:
