@@ -12,6 +12,7 @@ import pytest
 import roadlang
 from roadlang.cli.main import run
 from roadlang.session.param_files import read_params
+from roadlang.session.params import parse_overrides
 from roadlang.session.tables import columns_of, to_csv
 
 from .command_lines import roadlang as command
@@ -218,3 +219,31 @@ def test_an_error_that_all_runs_share_is_said_once(
     assert run([*words, "-o", str(folder / "out")]) == 1
     assert capsys.readouterr().err.count("error[") == 1
     assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("setting", "fits"),
+    [
+        ("reach=4m", True),
+        (" reach = 4m ", True),
+        ("left.reach=4m", True),
+        ("reach=a=b", True),
+        ("reach", False),
+        ("reach=", False),
+        ("=4m", False),
+        ("", False),
+        ("left.=4m", False),
+        (".reach=4m", False),
+        ("left.9=4m", False),
+        ("9.reach=4m", False),
+        ("left reach=4m", False),
+    ],
+)
+def test_a_setting_is_a_name_and_a_value(setting: str, fits: bool) -> None:
+    if fits:
+        name, _, value = setting.partition("=")
+        assert parse_overrides([setting]) == {name.strip(): value.strip()}
+    else:
+        with pytest.raises(roadlang.DiagnosticError, match="RL924") as caught:
+            parse_overrides(["turns=3", setting, "reach"])
+        assert len(caught.value.diagnostics) == 2

@@ -14,7 +14,7 @@ from roadlang.envs.episodes import can_restart
 from roadlang.envs.rows import rows_of
 from roadlang.envs.scene_pool import pool_of
 from roadlang.envs.settings import EnvSettings
-from tests.envs.scene_texts import ALONE, CUT_IN, FOLLOWED
+from tests.envs.scene_texts import ALONE, CUT_IN, FOLLOWED, ROAD
 
 COUNT, STEPS = 6, 120
 
@@ -164,3 +164,27 @@ def test_as_few_as_one_at_once_and_one_scene_for_each(
 def test_none_at_once_or_no_scene_for_each_is_refused(count: int, scenes_each: int | None) -> None:
     with pytest.raises(ValueError, match="at least 1"):
         SceneVectorEnv(roadlang.loads(ALONE), count, scenes_each=scenes_each)
+
+
+EGO_LATER = f"""{ROAD}
+agent lead is car on bent at 25m {{ lane: -1, drive with car_follow {{ speed: 6m/s..9m/s }} }}
+agent parked is car on bent at 120m..140m {{ lane: 1 }}
+agent ego is car on bent at 5m {{ lane: -1 }}
+"""
+
+
+def test_others_drive_whoever_stands_and_wherever_the_ego_is_in_the_list() -> None:
+    together = SceneVectorEnv(roadlang.loads(EGO_LATER), 3, scenes=3, agent="ego", scenes_each=3)
+    first, info = together.reset(seed=2)
+    ahead = together.names.index("agent1_ahead")
+    np.testing.assert_allclose(first[:, ahead], 20.0, atol=1.5)
+    still = np.zeros((3, 2), dtype=np.float32)
+    for _ in range(10):
+        seen, *_ = together.step(still)
+    assert (seen[:, ahead] > first[:, ahead] + 2.0).all()
+    for row, scene in enumerate(info["scene"]):
+        alone = SceneEnv([together.pool.scenes[int(scene)]], agent="ego")
+        assert (alone.reset(seed=0)[0] == first[row]).all()
+        for action in still[:1].repeat(10, axis=0):
+            last = alone.step(action)[0]
+        assert (last == seen[row]).all()

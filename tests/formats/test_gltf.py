@@ -187,3 +187,15 @@ def test_neighboring_lanes_of_one_height_are_one_prism() -> None:
     found = [(round(np.ptp(p[:, 1]), 6), raised) for p, raised in road_prisms(surface, 0.5)]
     spans = len(surface.stations) - 1
     assert sorted(found) == sorted([(2.0, True), (7.5, False), (1.5, True)] * spans)
+
+
+def test_the_ground_lies_under_all_that_there_is_and_far_around_it(
+    scene: Scene, file: ReadGlb
+) -> None:
+    ground = file.triangles("ground-col").reshape(-1, 3)
+    corners = ground[:, :2].min(axis=0), ground[:, :2].max(axis=0)
+    x, y = (np.concatenate([getattr(road, axis) for road in scene.roads]) for axis in "xy")
+    for low, high, along in zip(*corners, (x, y), strict=True):
+        assert (low < along.min() - 100.0) & (low > along.min() - 250.0)
+        assert (high > along.max() + 100.0) & (high < along.max() + 250.0)
+    assert (ground[:, 2] < 0.0).all()

@@ -107,3 +107,16 @@ object hall is building at (40m, 60m) { heading: 30deg, height: 9m }
 def test_objects_may_be_left_out(tmp_path: Path) -> None:
     found_in(tmp_path, xodr(straight(1, 0, 0, inside=f"<objects>{thing('tree')}</objects>")))
     assert OpenDriveMap(objects=False).read(tmp_path / "town.xodr").objects == ()
+
+
+@pytest.mark.parametrize("height", [4.0, 0.5, None])
+def test_the_height_of_an_object_stands_in_its_options_too(
+    tmp_path: Path, height: float | None
+) -> None:
+    size = {} if height is None else {"height": height}
+    inside = f"<objects>{thing('building', '', length=3, width=2, **size)}</objects>"
+    (found,) = sampled(tmp_path, xodr(straight(1, 10, 20, inside=inside))).objects
+    written = testing.sample("object hall is building at (1m, 2m)")[0].record.objects[0]
+    expected = written.height if height is None else height
+    assert found.height == found.options["height"] == expected
+    assert (found.options["length"], found.options["width"]) == (3.0, 2.0)

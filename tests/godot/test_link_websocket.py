@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
@@ -92,3 +93,25 @@ def test_without_the_package_the_diagnostic_names_the_extra(
     with pytest.raises(EngineError, match="RL516") as caught:
         engine.connect("127.0.0.1", 9, "websocket")
     assert "roadlang[websocket]" in caught.value.diagnostics[0].help[0]
+
+
+@pytest.mark.parametrize("timeout", [0.0, -1.0])
+def test_without_time_to_wait_what_has_come_is_received(timeout: float) -> None:
+    with server(silence) as port:
+        link = WebSocketLink("127.0.0.1", port)
+        assert link.receive(timeout) == []
+        link.close()
+
+
+def test_it_waits_for_a_message_that_is_still_to_come() -> None:
+    def answer(connection: ServerConnection) -> None:
+        for message in connection:
+            time.sleep(0.1)
+            connection.send(message)
+
+    with server(answer) as port:
+        link = WebSocketLink("127.0.0.1", port)
+        for message in (b"one", b"two"):
+            link.send(message)
+            assert link.receive(timeout=300.0) == [message]
+        link.close()

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, cast
 
+import numpy as np
 import pytest
 
 from roadlang.ir import json_document
 from roadlang.ir.encoding import to_json
-from roadlang.ir.read_only import FrozenDict, FrozenList
+from roadlang.ir.read_only import FrozenDict, FrozenList, is_unchangeable
 from roadlang.ir.scene_actor import Call
 from tests.backends.handmade_scenes import bend, town
 
@@ -102,3 +104,26 @@ def test_the_roads_of_a_scene_are_remembered() -> None:
 def test_what_cannot_be_changed_says_what_it_is(change: Any, kind: str) -> None:
     with pytest.raises(TypeError, match=f"this {kind} is read-only: change a copy of it"):
         change()
+
+
+CHANGEABLE = [[1.5], {"a": 1}, np.zeros(2), object(), Holder([1]), Holder(np.zeros(2))]
+UNCHANGEABLE = [1.5, "a", None, FrozenList([1, 2]), FrozenDict(a=1), Holder((1, "a")), bend()]
+
+
+@pytest.mark.parametrize("put", [
+    lambda part: part,
+    lambda part: (part,),
+    lambda part: (1.5, part, (part, "a")),
+    lambda part: FrozenList([FrozenList([part])]),
+    lambda part: FrozenDict(a=1.5, b=(0, part)),
+    lambda part: Holder(FrozenDict(a=Holder(part))),
+])  # fmt: skip
+def test_what_can_be_changed_is_found_however_deep_it_is(put: Callable[[object], object]) -> None:
+    for part in CHANGEABLE:
+        assert not is_unchangeable(put(part))
+        assert is_unchangeable(put(part), {id(part)})
+    for part in UNCHANGEABLE:
+        assert is_unchangeable(put(part))
+    fixed = np.zeros(2)
+    fixed.flags.writeable = False
+    assert is_unchangeable(put(fixed))

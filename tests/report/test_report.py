@@ -23,6 +23,7 @@ from roadlang.diagnostics import DiagnosticError
 from roadlang.ir.results_record import RESULTS_FILE
 from roadlang.ir.trace import AgentTrace, Trace
 from roadlang.report.draw_charts import separation
+from roadlang.report.numbers import percent
 from roadlang.report.page_text import embedded, page_text
 from roadlang.report.report import read_results
 from roadlang.report.results import ResultRow
@@ -339,6 +340,9 @@ def test_a_rate_needs_scenes_drawn_at_random_in_one_run(
     file.write_text(json.dumps(json.loads(file.read_text()) | change))
     found = read_results(folder, installed())
     assert (found.rate is not None) is has_rate
+    page = write_report(folder).read_text()
+    assert ("Failure rate at random" in page) is has_rate
+    assert f"{percent(found.failing / 40)} of the scenes driven" in page
     if found.rate is not None:
         assert (found.rate.failures, found.rate.scenes) == (found.failing, 40)
 
@@ -353,7 +357,10 @@ def test_two_runs_are_not_drawn_from_one_distribution(bends: Path, tmp_path: Pat
 
 def test_safe_drives_are_shown_from_the_nearest_to_failing_to_the_farthest(bends: Path) -> None:
     found = read_results(bends, installed())
-    worst = {row.number: min(row.robustness.values()) for row in found.rows}
+    worst = {
+        row.number: min(rho for rho in row.robustness.values() if rho is not None)
+        for row in found.rows
+    }
     safe = sorted(worst[row.number] for row in found.rows if not row.has_failed)
     shown = [worst[drive.row] for drive in found.drives if not drive.has_failed]
     assert len(safe) > len(shown) == 12

@@ -135,3 +135,12 @@ def test_the_mean_distance_to_the_nearest(points: list[Any], expected: float | N
     found = mean_nearest(points)
     assert found == (expected if expected is None else pytest.approx(expected))
     assert (expected_nearest(points, 1.0) is None) == (expected is None)
+
+
+@pytest.mark.parametrize("factor", [1024.0, 1.0 / 1024.0])
+def test_the_unit_of_a_requirement_does_not_matter(sample: Sample, factor: float) -> None:
+    """Powers of two: the numbers are the same to the last bit."""
+    scene = "param x = 0..0.05\nparam y = 0..1\nrequire low: y < 0.01\nrequire thin: {} < {}\n"
+    plain = sample(scene.format("x", 0.01) + NEVER, 10)
+    scaled = sample(scene.format(f"{factor} * x", factor * 0.01) + NEVER, 10)
+    np.testing.assert_array_equal(values(plain), values(scaled))
