@@ -295,3 +295,20 @@ def test_margins_of_what_is_measured_over_time() -> None:
         known.append([one.step(pedal)[4]["margins"][name] for pedal in pedals])
     acceleration, jerk = 9.0 - np.array(known[0]), 50.0 - np.array(known[1])
     np.testing.assert_allclose(jerk[1:], np.diff(acceleration) / one.settings.step, rtol=1e-3)
+
+
+@pytest.mark.parametrize("pedal", [-1.0, -0.5, -0.03, 0.03, 0.5, 1.0])
+def test_an_action_is_a_share_of_what_a_car_can_speed_up_or_brake(pedal: float) -> None:
+    """Above zero of the one, below of the other."""
+
+    def driven(**settings: float) -> Any:
+        one = env(STRAIGHT.replace("at 5m", "at 5m { start_speed: 10m/s }"), **settings)
+        one.reset(seed=0)
+        return [one.step(np.array([0.0, pedal], dtype=np.float32))[0] for _ in range(5)]
+
+    plain = driven(acceleration=2.0, deceleration=6.0)
+    other_pull = driven(acceleration=3.0, deceleration=6.0)
+    other_brake = driven(acceleration=2.0, deceleration=3.0)
+    same, different = (other_brake, other_pull) if pedal > 0.0 else (other_pull, other_brake)
+    np.testing.assert_array_equal(plain, same)
+    assert (np.array(plain) != different).any()

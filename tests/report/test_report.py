@@ -197,7 +197,7 @@ def test_from_the_command_line(
 ) -> None:
     target = tmp_path / "page.html"
     assert run(["report", str(search), "-o", str(target)]) == 0
-    assert str(target) in capsys.readouterr().out
+    assert f"{target} ({target.stat().st_size / 1e6:.1f} MB)" in capsys.readouterr().out
     assert target.read_text().startswith("<!doctype html>")
 
 

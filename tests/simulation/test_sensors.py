@@ -151,14 +151,19 @@ def test_errors_have_the_deviations_that_are_asked_for() -> None:
         "sense with imu { noise: 0.2m/s^2, yaw_noise: 1deg/s, bias: 0.5m/s^2 }"
     )
     drives = runs(text, 30, step=0.04)
-    errors: dict[str, list[Any]] = {"gps": [], "walking": [], "imu": []}
+    errors: dict[str, list[Any]] = {"gps": [], "walking": [], "imu": [], "north": []}
     for drive in drives:
         truth = drive.trace.agents["ego"]
         for name in ("gps", "walking"):
             errors[name].append(record(drive, name).arrays["x"] - truth.x[: int(SECONDS / 0.04)])
+        north = record(drive, "gps").arrays["y"] - truth.y[: int(SECONDS / 0.04)]
+        errors["north"].append(north)
         errors["imu"].append(record(drive, "imu").arrays["acceleration"] - truth.acceleration[:100])
-    gps, walk, imu = (np.array(errors[name]) for name in errors)
+    gps, walk, imu, north = (np.array(errors[name]) for name in errors)
     assert gps.mean() == pytest.approx(2.0, abs=0.05)
+    assert north.mean() == pytest.approx(-1.0, abs=0.05)
+    assert north.std() == pytest.approx(0.5, rel=0.05)
+    assert abs(np.corrcoef(gps.ravel(), north.ravel())[0, 1]) < 0.05
     assert gps.std() == pytest.approx(0.5, rel=0.05)
     assert abs(np.corrcoef(gps[:, :-1].ravel(), gps[:, 1:].ravel())[0, 1]) < 0.05
     assert walk[:, 25].std() == pytest.approx(0.3, rel=0.4)
