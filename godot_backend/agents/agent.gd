@@ -11,6 +11,10 @@ const Driver := preload("driver.gd")
 
 const NO_PATH := -1
 const ARRIVED := 0.5
+## How far along its line an agent may be from where it was, in meters, and for each meter that it
+## has driven: on the inside of a bend the line is longer.
+const SLACK := 5.0
+const WIDEST_BEND := 2.0
 
 var agent_name := ""
 var path_id := NO_PATH
@@ -30,10 +34,24 @@ var speed := 0.0
 var acceleration := 0.0
 var jerk := 0.0
 var yaw_rate := 0.0
-var station := 0.0
+## Along the path; looked up when it is asked for.
+var station := 0.0:
+	get:
+		if _is_station_old:
+			find_station()
+		return station
 ## Left of the line to follow, seen along the direction of travel.
-var cross_track_error := 0.0
-var traveled := 0.0
+var cross_track_error := 0.0:
+	get:
+		if _is_station_old:
+			find_station()
+		return cross_track_error
+## Along the path, in its direction of travel.
+var traveled := 0.0:
+	get:
+		if _is_station_old:
+			find_station()
+		return traveled
 ## How many agents and objects it has touched.
 var contacts := 0
 ## How often an edit has changed its start.
@@ -44,6 +62,9 @@ var goes_on := false
 var has_left := false
 
 var _segment := -1
+var _is_station_old := false
+## Driven since its station was looked up, backward negative.
+var _way := 0.0
 var _start := Vector2.ZERO
 var _start_heading := 0.0
 var _start_speed := 0.0
@@ -109,6 +130,8 @@ func reset(surfaces: PackedVector2Array) -> void:
 	acceleration = 0.0
 	heading = _start_heading
 	speed = _start_speed
+	_way = 0.0
+	_is_station_old = false
 	_segment = -1
 	if path != null:
 		_segment = path.segment_at(_start_station)
@@ -134,15 +157,17 @@ func go_on(earlier: Agent) -> void:
 	body.visible = earlier.body.visible
 
 
-## Reads where the body has got to.
+## Reads where the body has got to, `dt` after it was last read.
 func observe(dt: float) -> void:
 	var at := body.global_position
+	var now: float = body.speed()
+	var driven := Vector2(x, y).distance_to(Vector2(at.x, -at.z))
+	_way += -driven if now < 0.0 else driven
 	x = at.x
 	y = -at.z
 	var turned: float = body.heading()
 	yaw_rate = angle_difference(heading, turned) / dt
 	heading = turned
-	var now: float = body.speed()
 	jerk = ((now - speed) / dt - acceleration) / dt
 	acceleration = (now - speed) / dt
 	speed = now
@@ -150,22 +175,36 @@ func observe(dt: float) -> void:
 
 ## Finds where that is along the path.
 func find_station() -> void:
+	var way := _way if _is_station_old else 0.0
+	var reach := SLACK + WIDEST_BEND * absf(way)
+	var was_old := _is_station_old
+	_is_station_old = false
+	_way = 0.0
 	if path == null:
 		return
-	_segment = path.nearest(x, y, _segment)
 	var before := station
+	_segment = path.nearest_to(x, y, before, reach) if was_old else path.nearest(x, y, _segment)
 	station = path.station(_segment, x, y)
 	var moved := station - before
 	if path.closed:
-		moved = wrapf(moved, -0.5 * path.length, 0.5 * path.length)
+		# Several laps may have passed.
+		var usual := direction * way
+		moved = wrapf(moved, usual - 0.5 * path.length, usual + 0.5 * path.length)
 	traveled += moved * direction
 	cross_track_error = direction * (path.offset(_segment, x, y) - line_offset)
+
+
+## Its place along the path has changed: it is found when somebody asks for it.
+func forget_station() -> void:
+	_is_station_old = true
 
 
 ## Takes the path as it now is, after it was sent or changed.
 func follow(line: PathLine) -> void:
 	if line == path:
 		return
+	if _is_station_old:
+		find_station()
 	path = line
 	_segment = -1
 	if path != null:

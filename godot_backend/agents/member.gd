@@ -56,10 +56,14 @@ func is_told() -> bool:
 	return _told.form != Command.Form.NOTHING
 
 
+## Looks where it is, `dt` after it was last looked at.
 func observe(dt: float) -> void:
 	agent.observe(dt)
-	if not is_told():
-		agent.follow(stage.path(agent.path_id))
+	agent.follow(stage.path(agent.path_id))
+	if is_told():
+		# The client looks for it by itself; a script of the game may ask for it.
+		agent.forget_station()
+	else:
 		agent.find_station()
 
 

@@ -48,20 +48,18 @@ func add(x: float, y: float) -> void:
 
 ## The segment nearest to a point; with a hint, only of those near the hint.
 func nearest(x: float, y: float, hint: int = -1) -> int:
-	var count := _x.size() - 1
-	var best := 0
-	var least := INF
-	var first := 0 if hint < 0 else hint - REACH
-	var last := count - 1 if hint < 0 else hint + REACH
-	for raw in range(first, last + 1):
-		var i := posmod(raw, count) if closed else clampi(raw, 0, count - 1)
-		var t := _along(i, x, y)
-		var dx := x - _x[i] - t * (_x[i + 1] - _x[i])
-		var dy := y - _y[i] - t * (_y[i + 1] - _y[i])
-		if dx * dx + dy * dy < least:
-			least = dx * dx + dy * dy
-			best = i
-	return best
+	if hint < 0:
+		return _nearest_of(x, y, 0, _x.size() - 2)
+	return _nearest_of(x, y, hint - REACH, hint + REACH)
+
+
+## The segment nearest to a point, of those within `reach` meters of an arc length.
+func nearest_to(x: float, y: float, s: float, reach: float) -> int:
+	if 2.0 * reach >= length:
+		return nearest(x, y)
+	var first := segment_at(s - reach)
+	var last := segment_at(s + reach)
+	return _nearest_of(x, y, first, last if last >= first else last + _x.size() - 1)
 
 
 ## Arc length of the foot point on a segment.
@@ -132,6 +130,21 @@ func segment_at(s: float) -> int:
 
 func wrapped(s: float) -> float:
 	return fposmod(s, length) if closed else s
+
+
+func _nearest_of(x: float, y: float, first: int, last: int) -> int:
+	var count := _x.size() - 1
+	var best := 0
+	var least := INF
+	for raw in range(first, last + 1):
+		var i := posmod(raw, count) if closed else clampi(raw, 0, count - 1)
+		var t := _along(i, x, y)
+		var dx := x - _x[i] - t * (_x[i + 1] - _x[i])
+		var dy := y - _y[i] - t * (_y[i + 1] - _y[i])
+		if dx * dx + dy * dy < least:
+			least = dx * dx + dy * dy
+			best = i
+	return best
 
 
 func _planned(direction: float, lateral: float, braking: float) -> PackedFloat64Array:

@@ -45,6 +45,8 @@ var _weathers: Array[Weather] = []
 var _last_tick := 0
 var _every := 1
 var _stop_at_end := false
+## When agents were last looked at.
+var _looked := 0
 var _hold_from := 0
 var _hold_until := 0
 var _trace := PackedByteArray()
@@ -72,6 +74,7 @@ func start(settings: Dictionary) -> String:
 	_every = maxi(1, Agent.count(settings, "every", 1))
 	_stop_at_end = Agent.flag(settings, "stop_at_end")
 	tick = 0
+	_looked = 0
 	_hold_from = 0
 	_hold_until = 0
 	_trace.clear()
@@ -156,8 +159,10 @@ func step(dt: float) -> void:
 			lights.show_at(tick * dt)
 	# While all are told what to do, nothing asks where they are before the next step.
 	if tick >= _hold_until or not _are_all_told():
+		var passed := maxi(1, tick - _looked) * dt
+		_looked = tick
 		for member in _members:
-			member.observe(dt)
+			member.observe(passed)
 	_contacts.gather(_members, tick)
 	if mode == Mode.LOCKSTEP and tick >= _hold_until:
 		for member in _members:

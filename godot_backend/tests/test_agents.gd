@@ -90,3 +90,38 @@ func test_the_gap_between_cars_in_a_row_is_between_their_bumpers() -> String:
 		return "gap %f" % one.gap(other)
 	var near := Outline.new(Vector2(4, 0), 0.3, 4.5, 1.8)
 	return "" if one.gap(near) == 0.0 else "overlap"
+
+
+func test_a_place_is_found_after_laps_in_which_nobody_asked() -> String:
+	var agent := Agent.new()
+	agent.x = 40.0
+	agent.follow(_circle(40.0))
+	var wrong := ""
+	var driven := 0.0
+	for angle: float in [0.0, 10.0, 300.0, 1000.0, 990.0]:
+		agent._way += deg_to_rad(angle) * 40.0 - driven
+		driven = deg_to_rad(angle) * 40.0
+		agent.x = 40.0 * cos(driven / 40.0)
+		agent.y = 40.0 * sin(driven / 40.0)
+		agent.forget_station()
+		var apart := absf(angle_difference(agent.station / 40.0, driven / 40.0))
+		if apart > 1e-3 or absf(agent.traveled - driven) > 0.1:
+			wrong = "%f traveled, %f apart at %f" % [agent.traveled, apart, angle]
+	agent.free()
+	return wrong
+
+
+func test_a_place_near_a_crossing_of_its_own_line_is_on_the_way_that_was_driven() -> String:
+	var line := PathLine.new()
+	for corner: Vector2 in [Vector2(0, 0), Vector2(80, 0), Vector2(80, 40), Vector2(40, 40)]:
+		line.add(corner.x, corner.y)
+	line.add(40.0, -60.0)
+	var agent := Agent.new()
+	agent.follow(line)
+	agent.x = 39.9
+	agent.y = 1.0
+	agent._way = 40.0
+	agent.forget_station()
+	var found := agent.station
+	agent.free()
+	return "" if absf(found - 39.9) < 1e-3 else "at %f" % found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from roadlang_godot.addon import install_addon
 from roadlang_godot.commands.godot import command
 from roadlang_godot.layout import layout_of
 from tests.godot.godot_engines import started, until
-from tests.godot.godot_scenes import bends, call, car, scene
+from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight
 
 PROJECT_FILE = """config_version=5
 
@@ -40,7 +41,7 @@ var stage := RoadlangStage.new()
 func _ready() -> void:
 	stage.port = 0
 	stage.scene_built.connect(_built)
-	stage.drive_ended.connect(func(reason: String) -> void: print("game: ended by ", reason))
+	stage.drive_ended.connect(_ended)
 	add_child(stage)
 
 
@@ -50,6 +51,13 @@ func _built() -> void:
 	var path: RoadlangPath = scene.path(ego.path_id)
 	var says := [scene.scene_name, ego.agent_name, path.length]
 	print("game: built %s with %s on %.0f m" % says)
+
+
+func _ended(reason: String) -> void:
+	var ego: RoadlangAgent = stage.agent("ego")
+	var says := [ego.speed, ego.acceleration, ego.station, ego.cross_track_error]
+	print("game: drove at %.3f m/s, %.3f m/s^2 to %.3f m, %.3f m" % says)
+	print("game: ended by ", reason)
 """
 
 
@@ -94,9 +102,8 @@ def test_the_addon_has_the_version_of_the_protocol() -> None:
     assert f'version="{protocol.VERSION}"' in config
 
 
-@pytest.mark.slow
-@pytest.mark.godot
-def test_a_game_receives_scenes(game: Path) -> None:
+def _imported(game: Path) -> None:
+    """Roadlang is in the game, and Godot has found its classes."""
     started().stop()
     install_addon(game)
     engine = str(engines.find())
@@ -105,8 +112,14 @@ def test_a_game_receives_scenes(game: Path) -> None:
     )
     assert imported.returncode == 0
     assert "ERROR" not in imported.stdout + imported.stderr
-    road = bends()
-    sent = scene(road, agents=[car("ego", road, 5.0, call("lane_follow", speed=10.0))])
+
+
+@pytest.mark.slow
+@pytest.mark.godot
+def test_a_game_receives_scenes(game: Path) -> None:
+    _imported(game)
+    line = bends()
+    sent = scene(line, agents=[car("ego", line, 5.0, call("lane_follow", speed=10.0))])
     with (
         started(fixed_fps=60, extra=["--path", str(game)]) as running,
         running.connect() as session,
@@ -120,6 +133,33 @@ def test_a_game_receives_scenes(game: Path) -> None:
         assert "game: built test with ego on 869 m" in running.output()
         assert "ERROR" not in running.output()
     assert driven.trace["x"][-1] > driven.trace["x"][0]
+
+
+@pytest.mark.slow
+@pytest.mark.godot
+def test_a_game_knows_where_an_agent_is_that_python_drives(game: Path) -> None:
+    _imported(game)
+    line = road("line", pieces(straight(200.0)))
+    ego = car("ego", line, 5.0, call("lane_follow", speed=10.0), offset=1.0)
+    layout = layout_of(scene(line, agents=[ego]))
+    with (
+        started(fixed_fps=20, extra=["--path", str(game)]) as running,
+        running.connect() as session,
+    ):
+        session.begin(layout.settings(60), clear=True)
+        session.update(layout.parts)
+        session.prove()
+        with driving.LockStep(session) as lock:
+            for _ in range(40):
+                lock.step({1: driving.EngineControl.steer(0.02, 2.0)}, 3)
+            (at,) = lock.state.poses
+        until(lambda: "game: ended by" in running.output())
+        (said,) = re.findall("game: drove at (.*)", running.output())
+    speed, acceleration, station, error = map(float, re.findall(r"-?\d+\.\d+", said))
+    assert speed == pytest.approx(at["speed"], abs=2e-3)
+    assert acceleration == pytest.approx(2.0, abs=0.3)
+    assert station == pytest.approx(at["x"] + layout.frame.x, abs=0.01)
+    assert error == pytest.approx(at["y"] + layout.frame.y - 1.0, abs=0.01)
 
 
 def test_an_interrupt_leaves_the_earlier_addon(
