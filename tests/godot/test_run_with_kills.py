@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import threading
 from pathlib import Path
@@ -19,14 +20,14 @@ road main {
   draw with waypoints { points: [(0m, 0m), (40m, 0m), (70m, 10m)] }
   width: 8m
 }
-agent ego is car on main at uniform(4m, 8m) { drive with pure_pursuit { speed: 8m/s } }
+agent ego is car on main at uniform(4m, 8m) { drive with DRIVE { speed: 8m/s } }
 expect calm: always (ego.speed < 9m/s)
 """
 
 
-def files(folder: Path, *words: str) -> dict[str, bytes]:
+def files(folder: Path, drive: str, *words: str) -> dict[str, bytes]:
     file = folder.parent / "scene.rl"
-    file.write_text(SCENE, encoding="utf-8")
+    file.write_text(SCENE.replace("DRIVE", drive), encoding="utf-8")
     command = ["run", str(file), "--engine", "godot", "--duration", "5", "-o", str(folder)]
     assert cli.run([*command, *words]) == 0
     names = ("*.csv", "*.json")
@@ -34,11 +35,20 @@ def files(folder: Path, *words: str) -> dict[str, bytes]:
     return {name: data for name, data in found.items() if name != "provenance.json"}
 
 
-def test_more_engines_give_the_same_files(tmp_path: Path) -> None:
+# The engine drives by itself, or in lock-step with Python.
+BY_BOTH = pytest.mark.parametrize("drive", ["pure_pursuit", "traffic"])
+
+
+@BY_BOTH
+def test_more_engines_give_the_same_files(tmp_path: Path, drive: str) -> None:
     started().stop()
-    alone = files(tmp_path / "alone", "-n", "4")
+    alone = files(tmp_path / "alone", drive, "-n", "4")
     assert len(alone) > 4
-    assert files(tmp_path / "both", "-n", "4", "--jobs", "2") == alone
+    assert files(tmp_path / "both", drive, "-n", "4", "--jobs", "2") == alone
+
+
+def cores_of_this_thread() -> set[int]:
+    return os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else set()
 
 
 class Killer:
@@ -69,13 +79,16 @@ class Killer:
             timer.join()
 
 
+@BY_BOTH
 def test_engines_killed_at_any_moment_change_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, drive: str
 ) -> None:
     started().stop()
-    undisturbed = files(tmp_path / "alone", "-n", "6")
+    cores = cores_of_this_thread()
+    undisturbed = files(tmp_path / "alone", drive, "-n", "6")
     killer = Killer([0.05, 0.2, 0.4, 0.6, 0.8])
     monkeypatch.setattr(engines, "_spawn", killer.spawn)
-    assert files(tmp_path / "disturbed", "-n", "6") == undisturbed
+    assert files(tmp_path / "disturbed", drive, "-n", "6") == undisturbed
+    assert cores_of_this_thread() == cores
     killer.end()
     assert len(killer.killed) >= 2
