@@ -7,6 +7,7 @@ const Protocol := preload("../net/protocol.gd")
 const Server := preload("../net/server.gd")
 const Worlds := preload("../build/worlds.gd")
 const Agent := preload("../agents/agent.gd")
+const Cameras := preload("../view/cameras.gd")
 const GltfFile := preload("gltf_file.gd")
 const PlainScene := preload("plain_scene.gd")
 const PlainMaterials := preload("plain_materials.gd")
@@ -20,7 +21,8 @@ func _init(worlds: Worlds, server: Server) -> void:
 	_server = server
 
 
-## Takes a wish: {id, format: tscn or glb}; returns "" or what is wrong.
+## Takes a wish: {id, format: tscn or glb, x, y, z, yaw, pitch of the camera}; returns "" or what is
+## wrong.
 func take(wish: Dictionary) -> String:
 	var stage := _worlds.stage(0)
 	if stage == null:
@@ -29,7 +31,7 @@ func take(wish: Dictionary) -> String:
 	var materials := PlainMaterials.new()
 	match wish.get("format"):
 		"tscn":
-			var root := PlainScene.with_bodies(stage)
+			var root := PlainScene.with_bodies(stage, _eye(wish))
 			materials.bundle(root)
 			bytes = _as_scene(root)
 			root.free()
@@ -44,6 +46,15 @@ func take(wish: Dictionary) -> String:
 		return "the scene cannot be exported"
 	_server.send_parts(Protocol.EXPORTED, Agent.count(wish, "id", 0), bytes)
 	return ""
+
+
+static func _eye(wish: Dictionary) -> Transform3D:
+	var place := Vector3(
+		Agent.number(wish, "x", 0.0), Agent.number(wish, "z", 100.0), -Agent.number(wish, "y", 0.0)
+	)
+	return Cameras.free_pose(
+		place, Agent.number(wish, "yaw", 0.0), Agent.number(wish, "pitch", -PI / 2)
+	)
 
 
 ## Godot saves scenes to files only: to one in this program's own folder, which goes at once.

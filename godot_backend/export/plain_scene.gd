@@ -5,6 +5,7 @@ const Stage := preload("../build/stage.gd")
 const Thing := preload("../build/thing.gd")
 const Agent := preload("../agents/agent.gd")
 const Protocol := preload("../net/protocol.gd")
+const Cameras := preload("../view/cameras.gd")
 
 ## What the groups of things are called.
 const GROUPS := {
@@ -25,16 +26,16 @@ const OWN: Array[StringName] = [
 ]
 
 
-## With bodies to drive on and a camera, as a scene of Godot.
-static func with_bodies(stage: Stage) -> Node3D:
+## With bodies to drive on and a camera at `eye`, as a scene of Godot.
+static func with_bodies(stage: Stage, eye: Transform3D) -> Node3D:
 	var root := _copied(stage, true)
 	var camera := Camera3D.new()
 	camera.name = "Camera"
 	camera.far = 6000.0
+	camera.fov = Cameras.FIELD
 	camera.current = true
-	var eye := Vector3(-0.6, 0.7, 0.6) * (stage.extent + 30.0)
+	camera.transform = eye
 	root.add_child(camera)
-	camera.look_at_from_position(eye, Vector3.ZERO, Vector3.UP)
 	_own(root, root)
 	return root
 

@@ -17,6 +17,8 @@ const TOP_HEIGHT := 400.0
 const FLY_SPEED := 25.0
 ## Meters of flat ground around what is built.
 const GROUND_BESIDE := 150.0
+## Degrees, from the upper to the lower edge of a picture.
+const FIELD := 60.0
 
 var kind := Kind.CHASE
 var camera := Camera3D.new()
@@ -30,7 +32,7 @@ var _pitch := -0.35
 var _place := Vector3(0.0, 30.0, 60.0)
 ## The scene for which the free camera was put where it sees all of it.
 var _framed := ""
-var _field := 60.0
+var _field := FIELD
 
 
 func setup(worlds: Worlds) -> void:
@@ -86,10 +88,14 @@ func aim(target: Camera3D) -> void:
 			target.projection = Camera3D.PROJECTION_PERSPECTIVE
 			# Depth is finest where the nearest that is seen is far away.
 			target.near = clampf(0.05 * _place.y, 0.1, 10.0)
-			var turned := Basis(Vector3.UP, _yaw - PI / 2) * Basis(Vector3.RIGHT, _pitch)
-			target.transform = Transform3D(turned, _place)
+			target.transform = free_pose(_place, _yaw, _pitch)
 		Kind.CHASE:
 			_chase(target)
+
+
+## Of a camera that looks from anywhere: radians counter-clockwise from east and upward.
+static func free_pose(place: Vector3, yaw: float, pitch: float) -> Transform3D:
+	return Transform3D(Basis(Vector3.UP, yaw - PI / 2) * Basis(Vector3.RIGHT, pitch), place)
 
 
 ## How far behind and above an agent of a length and a height the chase camera is: over its roof,

@@ -6,6 +6,7 @@ import json
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from roadlang.api import Scene
@@ -50,10 +51,18 @@ func _described(root: Node) -> Dictionary:
 			for i in range(0, buffer.size(), buffer.size() / many.instance_count):
 				trees.append([buffer[i + 3], buffer[i + 11]])
 	trees.sort()
+	var corners: Array[Array] = []
+	for camera: Camera3D in _all(root, "Camera3D"):
+		var tall := tan(deg_to_rad(0.5 * camera.fov))
+		for x: float in [box.position.x, box.end.x]:
+			for z: float in [box.position.z, box.end.z]:
+				var seen := camera.transform.affine_inverse() * Vector3(x, 0.0, z)
+				corners.append([-seen.x / seen.z / tall / 16.0 * 9.0, -seen.y / seen.z / tall])
 	var ego: Node3D = _all(root.get_node("Agents/ego"), "MeshInstance3D")[0]
 	return {
 		"road": [box.position.x, box.end.x, box.position.z, box.end.z],
 		"trees": trees,
+		"corners": corners,
 		"ego": [ego.global_position.x, ego.global_position.z],
 		"paint": root.find_children("Paint*", "MeshInstance3D", true, false).size(),
 		"bodies": _all(root, "StaticBody3D").size(),
@@ -72,8 +81,8 @@ def _sent() -> Scene:
 
 
 def test_a_scene_of_godot_needs_no_file_and_no_script(session: Session) -> None:
-    build(session, _sent())
-    first, second = (exported(session, "tscn") for _ in range(2))
+    layout = build(session, _sent())
+    first, second = (exported(session, layout, "tscn") for _ in range(2))
     assert first == second
     assert b"shader_type spatial" in first
     assert b"ext_resource" not in first
@@ -81,9 +90,9 @@ def test_a_scene_of_godot_needs_no_file_and_no_script(session: Session) -> None:
 
 
 def test_other_formats_are_refused(session: Session) -> None:
-    build(session, _sent())
+    layout = build(session, _sent())
     with pytest.raises(EngineError, match="an export is tscn or glb"):
-        exported(session, "obj")
+        exported(session, layout, "obj")
 
 
 @pytest.mark.slow
@@ -92,7 +101,7 @@ def test_both_files_open_in_a_project_without_roadlang(session: Session, tmp_pat
     (tmp_path / "project.godot").write_text(PROJECT_FILE)
     (tmp_path / "reader.gd").write_text(READER)
     for format in ("tscn", "glb"):
-        (tmp_path / f"scene.{format}").write_bytes(exported(session, format))
+        (tmp_path / f"scene.{format}").write_bytes(exported(session, layout, format))
     done = subprocess.run(
         [str(engines.find()), "--headless", "--path", str(tmp_path), "-s", "reader.gd"],
         capture_output=True,
@@ -111,3 +120,7 @@ def test_both_files_open_in_a_project_without_roadlang(session: Session, tmp_pat
         assert one["ego"] == pytest.approx([20.0 - left, top], abs=3.0)
         assert (one["paint"] > 0) == (format == "glb")
         assert (one["bodies"] > 0) == (format == "tscn")
+        if format == "tscn":
+            seen = np.array(one["corners"])
+            assert (np.abs(seen) < 1.0).all(), "all of it is in the picture"
+            assert np.ptp(seen, axis=0).max() > 1.2, "and fills it"

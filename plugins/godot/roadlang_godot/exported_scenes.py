@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from . import engine
 from .drives import decided_in_python
 from .driving import LockStep
+from .framing import built_places, free_pose
 from .mounted_camera import cameras_of
 from .pictures import RATE, build, drive_for, followed
 from .protocol import Message
 
 _UNIQUE_ID = re.compile(rb" unique_id=\d+(?=[ \]])")
 _RESOURCE = re.compile(rb'(\[sub_resource type="(\w+)" id="|SubResource\(")(\w+)"')
+_ASPECT = 16 / 9
+"""Of the window of a new project."""
 
 if TYPE_CHECKING:
     from roadlang.api import Controller, Scene
 
+    from .layout import Layout
     from .session import Session
 
 
@@ -41,13 +46,15 @@ def export_scene(
         if moment > 0 and layout.agents:
             with LockStep(session) as lock:
                 drive_for(lock, followed(session, scene, layout, decided), moment)
-                return exported(session, format)
-        return exported(session, format)
+                return exported(session, layout, format)
+        return exported(session, layout, format)
 
 
-def exported(session: Session, format: str) -> bytes:
-    """The bytes of a file of what is built now. Raises `EngineError` RL507."""
-    content = session.fetch(Message.EXPORT, {"format": format}, Message.EXPORTED)
+def exported(session: Session, layout: Layout, format: str) -> bytes:
+    """The bytes of a file of what is built now, with a camera that sees all of it. Raises
+    `EngineError` RL507."""
+    pose = free_pose(built_places(layout.parts), _ASPECT)
+    content = session.fetch(Message.EXPORT, {"format": format, **asdict(pose)}, Message.EXPORTED)
     return _with_numbered_ids(content) if format == "tscn" else content
 
 
