@@ -1,6 +1,7 @@
 extends RefCounted
 ## A copy of a built scene in nodes of Godot alone: no scripts, names that a human understands.
 
+const Looks := preload("../build/looks.gd")
 const Stage := preload("../build/stage.gd")
 const Thing := preload("../build/thing.gd")
 const Agent := preload("../agents/agent.gd")
@@ -92,7 +93,9 @@ static func _node(node: Node, bodies: bool) -> Node:
 static func _bare(node: Node, bodies: bool) -> Node:
 	var drawn := node as VisualInstance3D
 	if drawn != null:
-		return _duplicate(node) if drawn.layers & SEEN and drawn.visible else null
+		# Painted shade is for Godot: other programs do not know its texture.
+		var is_real := bodies or not drawn.has_meta(Looks.UNLABELED)
+		return _duplicate(node) if is_real and drawn.layers & SEEN and drawn.visible else null
 	if node is WorldEnvironment:
 		return _duplicate(node) if bodies else null
 	if bodies and (node is StaticBody3D or node is CollisionShape3D):

@@ -89,6 +89,14 @@ def test_a_scene_of_godot_needs_no_file_and_no_script(session: Session) -> None:
     assert b"res://" not in first
 
 
+def test_a_gltf_file_has_no_plates_of_shade_below_vehicles(session: Session) -> None:
+    content = exported(session, build(session, _sent()), "glb")
+    length = int.from_bytes(content[12:16], "little")
+    described = json.loads(content[20 : 20 + length])
+    assert len(described["materials"]) > 3
+    assert not [one for one in described["materials"] if one.get("alphaMode") == "BLEND"]
+
+
 def test_other_formats_are_refused(session: Session) -> None:
     layout = build(session, _sent())
     with pytest.raises(EngineError, match="an export is tscn or glb"):

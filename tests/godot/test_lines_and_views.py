@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 
 from roadlang.api import Scene
 from roadlang_godot.commands.render import _numbers, _size
-from roadlang_godot.framing import FIELD, free_pose
+from roadlang_godot.framing import FIELD, built_places, free_pose
 from roadlang_godot.layout import layout_of
 from roadlang_godot.line import line_of, polyline
 from roadlang_godot.messages import as_json, text_of
 from roadlang_godot.pictures import Shot, meters_a_pixel, view_of
-from tests.godot.godot_scenes import bends, car, pieces, road, scene, straight
+from tests.godot.godot_scenes import bends, car, pieces, road, scene, straight, thing
 
 
 def test_a_polyline_has_the_headings_of_its_chords() -> None:
@@ -124,6 +124,16 @@ def test_a_free_camera_sees_every_place_and_stands_no_farther_than_it_must(
     shares = np.array([np.abs(aside) / (half * aspect), np.abs(up) / half]) / ahead
     assert shares.max() < 1.0
     assert pose.z == pytest.approx(12.0) or shares.max() > 0.7
+
+
+def test_a_picture_shows_the_whole_of_large_objects_beside_roads() -> None:
+    main = road("main", pieces(straight(100.0)))
+    hall = replace(thing("building", 50.0, 30.0, length=60.0, width=10.0), heading=math.pi / 2)
+    far = thing("tree", 50.0, 300.0)
+    layout = layout_of(scene(main, objects=[hall, far]))
+    places = built_places(layout.parts) + np.array([layout.frame.x, layout.frame.y])
+    assert places.min(axis=0) == pytest.approx((0.0, -3.5), abs=0.6)
+    assert places.max(axis=0) == pytest.approx((100.0, 60.0), abs=0.1)
 
 
 def test_an_unknown_agent_is_not_followed() -> None:

@@ -49,8 +49,8 @@ class FreePose:
 
 def built_places(parts: Iterable[ScenePart]) -> Floats:
     """(n, 2) places east and north of the origin that a picture should show: the corners of roads,
-    and objects near them."""
-    roads, objects = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    and of objects near them."""
+    roads, objects = [np.zeros((0, 3))], [np.zeros((0, 4, 2))]
     for part in parts:
         if part.kind == Message.SEGMENT:
             roads.append(np.frombuffer(part.content, dtype="<f4").reshape(-1, 3))
@@ -60,13 +60,15 @@ def built_places(parts: Iterable[ScenePart]) -> Floats:
         elif part.kind == Message.TILES:
             roads.append(_cells(part))
         elif part.kind == Message.OBJECTS:
-            objects.append(np.frombuffer(part.content, dtype="<f4").reshape(-1, 3))
+            objects.append(_outlines(part))
     places = np.concatenate(roads)[:, [0, 2]] * (1.0, -1.0)
-    beside = np.concatenate(objects)[:, [0, 2]] * (1.0, -1.0)
+    beside = np.concatenate(objects)
     if not len(places):
-        return beside if len(beside) else np.zeros((1, 2))
+        return beside.reshape(-1, 2) if len(beside) else np.zeros((1, 2))
     low, high = places.min(axis=0) - _NEAR_ROADS, places.max(axis=0) + _NEAR_ROADS
-    return np.concatenate([places, beside[((beside >= low) & (beside <= high)).all(axis=1)]])
+    middles = beside.mean(axis=1)
+    near = ((middles >= low) & (middles <= high)).all(axis=1)
+    return np.concatenate([places, beside[near].reshape(-1, 2)])
 
 
 def top_frame(places: Floats, aspect: float) -> TopFrame:
@@ -128,6 +130,18 @@ def _filled(places: Floats, axes: Floats, place: Floats) -> float:
     points = np.column_stack([places, np.zeros(len(places))]) - place
     a, b, c = axes @ points.T
     return float(np.ptp(a / c) * np.ptp(b / c) * c.min() / c.max())
+
+
+def _outlines(part: ScenePart) -> Floats:
+    """(n, 4, 2) corners of the objects of a thing, east and north of the origin."""
+    count = len(part.content) // 12
+    rows = np.frombuffer(part.body[len(part.body) - 28 * count :], "<f4").reshape(-1, 7)
+    x, _, z, heading, length, _, width = rows.astype(float).T[:, :, None]
+    along = 0.5 * length * (1.0, 1.0, -1.0, -1.0)
+    across = 0.5 * width * (1.0, -1.0, -1.0, 1.0)
+    turn_x, turn_y = np.cos(heading), np.sin(heading)
+    east, north = along * turn_x - across * turn_y, along * turn_y + across * turn_x
+    return np.stack([x + east, north - z], axis=-1)
 
 
 def _cells(part: ScenePart) -> Floats:
