@@ -86,6 +86,22 @@ func test_the_chase_camera_sees_past_what_it_follows() -> String:
 	return ""
 
 
+func test_a_frame_is_as_large_as_the_roads_on_whatever_ground() -> String:
+	var stage := Stage.new()
+	stage.begin("test", 900.0)
+	var bytes := StreamPeerBuffer.new()
+	bytes.data_array = PackedByteArray([2, 0, 0, 0, 0, 2, 0])
+	bytes.seek(7)
+	for number: float in [0, 40, 40, 0, -5, 40, 0, 5, 80, 0, -5, 80, 0, 5]:
+		bytes.put_float(number)
+	var wrong := stage.put(Protocol.SEGMENT, 1, 1, Reader.new(bytes.data_array))
+	var found := Cameras.roads_of(stage)
+	stage.free()
+	if not wrong.is_empty():
+		return wrong
+	return "" if found.is_equal_approx(Rect2(40, -5, 40, 10)) else str(found)
+
+
 func _handles(sort: int, numbers: Array[float]) -> PackedByteArray:
 	var out := StreamPeerBuffer.new()
 	out.put_u8(sort)

@@ -6,6 +6,7 @@ enum Kind { CHASE, TOP, FREE }
 const Worlds := preload("../build/worlds.gd")
 const Protocol := preload("../net/protocol.gd")
 const Agent := preload("../agents/agent.gd")
+const Stage := preload("../build/stage.gd")
 const Surroundings := preload("../build/surroundings.gd")
 
 ## Where the chase camera is, meters behind the middle of a car and above the ground, and that car.
@@ -15,8 +16,6 @@ const CAR := Vector2(4.5, 1.45)
 const BACK_FOR_TALL := 2.5
 const TOP_HEIGHT := 400.0
 const FLY_SPEED := 25.0
-## Meters of flat ground around what is built.
-const GROUND_BESIDE := 150.0
 ## Degrees, from the upper to the lower edge of a picture.
 const FIELD := 60.0
 
@@ -123,12 +122,28 @@ func _frame() -> void:
 	if stage == null or stage.scene_name == _framed:
 		return
 	_framed = stage.scene_name
-	var reach := maxf(stage.extent - GROUND_BESIDE, 20.0)
-	_center = Vector2.ZERO
+	var around := roads_of(stage)
+	var middle := around.get_center()
+	var reach := maxf(0.5 * maxf(around.size.x, around.size.y), 20.0)
+	_center = Vector2(middle.x, -middle.y)
 	_top_size = 2.1 * reach
 	_yaw = PI / 4
 	_pitch = -0.45
-	_place = Vector3(-0.8 * reach, 0.65 * reach + 5.0, 0.8 * reach)
+	_place = Vector3(middle.x - 1.2 * reach, 0.85 * reach + 5.0, middle.y + 1.2 * reach)
+
+
+## What the roads of a scene cover, in x and z: the ground may be much larger after edits.
+static func roads_of(stage: Stage) -> Rect2:
+	var out := Rect2()
+	for road_kind: int in [Protocol.SEGMENT, Protocol.PATCH, Protocol.TILES]:
+		for thing in stage.all(road_kind):
+			for drawn: VisualInstance3D in thing.find_children(
+				"*", "VisualInstance3D", true, false
+			):
+				var box := drawn.get_aabb()
+				var flat := Rect2(box.position.x, box.position.z, box.size.x, box.size.z)
+				out = out.merge(flat) if out.has_area() else flat
+	return out
 
 
 ## The agent with the number that was asked for, else the first.
