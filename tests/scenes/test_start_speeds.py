@@ -131,3 +131,25 @@ def test_a_group_of_none_has_no_start_speeds() -> None:
     assert {len(scene.record.agents) for scene in scenes} == {0, 1, 2}
     speeds = [actor.start_speed for scene in scenes for actor in scene.record.agents]
     assert all(speed is not None and 3.0 <= speed <= 5.0 for speed in speeds)
+
+
+def test_traffic_begins_at_its_share_of_the_limit() -> None:
+    assert begins("drive with traffic { speed_factor: 0.5 }") == pytest.approx(10.0)
+    assert begins("drive with traffic { speed_factor: 0.5, speed: 12m/s }") == pytest.approx(12.0)
+
+
+def test_who_follows_begins_so_slowly_that_it_can_keep_its_distance() -> None:
+    text = """
+    road main { draw with segments { pieces: [straight(300m)] }, lanes: 2, speed_limit: 90km/h }
+    agent slow is tractor on main at 60m { drive with lane_follow { speed: 7m/s } }
+    agent ego is car on main at behind(slow, 10m) { DRIVE }
+    """
+    for drive, most in (
+        ("drive with car_follow", 10.0),
+        ("drive with car_follow { speed: 6m/s }", 6.0),
+        ("drive with car_follow, start_speed: 20m/s", 20.0),
+    ):
+        (scene,) = testing.sample(text.replace("DRIVE", drive), 1)
+        speed = scene.record.agents[1].start_speed
+        assert speed is not None
+        assert 0.9 * most - 1.0 < speed <= most

@@ -142,3 +142,17 @@ def test_riders_keep_the_balance_when_they_brake_in_a_bend() -> None:
     ego = trace.agents["ego"]
     assert ego.speed[-1] < 0.1
     assert np.abs(ego.cross_track_error).max() < 0.3
+
+
+@pytest.mark.parametrize("speed", [14, 25, 30])
+def test_pure_pursuit_that_says_no_lookahead_stays_in_its_lane(speed: int) -> None:
+    (trace,) = drive(f"""
+    road pass {{
+      draw with segments {{ pieces: [straight(200m), arc(300m, 60deg), arc(250m, -60deg)] }}
+      lanes: 2, width: 8m
+    }}
+    agent ego is car on pass at 10m {{ drive with pure_pursuit {{ speed: {speed}m/s }} }}
+    """, duration=70)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert ego.off_road[ego.present > 0.0].max() < 0.0
+    assert ego.progress[-1] == 1.0

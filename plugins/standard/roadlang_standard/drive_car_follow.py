@@ -25,6 +25,7 @@ class CarFollow(SlowsForBends):
     driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
+    keeps_distance: ClassVar[bool] = True
     speed: Speed = target_speed_option()
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")
     gap: Length = option(STANDING_GAP, minimum=0, help="desired gap at standstill")

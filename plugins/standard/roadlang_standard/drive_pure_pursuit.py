@@ -12,6 +12,11 @@ from .steering import pursuit, toward
 
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.geometry import Floats
+
+NEAR, FAST, LATER = 6.0, 15.0, 0.5
+"""Meters to the point that a car steers to, m/s from which on it is farther, and seconds of what
+it is faster."""
 
 
 @dataclass(frozen=True)
@@ -20,7 +25,11 @@ class PurePursuit(SlowsForBends):
 
     name: ClassVar[str] = "pure_pursuit"
     speed: Speed = target_speed_option()
-    lookahead: Length = option(6.0, above=0, maximum=200, help="lookahead distance")
+    lookahead: Length | None = option(
+        None, above=0, maximum=200,
+        help="lookahead distance; by default 6 m, and above 54 km/h 0.5 m more for each m/s",
+        example="6m",
+    )  # fmt: skip
     lookahead_time: Duration = option(
         0.0, minimum=0, maximum=10, help="adds this time multiplied by the speed to `lookahead`"
     )
@@ -32,7 +41,15 @@ class PurePursuit(SlowsForBends):
         from roadlang.api import ControlBatch
 
         seen = observations
-        steering = pursuit(seen, self.lookahead + self.lookahead_time * seen.speed)
+        steering = pursuit(seen, self._lookahead(seen) + self.lookahead_time * seen.speed)
         target = self.target_speed(seen)
         acceleration = toward(seen.speed, target, self.acceleration, self.deceleration)
         return ControlBatch(steering, acceleration)
+
+    def _lookahead(self, seen: ObservationBatch) -> Floats | float:
+        """(N,) meters. A point so near that the steering is late for it makes fast cars weave."""
+        import numpy as np
+
+        if self.lookahead is not None:
+            return self.lookahead
+        return np.asarray(NEAR + LATER * np.maximum(seen.speed - FAST, 0.0))

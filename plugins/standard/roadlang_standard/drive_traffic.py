@@ -58,7 +58,7 @@ class Traffic(Controller):
     )  # fmt: skip
 
     def initial_speed(self) -> InitialSpeed:
-        return InitialSpeed(self.speed, stops_at_junctions=True)
+        return InitialSpeed(self.speed, stops_at_junctions=True, limit_factor=self.speed_factor)
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

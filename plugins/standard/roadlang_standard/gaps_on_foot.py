@@ -18,8 +18,9 @@ ASIDE, BEHIND = 0.7, 0.5
 """Meters between a vehicle and who passes beside it or behind it, at least."""
 BEFORE = 1.2
 """Seconds between somebody who passes before a vehicle and the vehicle, at least."""
-AHEAD, NEAR = 1.0, 12.0
-"""Meters ahead in which nobody walks into the side of a vehicle, and within which one is seen."""
+AHEAD, NEAR = 1.0, 20.0
+"""Meters ahead in which nobody walks into the side of a vehicle, and within which the middle of one
+is seen, a tram too."""
 SHORTEST = 1.0
 """Meters: who walks steps over anything shorter that stands."""
 STANDS = 0.1

@@ -128,7 +128,7 @@ def _wanted_by_all(
     if speed is None:
         starts, lanes = start[:, 0].tolist(), where.lane[:, copy].tolist()
         limits = [
-            _limit(actor.on, lane, at, candidates, row) if lane else 0.0
+            wanted.limit_factor * _limit(actor.on, lane, at, candidates, row) if lane else 0.0
             for row, (lane, at) in enumerate(zip(lanes, starts, strict=True))
         ]
     else:
@@ -181,7 +181,7 @@ def _wanted(
     speed, lateral, braking = wanted.speed, wanted.lateral_acceleration, wanted.deceleration
     if speed is None:
         lane, start = int(where.lane[0, copy]), float(where.start[0, copy])
-        speed = _limit(road, lane, start, candidates)
+        speed = wanted.limit_factor * _limit(road, lane, start, candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
         stops = wanted.stops_at_junctions
@@ -215,7 +215,11 @@ def _initial_speed(call: Call, candidates: CandidateBatch) -> InitialSpeed | Non
         raise wrong_result(entry, None, f"gave the initial speed {speed}")
     lateral = _number(wanted.lateral_acceleration, "lateral accelerations", entry)
     braking = _number(wanted.deceleration, "decelerations", entry)
-    return replace(wanted, speed=speed, lateral_acceleration=lateral, deceleration=braking)
+    factor = _number(wanted.limit_factor, "factors of the speed limit", entry)
+    return replace(
+        wanted, speed=speed, lateral_acceleration=lateral, deceleration=braking,
+        limit_factor=factor,
+    )  # fmt: skip
 
 
 def _number(found: object, what: str, entry: KindEntry) -> float:

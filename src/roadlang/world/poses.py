@@ -107,11 +107,12 @@ def _lanes(
         is_agent = actor.name in copies.scenario.agents
         value = "none" if actor.is_beside_road or not is_agent else "first"
     words = [_word(item) for item in _items(value)]
-    if not isinstance(words[0], str):
+    if not any(isinstance(word, str) for word in words):
         lane = np.rint(column(value, copies)).astype(np.int64)
         return _over_the_middle(actor, copies, lane)
-    found = np.zeros(copies.count, np.int64)
-    for word in sorted(set(words) - {"none"}):
+    numbers = [0 if isinstance(word, str) else word for word in words]
+    found = np.rint(column(numbers, copies)).astype(np.int64)
+    for word in sorted({word for word in words if isinstance(word, str)} - {"none"}):
         chosen = np.broadcast_to(np.array([item == word for item in words]), (copies.count,))
         against, sides = written.facing == "back", written.side
         ids = lanes_by_word(str(actor.on), actor, copies, word, against, sides)

@@ -39,6 +39,8 @@ class InitialSpeed:
     stops_at_junctions: bool = False
     """on a route, whether it must be able to stop where the next junction begins, as for who obeys
     right of way"""
+    limit_factor: float = 1.0
+    """how many times the speed limit it wants, where it says no speed"""
 
 
 class Controller(Kind):

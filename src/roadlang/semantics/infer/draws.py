@@ -80,6 +80,12 @@ def _common_type(checker: Checker, parts: tuple[TypedExpression, ...]) -> ty.Typ
     kinds = [part.type for part in parts if isinstance(part.type, ty.KindCallType)]
     if kinds and all(part.type == kinds[0] or _is_word(part) for part in parts):
         return kinds[0]
+    numbers = tuple(part for part in parts if isinstance(part.type, ty.Quantity))
+    if numbers and all(
+        part in numbers or _is_word(part) or isinstance(part.type, ty.KindCallType)
+        for part in parts
+    ):
+        parts, first = numbers, numbers[0]  # an option that takes both, such as `lane`
     for part in parts[1:]:
         if type(part.type) is not type(first.type) or (
             isinstance(part.type, ty.KindCallType) and part.type != first.type
