@@ -88,6 +88,18 @@ def test_failures_are_distinct_further_apart_than_one_or_of_another_cause() -> N
     assert [outcome.index for outcome in distinct.found] == [0, 2, 3, 4]
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_a_failure_is_distinct_if_it_is_farther_than_one_from_all_that_are(seed: int) -> None:
+    distinct, kept = DistinctFailures(), np.empty((0, 3))
+    for index, point in enumerate(np.random.default_rng(seed).uniform(-2.0, 3.0, (60, 3))):
+        outcome = replace(failing(index, 0.0), descriptor=tuple(point.tolist()))
+        is_far = bool((np.linalg.norm(kept - point, axis=1) > 1.0).all())
+        assert distinct.add(outcome) is is_far
+        if is_far:
+            kept = np.vstack([kept, point])
+    assert 5 < len(kept) < 60
+
+
 @pytest.mark.parametrize(
     ("successes", "trials", "low", "high"),
     [(0, 0, 0.0, 1.0), (0, 100, 0.0, 0.0362), (100, 100, 0.9638, 1.0), (7, 50, 0.0582, 0.2674)],
