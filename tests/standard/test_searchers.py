@@ -161,17 +161,28 @@ def test_cma_asks_for_few_points_that_violate_a_requirement_where_it_can_screen_
     assert violated[1] > 100
 
 
+def test_cma_asks_for_few_points_that_violate_a_requirement_where_one_in_ten_satisfies_it() -> None:
+    def narrow(points: Floats) -> Floats:
+        violated = np.sin(60.0 * points[:, 0]) > -0.95
+        return np.asarray(np.where(violated, 1.5, np.abs(points - 0.8).mean(axis=1) - 0.05))
+
+    search = Cma().start(CONTINUOUS, seed=0)
+    search.screen_with(lambda points: np.where(narrow(points) >= 1.0, 1.5, 0.0))
+    _, values = searched(search, narrow, 400, batch=20)
+    assert (values[40:] >= 1.0).sum() < 30
+
+
 def test_batches_of_cma_grow_with_the_distinct_failures() -> None:
     search = Cma().start(CONTINUOUS, seed=0)
-    assert (search.batch_size(160), search.batch_size(7)) == (20, 7)
+    assert (search.batch_size(160), search.batch_size(7)) == (11, 7)
     sizes = []
     for first in range(0, 100, 20):
         points = np.random.default_rng(first).random((20, 5))
         descriptors = 10.0 * points
         search.ask(20)
         search.tell(points, np.where(np.arange(20) == 0, -1.0, 0.5), descriptors)
-        sizes.append(search.batch_size(110))
-    assert sizes == [45, 70, 95, 110, 110]
+        sizes.append(search.batch_size(32))
+    assert sizes == [17, 23, 29, 32, 32]
 
 
 def test_the_model_learns_in_which_directions_values_change() -> None:

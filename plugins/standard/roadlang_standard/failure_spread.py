@@ -17,6 +17,14 @@ if TYPE_CHECKING:
 
 _POOL, _SHORTLIST = 24, 12
 """Children made, and looked at more closely, for each that is chosen."""
+_LEAST_SHORTLIST = 1000
+"""Children looked at more closely, at least: near some failures hardly any satisfy the
+requirements."""
+_LEAST_POOL, _MANY = 16000, 60
+"""Children made, at least, until that many distinct failures are known: where failures are rare,
+few children both fail and are unlike all that is known."""
+_LEAST_AT_FIRST = 1500
+"""The same of both halves of a batch, until something fails."""
 _ROUNDS = 6
 """How often children that violate a requirement are replaced by others."""
 _ELITE, _FEWEST = 40, 10
@@ -114,11 +122,17 @@ class FailureSpread:
 
         self._model.fit()
         if self._failures:
-            return self._chosen(self._children(_POOL * count), count, 0.0)
+            return self._chosen(self._children(self._pool(count)), count, 0.0)
         close = count // 2
-        far = self._chosen(self._children(_POOL * (count - close)), count - close, _OPTIMISM)
-        children = _reflected(self._near_misses.children(_POOL * close))
+        far = self._chosen(self._children(self._pool(count - close)), count - close, _OPTIMISM)
+        children = _reflected(self._near_misses.children(self._pool(close)))
         return np.concatenate([far, self._chosen(children, close, 0.0)])
+
+    def _pool(self, count: int) -> int:
+        """How many children are made for `count` that are chosen."""
+        if not self._failures:
+            return max(_POOL * count, _LEAST_AT_FIRST)
+        return max(_POOL * count, _LEAST_POOL if len(self._distinct) < _MANY else 0)
 
     def _chosen(self, children: Floats, count: int, optimism: float) -> Floats:
         """(count, columns): of children those that should fail, unlike each other."""
@@ -133,21 +147,23 @@ class FailureSpread:
             known = np.column_stack([self._model.described(failures), self._choices(failures)])
             nearest = squares_apart(descriptors, known).min(axis=1)
             unlike = _UNLIKE
-        best = np.argsort(values + _loss(nearest, unlike), kind="stable")[: _SHORTLIST * count]
+        most = max(_SHORTLIST * count, _LEAST_SHORTLIST)
+        best = np.argsort(values + _loss(nearest, unlike), kind="stable")[:most]
         shortlist = _Shortlist(values[best], descriptors[best], nearest[best], unlike)
         return children[best[self._valid(children[best], shortlist, count)]]
 
     def _valid(self, children: Floats, shortlist: _Shortlist, count: int) -> list[int]:
         """The rows of `count` children that satisfy the requirements, as far as some rounds find
-        as many, and others."""
+        as many, and others; fewer where none are left."""
         chosen: list[int] = []
-        for _ in range(_ROUNDS):
-            rows = shortlist.take(count - len(chosen))
+        for number in range(_ROUNDS):
+            lack = count - len(chosen)
+            rows = shortlist.take(lack << number)  # more, the fewer hold
             is_valid = self._screen(children[rows]) < 1.0
             valid = [row for row, holds in zip(rows, is_valid.tolist(), strict=True) if holds]
-            shortlist.keep_apart(valid)
-            chosen += valid
-            if len(chosen) == count:
+            shortlist.keep_apart(valid[:lack])
+            chosen += valid[:lack]
+            if len(chosen) == count or not rows:
                 return chosen
         return chosen + shortlist.take(count - len(chosen))
 
@@ -165,7 +181,9 @@ class FailureSpread:
         import numpy as np
 
         random = self._random
-        parents = np.stack([*self._distinct, *self._elite])
+        # The first failures have as many children as all that nearly failed.
+        times = max(1, len(self._elite) // max(1, len(self._distinct)))
+        parents = np.stack([*(self._distinct * times), *self._elite])
         child = parents[random.integers(len(parents), size=count)]
         other = parents[random.integers(len(parents), size=count)]
         choice = random.random((count, 1))
@@ -183,14 +201,13 @@ class FailureSpread:
 
         random, failures = self._random, np.stack(self._failures)
         base = np.stack(self._distinct if len(self._distinct) >= _FEWEST else self._failures)
-        base = base[random.integers(len(base), size=count)]
         near = np.argsort(squares_apart(base, failures), axis=1, kind="stable")[:, :_NEIGHBORS]
-        rows = np.arange(count)
+        rows = random.integers(len(base), size=count)
         first, second = (
             failures[near[rows, random.integers(near.shape[1], size=count)]] for _ in range(2)
         )
-        moved = base + _MOST_DIFFERENCE * random.random((count, 1)) * (first - second)
-        noise = _NOISE * random.random((count, 1)) * random.standard_normal(base.shape)
+        moved = base[rows] + _MOST_DIFFERENCE * random.random((count, 1)) * (first - second)
+        noise = _NOISE * random.random((count, 1)) * random.standard_normal(moved.shape)
         return np.asarray(moved + noise)
 
 

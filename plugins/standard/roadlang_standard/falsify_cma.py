@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 
-_FIRST_BATCH, _GROWTH = 20, 25
+_FIRST_BATCH, _GROWTH = 11, 6
 """Candidates in the first batches, and how many more for each distinct failure that is known."""
 _SMALLEST = 6
 """Points in a generation, at least."""
