@@ -244,6 +244,7 @@ class Code:
     NO_ROOM: Final = "RL616"
     FAR_FROM_LANES: Final = "RL617"
     NO_ROUTE: Final = "RL618"
+    BEND_TOO_TIGHT: Final = "RL619"
     NO_AGENTS: Final = "RL700"
     SIGNAL_NOT_RECORDED: Final = "RL701"
     OTHER_JOURNAL: Final = "RL702"

@@ -31,6 +31,7 @@ from ..world.copies import is_group
 from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, scene_actors
+from .bend_warnings import bend_warnings
 from .network_warnings import network_warnings
 from .roads import scene_networks, scene_roads
 from .scene_rows import SceneRows
@@ -73,9 +74,10 @@ def concrete_scenes(
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
     warned = network_warnings(source.networks, candidates) + road_window_warnings(candidates)
     scenes = _finished(members, rows)
+    bends = [bend_warnings(source.agents, scene.agents, scene.roads) for scene in scenes]
     return [
-        ConcreteScene(scene, tuple(found), warned)
-        for scene, found in zip(scenes, remarks, strict=True)
+        ConcreteScene(scene, tuple(found), warned + tight)
+        for scene, found, tight in zip(scenes, remarks, bends, strict=True)
     ]
 
 

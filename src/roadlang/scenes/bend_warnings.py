@@ -1,0 +1,102 @@
+"""Warnings of agents that cannot stay in their lanes in the bends of their roads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from types import SimpleNamespace
+
+import numpy as np
+
+from ..diagnostics import Code, Diagnostic, diagnose
+from ..geometry.arrays import Floats
+from ..ir.scenario import ScenarioActor
+from ..ir.scene_actor import SceneActor
+from ..ir.scene_road import SceneRoad
+from ..world.turning import sharpest_turn
+
+_SPACING = 0.5
+"""Meters between two points of a lane."""
+_OVER = (3.0, 6.0, 12.0)
+"""Meters over which bends are averaged."""
+_TIGHTEST_TURN = 2.8
+"""Radians of a bend, at most: who drives round farther needs no more room."""
+_BESIDE = 0.1
+"""Meters by which an agent may leave its lane."""
+
+
+def bend_warnings(
+    declared: Sequence[ScenarioActor], agents: Sequence[SceneActor], roads: Sequence[SceneRoad]
+) -> tuple[Diagnostic, ...]:
+    """RL619, once for each road and each kind of agent in a group."""
+    by_name = {road.name: road for road in roads if not road.along}
+    spans = {actor.name: actor.span for actor in declared}
+    found: dict[tuple[str, str, str], Diagnostic] = {}
+    for agent in agents:
+        limit = sharpest_turn(SimpleNamespace(**agent.options)) if agent.drive else np.inf
+        if not np.isfinite(limit):
+            continue
+        for road, lane, low, high in _driven(agent, by_name):
+            key = agent.group, agent.kind, road.name
+            if key not in found and _is_too_tight(road, lane, (low, high), limit, agent.width):
+                found[key] = diagnose(
+                    Code.BEND_TOO_TIGHT,
+                    spans.get(agent.group),
+                    name=agent.group,
+                    kind=agent.kind,
+                    road=road.name,
+                    radius=f"{1.0 / limit:.1f}m",
+                )
+    return tuple(found.values())
+
+
+def _driven(
+    agent: SceneActor, roads: Mapping[str, SceneRoad]
+) -> Iterator[tuple[SceneRoad, int, float, float]]:
+    """Roads and lanes that an agent may drive, and between which arc lengths."""
+    if agent.route is not None:
+        for step in agent.route.steps:
+            low, high = sorted((step.start, step.stop))
+            yield roads[step.road], step.lane, low, high
+        return
+    road = roads.get(agent.road or "")
+    if road is not None and agent.lane and agent.start is not None:
+        backward = agent.facing == "back"
+        low = 0.0 if backward or road.closed else agent.start
+        yield road, agent.lane, low, agent.start if backward and not road.closed else road.length
+
+
+def _is_too_tight(
+    road: SceneRoad, lane: int, part: tuple[float, float], limit: float, width: float
+) -> bool:
+    """Whether who can steer bends of up to `limit`, 1/m, has to leave a lane somewhere on it."""
+    bend = float(np.abs(road.curvature).max())
+    if bend / max(1.0 - bend * float(np.max(road.width)), 1e-3) <= limit:
+        return False
+    section = road.cross_section()
+    if lane not in section.ids:
+        return False
+    s = np.asarray(road.stations)
+    offset, heading = section.offset(lane, s), np.unwrap(road.heading)
+    x, y = road.x - np.sin(heading) * offset, road.y + np.cos(heading) * offset
+    there = (s >= part[0]) & (s <= part[1])
+    if not there.any():
+        return False
+    room = 0.5 * (float(section.lane_width(lane, s[there]).max()) - width)
+    return _aside(x[there], y[there], heading[there], 1.0 / limit) > max(room, 0.0) + _BESIDE
+
+
+def _aside(x: Floats, y: Floats, heading: Floats, least: float) -> float:
+    """Meters to the inside of a line that who needs the radius `least` has to cut its bends.
+
+    A bend of radius `r` by the angle `a` lies within an arc of a greater radius `R` that begins
+    before it and ends after it, which is `(R - r) (1 / cos(a / 2) - 1)` inside of its middle.
+    """
+    gone = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
+    along = np.interp(np.arange(0.0, gone[-1], _SPACING), gone, heading)
+    most = 0.0
+    for over in _OVER:
+        steps = round(over / _SPACING)
+        angle = float(np.abs(along[steps:] - along[:-steps]).max(initial=0.0))
+        spare = least - over / max(angle, 1e-9)
+        most = max(most, spare * (1.0 / np.cos(0.5 * min(angle, _TIGHTEST_TURN)) - 1.0))
+    return most

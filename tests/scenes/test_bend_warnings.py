@@ -1,0 +1,41 @@
+"""RL619: who cannot stay in a lane because the road bends too much."""
+
+from __future__ import annotations
+
+import pytest
+
+import roadlang
+
+ROAD = """road main {
+  draw with segments { pieces: [straight(40m), arc(%sm, 170deg), straight(40m)] }, lanes: 2
+}
+"""
+CAR = "agent cars is %s on main at %s { drive with car_follow }\n"
+
+
+def warned(text: str, count: int = 1) -> list[str]:
+    found = roadlang.loads(text).sample(count).result.warnings
+    return [item.code for item in found if item.code == "RL619"]
+
+
+@pytest.mark.parametrize(
+    ("radius", "kind", "at", "times"),
+    [
+        ("4", "bus", "10m", 1),
+        ("4", "bicycle", "10m", 0),
+        ("4", "car", "10m", 0),  # in the right lane the bend to the left is wider
+        ("20", "bus", "10m", 0),
+        ("4", "bus", "80m", 0),  # the bend is behind it
+    ],
+)
+def test_who_is_too_long_for_a_bend_is_named(radius: str, kind: str, at: str, times: int) -> None:
+    assert warned(ROAD % radius + CAR % (kind, at)) == times * ["RL619"]
+
+
+def test_all_scenes_and_copies_give_one_warning() -> None:
+    row = "{ count: 2, spacing: -14m..-13m, drive with car_follow }"
+    assert warned(ROAD % "4" + f"agent cars is bus on main at 36m {row}\n", 3) == ["RL619"]
+
+
+def test_who_stands_is_not_named() -> None:
+    assert warned(ROAD % "4" + "agent cars is bus on main at 10m\n") == []
