@@ -8,6 +8,7 @@ from xml.etree.ElementTree import Element, fromstring
 
 import numpy as np
 import pytest
+from shapely import Polygon
 
 from roadlang import testing
 from roadlang.ir.scene import Scene
@@ -216,3 +217,14 @@ def test_who_is_gone_after_the_first_sample_stays_where_it_was() -> None:
     (state,) = after.iterfind("dynamicObstacle/trajectory/state")
     assert float(state.findtext("position/point/x", "")) == pytest.approx(lead.x[0], abs=1e-5)
     assert lead.x[1] - lead.x[0] > 0.5
+
+
+def test_no_lanelet_of_a_road_that_crosses_itself_lies_on_itself() -> None:
+    curl = "pieces: [straight(40m), arc(12m, 270deg), straight(40m)]"
+    root = read(scene_of(f"road curl {{ draw with segments {{ {curl} }}, lanes: 2 }}"))
+    lanelets = list(root.iterfind("lanelet"))
+    for lanelet in lanelets:
+        outline = Polygon(bound(lanelet, "leftBound") + bound(lanelet, "rightBound")[::-1])
+        assert outline.is_valid
+    assert len(lanelets) == 4
+    assert sum(len(refs(lanelet, "successor")) for lanelet in lanelets) == 2

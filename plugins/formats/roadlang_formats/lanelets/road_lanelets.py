@@ -3,6 +3,7 @@ limit changes."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -19,6 +20,9 @@ _GONE = 0.02
 """Meters of width at which a lane has none."""
 _LOOP_PARTS = 3
 """Of a loop, because a lanelet must not lead into itself."""
+_MOST_TURN = math.radians(150.0)
+"""Of the direction of a lanelet whose road crosses itself: it must not lie on itself, because
+others ask which places are inside of its outline."""
 
 
 @dataclass
@@ -81,11 +85,39 @@ def _parts(surface: RoadSurface, borders: Floats) -> list[tuple[int, int, tuple[
     if is_loop(surface.road):
         even = [round(len(spans) * k / _LOOP_PARTS) for k in range(1, _LOOP_PARTS)]
         cuts = sorted({*cuts, *even})
+    cuts = sorted({*cuts, *_untangled(borders, cuts)})
     return [
         (first, last, tuple(bool(is_wide) for is_wide in spans[first]))
         for first, last in pairwise(cuts)
         if last > first
     ]
+
+
+def _untangled(borders: Floats, cuts: Sequence[int]) -> list[int]:
+    """Further cuts, in parts that cross themselves: each may do so only if it turns far enough."""
+    found = []
+    for first, last in pairwise(cuts):
+        lines = borders[:, first : last + 1, :2]
+        outline = np.vstack((lines[0], lines[-1, ::-1]))
+        middle = np.diff(lines.mean(axis=0), axis=0)
+        turned = np.unwrap(np.arctan2(middle[:, 1], middle[:, 0]))
+        if np.ptp(turned) <= _MOST_TURN or not _crosses_itself(outline):
+            continue
+        begin = 0
+        for place in range(1, len(turned)):
+            if np.ptp(turned[begin : place + 1]) > _MOST_TURN:
+                found.append(first + place)
+                begin = place
+    return found
+
+
+def _crosses_itself(ring: Floats) -> bool:
+    """Whether two sides of a ring (n, 2) cross: each has its ends on both sides of the other."""
+    ahead = np.roll(ring, -1, axis=0) - ring
+    x, y = (ring[None, :, k] - ring[:, None, k] for k in (0, 1))
+    begins = ahead[:, None, 0] * y - ahead[:, None, 1] * x
+    parted = begins * np.roll(begins, -1, axis=1) < 0.0
+    return bool((parted & parted.T).any())
 
 
 def _limit(surface: RoadSurface, first: int, last: int) -> float | None:
