@@ -14,6 +14,7 @@ from tests.formats.opendrive_reader import ReadFile, number
 from tests.formats.read_maps import sampled, turns_of
 from tests.formats.small_maps import (
     TWO_WAY,
+    crossing,
     lane,
     link,
     linked,
@@ -108,3 +109,21 @@ def test_the_pieces_of_a_map_come_out_as_they_went_in(tmp_path: Path) -> None:
     written = found.roads[1].pieces()
     assert [item[0].tag for item in written] == ["line", "arc", "arc", "line"]
     assert [number(item, "length") for item in written] == pytest.approx(lengths, abs=1e-4)
+
+
+def test_connecting_roads_have_the_speed_limits_of_the_lanes_that_they_lead_to(
+    tmp_path: Path,
+) -> None:
+    limit = '<speed sOffset="0" max="8" unit="m/s"/>'
+    text = crossing().replace("</lane></right>", f"{limit}</lane></right>")
+    scene = sampled(tmp_path, text)
+    root = ReadFile.of(OpenDriveBackend().files(scene)["xodr"]).root
+    speeds = [
+        speed.attrib["max"]
+        for road in root.iterfind("road")
+        if road.attrib["junction"] != "-1" and road.find(".//lane[@type='driving']") is not None
+        for speed in road.iterfind("type/speed")
+    ]
+    into_limited = sum(target_lane == -1 for *_, target_lane in turns_of(scene))
+    assert speeds == ["8"] * into_limited
+    assert 0 < into_limited < len(turns_of(scene))
