@@ -61,7 +61,7 @@ def test_what_is_asked_about_is_handed_on_and_answered_as_a_column() -> None:
 def test_neighbors_of_one_agent_are_the_same_as_columns() -> None:
     words = [("lead", "car"), ("bike", "bicycle"), ("late", "van")]
     seen = [
-        Neighbor(*pair, *(10.0 * k + n for n in range(10)), walks=k == 1)
+        replace(Neighbor(*pair, *(10.0 * k + n for n in range(10))), walks=k == 1)
         for k, pair in enumerate(words)
     ]
     together = Neighbors.of_single(tuple(seen))
