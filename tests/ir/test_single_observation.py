@@ -60,10 +60,11 @@ def test_what_is_asked_about_is_handed_on_and_answered_as_a_column() -> None:
 
 def test_neighbors_of_one_agent_are_the_same_as_columns() -> None:
     words = [("lead", "car"), ("bike", "bicycle"), ("late", "van")]
-    seen = [
-        replace(Neighbor(*pair, *(10.0 * k + n for n in range(10))), walks=k == 1)
-        for k, pair in enumerate(words)
-    ]
+    seen = []
+    for k, (name, kind) in enumerate(words):
+        x = 10.0 * k
+        place = (x, x + 1, x + 2, x + 3, x + 4, x + 5, x + 6, x + 7, x + 8, x + 9)
+        seen.append(Neighbor(name, kind, *place, walks=k == 1))
     together = Neighbors.of_single(tuple(seen))
     assert together.single(0) == tuple(seen)
     assert together.name.tolist() == [["lead", "bike", "late"]]
