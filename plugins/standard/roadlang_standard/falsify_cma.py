@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 _FIRST_BATCH, _GROWTH = 11, 6
 """Candidates in the first batches, and how many more for each distinct failure that is known."""
+_SHARE = 1 / 30
+"""Of all candidates so far, the part that a batch has at least: where failures are rare, a search
+does not consist of very many small batches."""
 _SMALLEST = 6
 """Points in a generation, at least."""
 _ROUNDS = 6
@@ -80,13 +83,15 @@ class CmaSearch(Search):
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
+        self._told = 0
         self._pending: list[tuple[_Run | FailureSpread, Floats]] = []
 
     def screen_with(self, screen: Callable[[Floats], Floats]) -> None:
         self._screen = screen
 
     def batch_size(self, most: int) -> int:
-        return min(most, _FIRST_BATCH + _GROWTH * len(self._spread))
+        known = _FIRST_BATCH + _GROWTH * len(self._spread)
+        return min(most, max(known, round(_SHARE * self._told)))
 
     def ask(self, count: int) -> Floats:
         import numpy as np
@@ -114,6 +119,7 @@ class CmaSearch(Search):
 
     def tell(self, points: Floats, values: Floats, descriptors: Floats) -> None:
         first = 0
+        self._told += len(values)
         for source, vectors in self._pending:
             part = slice(first, first + len(vectors))
             first = part.stop
