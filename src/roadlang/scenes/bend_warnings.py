@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from types import SimpleNamespace
 
 import numpy as np
 
-from ..diagnostics import Code, Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioActor
+from ..ir.scene import Scene
 from ..ir.scene_actor import SceneActor
 from ..ir.scene_road import SceneRoad
 from ..world.turning import sharpest_turn
 
+_SIZES = ("length", "width", "wheelbase", "max_steering")
 _SPACING = 0.5
 """Meters between two points of a lane."""
 _OVER = (3.0, 6.0, 12.0)
@@ -25,20 +28,34 @@ _BESIDE = 0.1
 
 
 def bend_warnings(
-    declared: Sequence[ScenarioActor], agents: Sequence[SceneActor], roads: Sequence[SceneRoad]
-) -> tuple[Diagnostic, ...]:
-    """RL619, once for each road and each kind of agent in a group."""
-    by_name = {road.name: road for road in roads if not road.along}
+    declared: Sequence[ScenarioActor], scenes: Sequence[Scene]
+) -> list[tuple[Diagnostic, ...]]:
+    """RL619 for each of some scenes, once for each road and each kind of agent in a group."""
     spans = {actor.name: actor.span for actor in declared}
-    found: dict[tuple[str, str, str], Diagnostic] = {}
-    for agent in agents:
-        limit = sharpest_turn(SimpleNamespace(**agent.options)) if agent.drive else np.inf
-        if not np.isfinite(limit):
+    tightest: dict[tuple[int, int], float] = {}
+    return [tuple(_found(spans, scene, tightest)) for scene in scenes]
+
+
+def _found(
+    spans: Mapping[str, Span | None], scene: Scene, tightest: dict[tuple[int, int], float]
+) -> Iterator[Diagnostic]:
+    """`tightest`: what is known of roads, which many scenes may share, by the identity of their
+    curvatures and widths."""
+    roads = {road.name: road for road in scene.roads if not road.along}
+    known: set[tuple[str, str, str]] = set()
+    for agent in scene.agents:
+        if not agent.drive:
             continue
-        for road, lane, low, high in _driven(agent, by_name):
+        limit = _sharpest_turn(*map(agent.options.get, _SIZES))
+        for road, lane, low, high in _driven(agent, roads):
+            if (place := (id(road.curvature), id(road.width))) not in tightest:
+                tightest[place] = _tightest(road)
             key = agent.group, agent.kind, road.name
-            if key not in found and _is_too_tight(road, lane, (low, high), limit, agent.width):
-                found[key] = diagnose(
+            if tightest[place] <= limit or key in known:
+                continue
+            if _is_too_tight(road, lane, (low, high), limit, agent.width):
+                known.add(key)
+                yield diagnose(
                     Code.BEND_TOO_TIGHT,
                     spans.get(agent.group),
                     name=agent.group,
@@ -46,7 +63,17 @@ def bend_warnings(
                     road=road.name,
                     radius=f"{1.0 / limit:.1f}m",
                 )
-    return tuple(found.values())
+
+
+@lru_cache(maxsize=256)
+def _sharpest_turn(*sizes: object) -> float:
+    return sharpest_turn(SimpleNamespace(**dict(zip(_SIZES, sizes, strict=True))))
+
+
+def _tightest(road: SceneRoad) -> float:
+    """1/m: no line beside the center line of a road bends more, as far as the road is wide."""
+    bend = max(max(road.curvature), -min(road.curvature))
+    return bend / max(1.0 - bend * max(road.width), 1e-3)
 
 
 def _driven(
@@ -69,9 +96,6 @@ def _is_too_tight(
     road: SceneRoad, lane: int, part: tuple[float, float], limit: float, width: float
 ) -> bool:
     """Whether who can steer bends of up to `limit`, 1/m, has to leave a lane somewhere on it."""
-    bend = float(np.abs(road.curvature).max())
-    if bend / max(1.0 - bend * float(np.max(road.width)), 1e-3) <= limit:
-        return False
     section = road.cross_section()
     if lane not in section.ids:
         return False

@@ -74,7 +74,7 @@ def concrete_scenes(
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
     warned = network_warnings(source.networks, candidates) + road_window_warnings(candidates)
     scenes = _finished(members, rows)
-    bends = [bend_warnings(source.agents, scene.agents, scene.roads) for scene in scenes]
+    bends = bend_warnings(source.agents, scenes)
     return [
         ConcreteScene(scene, tuple(found), warned + tight)
         for scene, found, tight in zip(scenes, remarks, bends, strict=True)
