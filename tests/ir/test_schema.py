@@ -110,7 +110,9 @@ def test_limits_of_options_are_those_of_json_schema() -> None:
     speed, nothing = pursuit["speed"]["anyOf"]
     assert (speed["minimum"], speed["maximum"]) == (0, 120)
     assert nothing == {"type": "null"}
-    assert pursuit["lookahead"]["exclusiveMinimum"] == 0
+    lookahead, nothing = pursuit["lookahead"]["anyOf"]
+    assert lookahead["exclusiveMinimum"] == 0
+    assert nothing == {"type": "null"}
 
 
 def test_files_words_and_names_are_strings_of_json() -> None:
