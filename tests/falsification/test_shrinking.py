@@ -23,6 +23,8 @@ def test_a_failure_shrinks_to_one_that_still_fails(search: Falsification) -> Non
     assert sum(plain) > 3
     assert simple.outcome.violated == failure.outcome.violated
     assert simple.drive.verdicts["in_lane"].satisfied is False
+    assert simple.drive.verdicts["in_lane"].robustness == simple.robustness["in_lane"]
+    assert simple.robustness != failure.robustness
     assert simple.shrink().outcome == simple.outcome
     assert failure.drive.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
 

@@ -145,6 +145,25 @@ def test_contents_that_the_disk_did_not_take_are_reported(
     assert not names_in(tmp_path)
 
 
+@pytest.mark.parametrize(("count", "result", "alone"), [(100, 0, 0), (100, None, 101), (2, 0, 3)])
+def test_many_files_are_made_safe_together_where_the_system_can(
+    tmp_path: Path, count: int, result: int | None, alone: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    synced: list[int] = []
+    original = os.fsync
+
+    def note(handle: int) -> None:
+        synced.append(stat.S_ISREG(os.fstat(handle).st_mode))
+        original(handle)
+
+    monkeypatch.setattr(os, "fsync", note)
+    call = None if result is None else lambda handle: result
+    monkeypatch.setattr(transaction, "_syncfs", lambda: call)
+    fill(tmp_path / "out", *map(str, range(count)))
+    assert len(names_in(tmp_path / "out")) == count + 1
+    assert sum(synced) == alone
+
+
 def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "out").write_text("mine")
     with pytest.raises(DiagnosticError) as refused:

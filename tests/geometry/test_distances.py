@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from roadlang.geometry import (
     CurveBatch,
+    CurveFrame,
     GeometryError,
     clearance,
     crossings,
@@ -267,3 +268,14 @@ def test_a_norm_does_not_depend_on_the_rows_beside_it() -> None:
     together = lp_norm(values, weights, 2.0)
     alone = [lp_norm(row[None, :], weights, 2.0)[0] for row in values]
     assert together.tolist() == alone
+
+
+def test_displacements_are_compared_number_by_number_along_the_same_frame_only() -> None:
+    base = line(length=30.0)
+    stations = np.linspace(0.0, 30.0, 16)
+    frame = CurveFrame.of(base, stations)
+    assert frame.same_as(frame)
+    assert frame.same_as(CurveFrame.of(base, stations.copy()))
+    assert not frame.same_as(CurveFrame.of(base, stations[:-1]))
+    assert not frame.same_as(CurveFrame.of(base, stations**2 / 30.0))
+    assert not frame.same_as(CurveFrame.of(line(length=30.0), stations))

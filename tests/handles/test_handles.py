@@ -88,6 +88,8 @@ def test_things_are_where_they_were_dropped() -> None:
     text = f"{ORIGINS['waypoints']}\n{THINGS}"
     scene = scene_of(text).record
     by_name = {handle.name: handle for handle in handles(text)}
+    sorts = {name: by_name[name].sort for name in ("van", "tree", "ego")}
+    assert sorts == {"van": "object", "tree": "object", "ego": "agent"}
     for name, to in (("van", (33.0, 21.5)), ("tree", (70.0, 12.0)), ("ego", (40.0, 9.0))):
         moved = dragged(text, scene, by_name[name], to, "nudges")
         assert moved is not None

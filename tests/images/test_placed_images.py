@@ -150,13 +150,19 @@ def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:
     assert away(place_of_spot(opened(path)), (46.951083, 7.438632)) < 1.0
 
 
-@pytest.mark.parametrize(("corner", "warns"), [(691_000.0, True), (0.0, False)])
+@pytest.mark.parametrize(
+    ("x", "y", "warns"),
+    [
+        (691_000.0, 691_000.0, True), (0.0, 0.0, False), (0.0, 10_001.0, True),
+        (-10_001.0, 0.0, True), (10_000.25, 0.0, False), (0.0, -10_000.25, False),
+    ],
+)  # fmt: skip
 def test_a_world_file_in_meters_alone_is_no_place(
-    tmp_path: Path, corner: float, warns: bool
+    tmp_path: Path, x: float, y: float, warns: bool
 ) -> None:
-    """That of a plan which is in no grid is there for its scale."""
+    """That of a plan which is in no grid is there for its scale: up to 10 km from (0, 0)."""
     cv2.imwrite(str(tmp_path / "town.png"), shown())
-    (tmp_path / "town.pgw").write_text(f"0.5\n0\n0\n-0.5\n{corner}\n{corner}\n")
+    (tmp_path / "town.pgw").write_text(f"0.5\n0\n0\n-0.5\n{x}\n{y}\n")
     found = opened(tmp_path / "town.png")
     assert found.scale == 0.5
     assert found.shown.origin is None

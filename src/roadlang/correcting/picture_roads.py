@@ -45,7 +45,7 @@ class PictureRoads:
     def of(cls, path: Path, image: Path) -> PictureRoads:
         """Those of the first network of a scene file that is extracted from this picture.
 
-        Raises DiagnosticError for what is wrong with the file, RL435 where there is no such
+        Raises DiagnosticError for what is wrong with the file, RL440 where there is no such
         network, and RL229 where it is another in every scene.
         """
         text = read_scene_file(str(path))

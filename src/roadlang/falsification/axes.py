@@ -29,8 +29,8 @@ def axes_of(scenario: IndexedScenario, seed: int) -> tuple[Axis, ...]:
     names: dict[str, None] = {}
     for attempt in range(_LOOKED_AT):
         record = DrawRecord()
-        zero = np.zeros(1, np.int64)
-        candidate = CandidateBatch(scenario, seed, zero, zero + attempt, None, record)
+        scenes, attempts = np.zeros(1, np.int64), np.array([attempt])
+        candidate = CandidateBatch(scenario, seed, scenes, attempts, None, record)
         try:
             driven_scene(candidate, 0, {})
         except DiagnosticError:  # no scene that is accepted has this fault

@@ -22,7 +22,7 @@ from ..syntax.scene_edits import (
 )
 from ..syntax.text_edits import Place, declared, place_of
 from ..syntax.tree.nodes import Actor, Geometry
-from .handle import Handle
+from .handle import Handle, Sort
 from .networks import network_dragged, network_handles, network_restored
 
 SPACING = 30.0
@@ -148,10 +148,12 @@ def _place_handles(text: str, road: SceneRoad) -> Iterator[Handle]:
 
 
 def _of_things(text: str, scene: Scene) -> Iterator[Handle]:
-    for sort, actors in (("object", scene.objects), ("agent", scene.agents)):
+    sorts: tuple[tuple[Sort, tuple[SceneActor, ...]], ...]
+    sorts = ("object", scene.objects), ("agent", scene.agents)
+    for sort, actors in sorts:
         for actor in actors:
             if actor.name == actor.group and _can_be_moved(text, scene, actor):
-                yield Handle("agent" if sort == "agent" else "object", actor.name, actor.x, actor.y)
+                yield Handle(sort, actor.name, actor.x, actor.y)
 
 
 def _can_be_moved(text: str, scene: Scene, actor: SceneActor) -> bool:

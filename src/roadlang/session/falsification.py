@@ -103,7 +103,7 @@ class Failure:
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
         for place, found in enumerate(self._search.failures):
-            if found.outcome.index == self.outcome.index and found.outcome == self.outcome:
+            if found.outcome == self.outcome:
                 return self._search.failure_drives[place]
         return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 

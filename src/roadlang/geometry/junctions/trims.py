@@ -198,7 +198,8 @@ def _lies_on(arm: ArmLine, other: ArmLine) -> bool:
     if arm.node == other.node or arm.length > arm.s[-1] or turned < _ALIKE:
         return False
     gap = _gap(arm.points, other, other.left + 0.0)[0] - np.minimum(arm.left, arm.right)
-    return bool((gap[arm.s > _PARALLEL_TRIM] < 0.0).all() and arm.s[-1] > _PARALLEL_TRIM)
+    away = arm.s > _PARALLEL_TRIM
+    return bool(away.any() and (gap[away] < 0.0).all())
 
 
 def _first_clear(arm: ArmLine, other: ArmLine, strict: Floats, gap: Floats) -> float:
