@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -12,7 +12,8 @@ from roadlang.geometry.arrays import Floats
 from roadlang.ir.scene import SceneRoad
 from roadlang.simulation.kept_in_lane import kept_in_lane
 from roadlang.simulation.leaning import LONG
-from roadlang.simulation.route_lines import route_line
+from roadlang.simulation.lines import LineSource
+from roadlang.simulation.route_lines import LineLeg, RouteLine, route_line
 
 CORNER = '''
 image plan from """
@@ -73,3 +74,25 @@ def test_lines_stay_where_lanes_are_wide_and_for_long_vehicles() -> None:
         line = route_line(agent.route, scene, {road.name: i for i, road in enumerate(scene.roads)})
         assert (kept_in_lane(line, agent) is line) == stays
         assert (agent.length > LONG) == (kind == "bus")
+
+
+def test_before_a_bend_to_the_other_side_a_car_keeps_in_the_lane_that_it_leaves() -> None:
+    """Out of a roundabout: left round its ring, then right into the exit, which is a junction."""
+    scene = testing.sample(CORNER.format(kind="van", width=6.2, route=THERE), 1)[0].record
+    (van,) = scene.agents
+    ring, exit_ = 30.0, 8.0
+    s = np.arange(0.0, ring + exit_ + 20.0, 0.25)
+    bend = np.where(s < ring, 1.0 / 18.0, np.where(s < ring + exit_, -1.0 / 5.6, 0.0))
+    heading = np.cumsum(bend) * 0.25
+    x, y = np.cumsum(np.cos(heading)) * 0.25, np.cumsum(np.sin(heading)) * 0.25
+    source = LineSource(s, x, y, heading, 3.2)
+    legs = [
+        LineLeg(0, 0, lane, begin, s[:2], s[:2], 10.0, turn)
+        for lane, begin, turn in ((-1, 0.0, None), (0, ring, cast(Any, "a junction")))
+    ]
+    moved = kept_in_lane(RouteLine(source, tuple(legs)), van).source
+    left = np.cos(heading) * (moved.y - y) - np.sin(heading) * (moved.x - x)
+    room = 1.6 - 1.49  # half of the lane, and what the van covers to its right in the ring
+    assert left[s < ring - 2.0].min() > -room
+    assert left[s < ring - 10.0].max() > 0.05
+    assert left[(s > ring + 1.0) & (s < ring + exit_)].max() < -0.1

@@ -4,13 +4,13 @@ A vehicle of length `l` and width `w` whose middle follows a circle of radius `r
 along it at its rear axle, `b` meters back, is turned outward by `a = b / r`. Its outer front corner
 reaches `hypot(l/2 cos a - w/2 sin a, r + l/2 sin a + w/2 cos a) - r` outside of the circle, and its
 inner side `r (1 - cos a) + w/2` inside. Where that is more than half of the lane outside, its line
-is moved to the inside: by what is missing, or until it has as much room on both sides.
+is moved to the inside: by what is missing, or until it has as much room on both sides. A lane that
+bends the other way just before or after sets a limit to that.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Literal
 
 import numpy as np
 
@@ -24,6 +24,8 @@ SPARE = 0.2
 """Meters that remain to the border of the lane: in bends vehicles are not quite on their lines."""
 EASED = 5.0
 """Meters before and after a bend in which a line is moved, and comes back."""
+EASED_LIMIT = 1.0
+"""Meters before and after a place where there is less room, in which a line keeps to that."""
 
 
 def kept_in_lane(line: RouteLine, actor: SceneActor) -> RouteLine:
@@ -45,6 +47,13 @@ def kept_in_lane(line: RouteLine, actor: SceneActor) -> RouteLine:
     if not needed.any():
         return line
     left = _eased(np.sign(bend) * needed, source.closed)
+    is_lane = _on_lanes(line, even, 0.0)
+    for side in (1.0, -1.0):
+        is_inside = side * bend > 0.0
+        most = np.maximum(room - np.where(is_inside, inside, outside), needed * is_inside)
+        most = _around(np.where(is_lane, most, math.inf), EASED_LIMIT, source.closed).min(axis=1)
+        left = side * np.minimum(side * left, most)
+    left = _around(left, EASED_LIMIT, source.closed).mean(axis=1)
     return moved_line(line, np.interp(source.s, even, left))
 
 
@@ -69,12 +78,17 @@ def _on_lanes(line: RouteLine, s: Floats, around: float) -> Booleans:
 
 def _eased(wanted: Floats, closed: bool) -> Floats:
     """What is to each side at least as far as wanted, and changes within about 2 `EASED`."""
-    count = min(round(EASED / SPACING), (len(wanted) - 1) // 2)
-    mode: Literal["wrap", "edge"] = "wrap" if closed else "edge"
     out = np.zeros_like(wanted)
     for side in (1.0, -1.0):
-        wide = np.pad(np.maximum(side * wanted, 0.0), count, mode=mode)
-        far = np.lib.stride_tricks.sliding_window_view(wide, 2 * count + 1).max(axis=1)
-        box = np.full(count + 1, 1.0 / (count + 1))
-        out += side * np.convolve(np.pad(far, count, mode=mode), np.convolve(box, box), "valid")
+        far = _around(np.maximum(side * wanted, 0.0), EASED, closed).max(axis=1)
+        for _ in range(2):
+            far = _around(far, 0.5 * EASED, closed).mean(axis=1)
+        out += side * far
     return out
+
+
+def _around(values: Floats, meters: float, closed: bool) -> Floats:
+    """(n, m) what is within so many meters of each place."""
+    count = min(round(meters / SPACING), (len(values) - 1) // 2)
+    wide = np.pad(values, count, mode="wrap" if closed else "edge")
+    return np.lib.stride_tricks.sliding_window_view(wide, 2 * count + 1)
