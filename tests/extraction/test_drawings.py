@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.contour import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.picture_kind import picture_kind
+from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
 from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
 
 

@@ -12,8 +12,8 @@ from roadlang_standard.extract_aerial import Aerial
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extraction.aerial import Cutoffs, Request
-from roadlang_standard.extraction.contour import ContourSteps
 from roadlang_standard.extraction.found_network import FoundNetwork
+from roadlang_standard.extraction.thresholding import ContourSteps
 
 NOISE = np.random.default_rng(1).integers(0, 255, (90, 120, 3), dtype=np.uint8)
 PHOTO = Picture(NOISE, 0.5)
@@ -32,7 +32,7 @@ def requests(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
         return EMPTY
 
     monkeypatch.setattr("roadlang_standard.extraction.cache.remembered", read)
-    monkeypatch.setattr("roadlang_standard.extraction.contour.roads_by_contour", read)
+    monkeypatch.setattr("roadlang_standard.extraction.thresholding.roads_by_contour", read)
     return seen
 
 

@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.contour import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.drawing import between_lines, likeness, roads_of_drawing
 from roadlang_standard.extraction.masks import roads_of_surface
 from roadlang_standard.extraction.picture_kind import picture_kind
+from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.tones import away_from, flatness, layer, thinned, tones
 from tests.extraction.graph_drawings import surface
 from tests.extraction.painted_roads import band, painted, two_lines

@@ -41,9 +41,9 @@ class Contour(Extractor):
     )
 
     def extract(self, picture: Picture) -> Extraction:
-        from .extraction.contour import ContourSteps, roads_by_contour
         from .extraction.pixels import pixels_of
         from .extraction.pixels_to_meters import extraction
+        from .extraction.thresholding import ContourSteps, roads_by_contour
 
         chain = ContourSteps(
             blur=self.blur,

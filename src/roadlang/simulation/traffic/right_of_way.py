@@ -29,9 +29,9 @@ from .approaches import (
 )
 from .crowd import Crowd
 from .entrants import Entrants, Ways
-from .granting import let_go
 from .grants import FIRST, NEVER, Grants
 from .meetings import Meetings
+from .next_to_go import let_go
 from .oncoming import Oncoming
 from .pedestrians import Pedestrians
 from .places import Places
