@@ -222,6 +222,50 @@ def test_settings_are_checked() -> None:
         one.step(np.array([math.nan, 0.0], dtype=np.float32))
 
 
+@pytest.mark.parametrize(
+    ("name", "least", "below"),
+    [("scenes", 1, 0), ("scene_seed", 0, -1), ("agents", 0, -1)],
+)
+def test_whole_numbers_have_a_least(name: str, least: int, below: int) -> None:
+    assert getattr(settings(**{name: least}), name) == least
+    for wrong in (below, 1.5, True):
+        with pytest.raises(ValueError, match=f"{name} must be a whole number of at least {least},"):
+            settings(**{name: wrong})
+
+
+@pytest.mark.parametrize("name", ["step", "vehicle_step", "duration", "acceleration"])
+@pytest.mark.parametrize("wrong", [0.0, -1.0, math.inf, math.nan, True, "1"])
+def test_what_is_measured_is_above_0_and_finite(name: str, wrong: object) -> None:
+    with pytest.raises(ValueError, match=f"^{name} must be a number above 0, not "):
+        settings(**{name: wrong})
+
+
+@pytest.mark.parametrize(
+    ("name", "most", "beyond"),
+    [("vehicle_step", 0.05, 0.0501), ("step", 1.0, 1.01), ("distances", (0.0, 1000.0), (1001.0,))],
+)
+def test_steps_and_distances_have_a_greatest(name: str, most: object, beyond: object) -> None:
+    assert getattr(settings(**{name: most}), name) == most
+    with pytest.raises(ValueError, match=name):
+        settings(**{name: beyond})
+    with pytest.raises(ValueError, match="distances must be from 0 to 1000 m"):
+        settings(distances=(-1.0,))
+
+
+@pytest.mark.parametrize(
+    ("step", "vehicle_step", "substeps"), [(0.1, 0.05, 2), (0.02, 0.05, 1), (0.13, 0.05, 3)]
+)
+def test_a_step_is_made_of_whole_steps_of_the_equations(
+    step: float, vehicle_step: float, substeps: int
+) -> None:
+    found = EnvSettings(step=step, vehicle_step=vehicle_step)
+    assert (found.substeps, found.dt) == (substeps, step / substeps)
+
+
+def settings(**changes: Any) -> EnvSettings:
+    return EnvSettings(**changes)
+
+
 def ends_with(text: str, action: tuple[float, float], **settings: Any) -> dict[str, object]:
     one = env(text, **settings)
     one.reset(seed=0)

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from roadlang.falsification.distinct import DistinctFailures
 from roadlang.falsification.grading import Grading
 from roadlang.falsification.outcome import Moment, Outcome
+from roadlang.falsification.search_loop import equal_parts
 from roadlang.falsification.statistics import (
     best_so_far,
     clopper_pearson,
@@ -136,3 +137,18 @@ def test_coverage_counts_scenes_and_failures() -> None:
 def test_the_best_robustness_goes_down() -> None:
     outcomes = [driven(i, a=rho) for i, rho in enumerate([3.0, 4.0, None, 1.0, 1.0, -2.0])]
     assert best_so_far(outcomes, "a") == [(0, 3.0), (3, 1.0), (5, -2.0)]
+
+
+@pytest.mark.parametrize(
+    ("candidates", "workers", "sizes"),
+    [
+        (0, 4, []), (1, 4, [1]), (15, 4, [15]), (16, 4, [8, 8]), (100, 1, [100]),
+        (100, 4, [25] * 4), (35, 4, [8, 9, 9, 9]), (100, 0, [100]),
+    ],
+)  # fmt: skip
+def test_a_batch_is_divided_among_workers_in_parts_of_eight_at_least(
+    candidates: int, workers: int, sizes: list[int]
+) -> None:
+    parts = equal_parts(candidates, workers)
+    assert [part.stop - part.start for part in parts] == sizes
+    assert [i for part in parts for i in range(candidates)[part]] == list(range(candidates))

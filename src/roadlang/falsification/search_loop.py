@@ -82,7 +82,7 @@ def _add(
 
 def _screened(points: Floats, pool: WorkerPool[Evaluator]) -> Floats:
     """Points judged by the requirements alone, where evaluations are done."""
-    parts = [points[part] for part in _parts(len(points), pool.workers)]
+    parts = [points[part] for part in equal_parts(len(points), pool.workers)]
     return np.concatenate([*pool.map(Evaluator.screen, parts), np.empty(0)])
 
 
@@ -93,7 +93,7 @@ def _evaluated(
     known = {proposal.index: journal.known(proposal) for proposal in proposals}
     new = [proposal for proposal in proposals if known[proposal.index] is None]
     found: dict[int, Outcome] = {}
-    parts = [new[part] for part in _parts(len(new), pool.workers)]
+    parts = [new[part] for part in equal_parts(len(new), pool.workers)]
     for outcomes in pool.map(Evaluator.evaluate, parts):
         journal.append(outcomes)
         found |= {outcome.index: outcome for outcome in outcomes}
@@ -101,7 +101,7 @@ def _evaluated(
         yield known[proposal.index] or found[proposal.index]
 
 
-def _parts(candidates: int, workers: int) -> list[slice]:
+def equal_parts(candidates: int, workers: int) -> list[slice]:
     """Equal parts, one for each worker where that is worth it."""
     if not candidates:
         return []

@@ -32,7 +32,9 @@ class NetworkMoves:
 def found_network(text: str, name: str) -> str | None:
     """The network, of those that a network is derived from, that was found in a picture or a file;
     None where it is not declared in this text."""
-    for _ in range(100):
+    seen: set[str] = set()  # a text that is wrong may derive a network from itself
+    while name not in seen:
+        seen.add(name)
         statement = declared(text, name)
         if not isinstance(statement, Geometry) or statement.word != "network":
             return None
