@@ -75,6 +75,14 @@ def test_who_is_off_the_road_is_what_the_signal_says(where: str) -> None:
     assert seen == {True, False}
 
 
+@pytest.mark.parametrize("where", [SIDEWALK, PLAIN, "routes"])
+def test_who_is_in_the_middle_of_its_lane_needs_no_signal(where: str) -> None:
+    scene = on_routes() if where == "routes" else on_roads(where)
+    world = world_of([scene], {}, 0.02, 0.1)
+    everyone = np.arange(len(world.present))
+    assert not OffRoadCheck(world).of(world, Samples(0), everyone).any()
+
+
 def test_a_corner_off_the_road_ends_an_episode() -> None:
     env = SceneEnv(roadlang.loads(PLAIN), scenes=1)
     env.reset(seed=0)

@@ -84,6 +84,7 @@ def test_what_no_draw_can_change_is_impossible(sample: Sample) -> None:
     result = sample(STRAIGHT + "require long: length(main) > 1km\n", 5)
     assert result.impossible == ("length(main) > 1km",)
     assert result.wanted == 5
+    assert sample(STRAIGHT + "require long: length(main) > 1km\n", None).wanted == 1
 
 
 def test_the_unlucky_are_told_from_the_impossible(sample: Sample) -> None:
