@@ -15,10 +15,12 @@ import torch
 
 from training import measure, pool
 from training.card import Run, card
+from training.decoder import TransferNet
 from training.export import export
 from training.feed import batches
 from training.fit import Schedule, fit
-from training.net import RoadNet
+from training.net import PlainNet, RoadNet
+from training.resume import resume
 
 WEIGHTS = (
     Path(__file__).parents[1] / "plugins/standard/roadlang_standard/extraction/weights/roads.onnx"
@@ -45,7 +47,7 @@ def main() -> None:
 
     schedule = Schedule(steps=told.steps, minutes=told.minutes, rate=told.rate)
     feed = batches(told.folder / "pool", told.seed, told.batch, told.workers)
-    net, history = fit(feed, schedule, told.folder, validate, start=told.start)
+    net, history = fit(_net(told), feed, schedule, told.folder, validate)
     torch.save(net.state_dict(), told.folder / "final.pt")
     difference = export(net, told.output)
     run = Run(told.seed, told.scenes, told.batch, asdict(schedule), history, difference)
@@ -53,12 +55,29 @@ def main() -> None:
     (told.folder / "history.json").write_text(json.dumps(history, indent=1))
 
 
+def _net(told: argparse.Namespace) -> RoadNet:
+    """The net to train, from where it is to go on."""
+    net: RoadNet = PlainNet()
+    if told.encoder is not None:
+        net = TransferNet()
+        net.encoder.load_pretrained(told.encoder)
+    if told.start is not None and told.start.suffix == ".onnx":
+        pictures, *_ = next(batches(told.folder / "pool", told.seed, 2 * told.batch, 0))
+        resume(net, told.start, pictures)
+    elif told.start is not None:
+        net.load_state_dict(torch.load(told.start))
+    return net
+
+
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m training", description=__doc__)
     parser.add_argument("--folder", type=Path, default=Path("out/roadnet"), help="scenes, weights")
     parser.add_argument("--photos", type=Path, help="photos with a manifest.json, to validate on")
     parser.add_argument("--output", type=Path, default=WEIGHTS, help="the ONNX file to write")
-    parser.add_argument("--start", type=Path, help="weights (.pt) to go on from")
+    parser.add_argument("--start", type=Path, help="weights (.pt, .onnx) to go on from")
+    parser.add_argument(
+        "--encoder", type=Path, help="weights (.pth) of EfficientNet-Lite0 to learn a decoder for"
+    )
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--scenes", type=int, default=1200, help="scenes to render")
     parser.add_argument("--steps", type=int, default=5000)

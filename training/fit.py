@@ -34,22 +34,21 @@ class Schedule:
 
 
 def fit(
+    net: RoadNet,
     feed: Iterator[list[torch.Tensor]],
     schedule: Schedule,
     folder: Path,
     validate: Callable[[RoadNet], dict[str, float]],
     every: int = 250,
-    start: Path | None = None,
 ) -> tuple[RoadNet, list[dict[str, float]]]:
     """The averaged net and the history of its scores; a checkpoint every `every` steps.
 
-    `start` are weights to go on from.
+    What of the net needs no gradient stays as it is.
     """
-    net = RoadNet().to(memory_format=torch.channels_last)
-    if start is not None:
-        net.load_state_dict(torch.load(start))
+    net = net.to(memory_format=torch.channels_last)
     average = copy.deepcopy(net)
-    optimizer = torch.optim.AdamW(net.parameters(), lr=schedule.rate, weight_decay=schedule.decay)
+    learned = [weight for weight in net.parameters() if weight.requires_grad]
+    optimizer = torch.optim.AdamW(learned, lr=schedule.rate, weight_decay=schedule.decay)
     history: list[dict[str, float]] = []
     begun, running = time.monotonic(), 0.0
     for step, (image, target, weight) in enumerate(feed):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+
 import torch
 from torch import Tensor, nn
 from torch.nn import functional
@@ -9,9 +11,10 @@ from torch.nn import functional
 STEM, WIDE, EIGHTH, SIXTEENTH, HALF = 16, 32, 48, 88, 24
 
 
-def _conv(inputs: int, outputs: int, stride: int = 1, dilation: int = 1) -> nn.Sequential:
-    conv = nn.Conv2d(inputs, outputs, 3, stride, dilation, dilation, bias=False)
-    return nn.Sequential(conv, nn.BatchNorm2d(outputs), nn.ReLU(inplace=True))
+def conv(inputs: int, outputs: int, stride: int = 1, dilation: int = 1) -> nn.Sequential:
+    """A 3x3 convolution, normalized, and what is positive of it."""
+    filters = nn.Conv2d(inputs, outputs, 3, stride, dilation, dilation, bias=False)
+    return nn.Sequential(filters, nn.BatchNorm2d(outputs), nn.ReLU(inplace=True))
 
 
 class Residual(nn.Module):
@@ -19,7 +22,7 @@ class Residual(nn.Module):
 
     def __init__(self, width: int, dilation: int = 1) -> None:
         super().__init__()
-        self.first = _conv(width, width, 1, dilation)
+        self.first = conv(width, width, 1, dilation)
         self.second = nn.Conv2d(width, width, 3, 1, dilation, dilation, bias=False)
         self.norm = nn.BatchNorm2d(width)
 
@@ -28,43 +31,52 @@ class Residual(nn.Module):
         return functional.relu(x + self.norm(self.second(self.first(x))))
 
 
-class RoadNet(nn.Module):
+class RoadNet(nn.Module, ABC):
     """RGB 0..255 (n, 3, h, w), sides multiples of 32, to (n, 2, h/2, w/2): surface, line."""
 
-    def __init__(self) -> None:
-        super().__init__()
-        self.stem = nn.Sequential(_conv(3, STEM, 2), _conv(STEM, STEM))
-        self.quarter = nn.Sequential(_conv(STEM, WIDE, 2), Residual(WIDE))
-        self.eighth = nn.Sequential(_conv(WIDE, EIGHTH, 2), Residual(EIGHTH), Residual(EIGHTH, 2))
-        deep = [Residual(SIXTEENTH, dilation) for dilation in (1, 2, 4)]
-        self.sixteenth = nn.Sequential(_conv(EIGHTH, SIXTEENTH, 2), *deep)
-        self.to_eighth = nn.Conv2d(SIXTEENTH, EIGHTH, 1)
-        self.up_eighth = Residual(EIGHTH)
-        self.to_quarter = nn.Conv2d(EIGHTH, WIDE, 1)
-        self.up_quarter = Residual(WIDE)
-        self.to_half = nn.Conv2d(WIDE, HALF, 1)
-        self.skip_half = nn.Conv2d(STEM, HALF, 1)
-        self.up_half = _conv(HALF, HALF)
-        self.head = nn.Conv2d(HALF, 2, 1)
-        nn.init.constant_(self.head.bias, -2.5)
-
+    @abstractmethod
     def logits(self, x: Tensor) -> Tensor:
         """The two maps before the sigmoid."""
-        half = self.stem((x - 115.0) / 60.0)
-        quarter = self.quarter(half)
-        eighth = self.eighth(quarter)
-        deep = self.sixteenth(eighth)
-        y = self.up_eighth(_twice(self.to_eighth(deep)) + eighth)
-        y = self.up_quarter(_twice(self.to_quarter(y)) + quarter)
-        y = self.up_half(_twice(self.to_half(y)) + self.skip_half(half))
-        return self.head(y)
 
     def forward(self, x: Tensor) -> Tensor:
         """Probabilities in [0, 1]; `logits` gives them before the sigmoid."""
         return torch.sigmoid(self.logits(x))
 
 
-def _twice(x: Tensor) -> Tensor:
+class PlainNet(RoadNet):
+    """All of it learned from renderings."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stem = nn.Sequential(conv(3, STEM, 2), conv(STEM, STEM))
+        self.quarter = nn.Sequential(conv(STEM, WIDE, 2), Residual(WIDE))
+        self.eighth = nn.Sequential(conv(WIDE, EIGHTH, 2), Residual(EIGHTH), Residual(EIGHTH, 2))
+        deep = [Residual(SIXTEENTH, dilation) for dilation in (1, 2, 4)]
+        self.sixteenth = nn.Sequential(conv(EIGHTH, SIXTEENTH, 2), *deep)
+        self.to_eighth = nn.Conv2d(SIXTEENTH, EIGHTH, 1)
+        self.up_eighth = Residual(EIGHTH)
+        self.to_quarter = nn.Conv2d(EIGHTH, WIDE, 1)
+        self.up_quarter = Residual(WIDE)
+        self.to_half = nn.Conv2d(WIDE, HALF, 1)
+        self.skip_half = nn.Conv2d(STEM, HALF, 1)
+        self.up_half = conv(HALF, HALF)
+        self.head = nn.Conv2d(HALF, 2, 1)
+        nn.init.constant_(self.head.bias, -2.5)
+
+    def logits(self, x: Tensor) -> Tensor:
+        """See `RoadNet.logits`."""
+        half = self.stem((x - 115.0) / 60.0)
+        quarter = self.quarter(half)
+        eighth = self.eighth(quarter)
+        deep = self.sixteenth(eighth)
+        y = self.up_eighth(twice(self.to_eighth(deep)) + eighth)
+        y = self.up_quarter(twice(self.to_quarter(y)) + quarter)
+        y = self.up_half(twice(self.to_half(y)) + self.skip_half(half))
+        return self.head(y)
+
+
+def twice(x: Tensor) -> Tensor:
+    """Twice as large, each value repeated."""
     return functional.interpolate(x, scale_factor=2, mode="nearest")
 
 

@@ -10,12 +10,14 @@ import cv2
 import numpy as np
 
 from training.rendering.aerial import render_aerial
+from training.rendering.extras import extras_of
 
 _PLANS = {
-    "suburb": 0.25,
-    "city": 0.18,
+    "suburb": 0.22,
+    "city": 0.17,
     "grid": 0.12,
-    "motorway": 0.12,
+    "motorway": 0.09,
+    "boulevard": 0.07,
     "village": 0.10,
     "rural": 0.09,
     "curve": 0.06,
@@ -27,6 +29,7 @@ SIZE = 640
 _HIDDEN, _PLAIN = 0.2, 0.1
 """Shares of the scenes whose roads lie under crowns and shadows more than they would by chance,
 and that show nothing but roads on open ground."""
+_WITH_EXTRAS = 0.85
 
 
 @dataclass(frozen=True)
@@ -58,7 +61,8 @@ def _render_one(folder: Path, seed: int, index: int) -> None:
     scene, resolution = int(rng.integers(2**31)), float(rng.uniform(low, high))
     hidden = float(rng.uniform(0.1, 0.4)) if rng.random() < _HIDDEN else None
     plain = bool(rng.random() < _PLAIN)
-    drawn = render_aerial(plan, scene, SIZE, resolution, hidden, plain=plain)
+    extras = extras_of(rng) if not plain and rng.random() < _WITH_EXTRAS else None
+    drawn = render_aerial(plan, scene, SIZE, resolution, hidden, plain=plain, extras=extras)
     roads = drawn.truth.roads
     _, code = cv2.imencode(".png", drawn.image)
     partial = _path(folder, index).with_suffix(".part.npz")

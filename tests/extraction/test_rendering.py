@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from training.rendering.aerial import render_aerial
+from training.rendering.extras import Extras
 from training.rendering.frame import ribbon
 from training.rendering.layouts.plans import PLANS
 
@@ -41,3 +42,22 @@ def test_a_bright_road_is_brighter_where_the_truth_says() -> None:
     road = (scene.truth.mask() > 0) & ~scene.truth.hidden
     gray = scene.image.mean(axis=2)
     assert gray[road].mean() > gray[scene.truth.mask() == 0].mean() + 30
+
+
+_EXTRAS = Extras(1, 0.4, 0.3, 0.05, tracks=3, clearing=True, built_up=None, wrack=True)
+
+
+def test_extras_change_the_picture_and_what_is_hidden_but_no_road() -> None:
+    bare = render_aerial("suburb", 3, size=256)
+    scene, again = (render_aerial("suburb", 3, size=256, extras=_EXTRAS) for _ in range(2))
+    assert (scene.image == again.image).all()
+    assert (scene.image != bare.image).mean() > 0.5
+    assert scene.truth.polylines() == bare.truth.polylines()
+    assert scene.truth.hidden_share() > bare.truth.hidden_share() + 0.1
+
+
+def test_a_boulevard_is_two_roads_side_by_side() -> None:
+    first, second, *_ = PLANS["boulevard"](np.random.default_rng(2), 400.0)
+    middle = first.points[len(first.points) // 2]
+    apart = np.hypot(*(second.points - middle).T).min()
+    assert first.width + 1 < apart < first.width + 11

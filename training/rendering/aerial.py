@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 
 from training.rendering.camera import expose
+from training.rendering.extras import Extras, lay_extras
 from training.rendering.footways import lay_footways
 from training.rendering.frame import (
     Floats,
@@ -28,7 +29,8 @@ from training.rendering.noise import blend
 from training.rendering.parking_lots import fill_lots, lay_lots, lay_yards
 from training.rendering.pavement import park, pave
 from training.rendering.setting import Setting, setting_of
-from training.rendering.trees import Canopy, plant, press, stamp, thrown, woods
+from training.rendering.thickets import overgrow
+from training.rendering.trees import Canopy, clear_strip, plant, press, stamp, thrown, woods
 
 
 def render_aerial(
@@ -39,11 +41,13 @@ def render_aerial(
     hidden: float | None = None,
     asphalt: float | None = None,
     plain: bool = False,
+    extras: Extras | None = None,
 ) -> Rendering:
     """A scene of the named plan (see `PLANS`); the same arguments give the same bytes.
 
     `hidden` asks for that share of the center-line length under crowns or in shadow;
-    `asphalt` sets the gray of the road, 0 (black) to 1; `plain` leaves out all but the roads.
+    `asphalt` sets the gray of the road, 0 (black) to 1; `plain` leaves out all but the roads;
+    `extras` add what the scene does not have by itself.
     """
     rng = np.random.default_rng([seed, list(PLANS).index(plan)])
     frame = Frame(size, meters_per_pixel)
@@ -51,13 +55,18 @@ def render_aerial(
     setting = setting_of(rng, frame, plan)
     if asphalt is not None:
         setting = replace(setting, asphalt=asphalt, asphalt_spread=0.01)
+    if extras is not None and extras.built_up is not None and setting.dense:
+        setting = setting.built_up(extras.built_up)
     if plain:
         setting = setting.emptied()
     if hidden is not None:
         setting = replace(setting, overhang=-3.0, leafless=False)
     near = signed_distance(frame, roads)
-    image, shadow, canopy = _paint(rng, setting, roads, near, hidden)
+    image, shadow, canopy = _paint(rng, setting, roads, near, hidden, extras)
     blend(image, canopy.color, canopy.cover)
+    if extras is not None:
+        grown = overgrow(np.random.default_rng([extras.seed, 1]), setting, extras, image, near)
+        shadow = np.maximum(shadow, grown)
     truth = Truth(
         frame.shape,
         _true_roads(frame, roads),
@@ -73,13 +82,18 @@ def _paint(
     roads: list[PlannedRoad],
     near: Layer,
     hidden: float | None,
+    extras: Extras | None,
 ) -> tuple[Layer, Layer, Canopy]:
     image, water = ground(rng, setting, near)
+    if extras is not None:
+        lay_extras(setting, extras, image, water)
     if not setting.plain:
         lay_grounds(rng, setting, image)
     buildings, lots = settle(rng, setting, roads, near, water)
     canopy = woods(rng, setting, near, water)
     plant(rng, setting, canopy, near, water, roads)
+    if extras is not None and extras.clearing:
+        clear_strip(setting, extras, canopy)
     canopy.cover *= 1 - water
     _clear(
         setting, canopy, footprints(setting, buildings, True), footprints(setting, buildings, False)

@@ -37,7 +37,14 @@ _PALETTES: dict[str, dict[str, Color]] = {
     },
 }
 
-_DENSE = {"city": 1.0, "grid": 0.5, "village": 0.3, "suburb": 0.25, "roundabout": 0.3}
+_DENSE = {
+    "city": 1.0,
+    "boulevard": 0.4,
+    "grid": 0.5,
+    "village": 0.3,
+    "suburb": 0.25,
+    "roundabout": 0.3,
+}
 """Chance that the houses of a plan stand close together."""
 
 
@@ -79,6 +86,14 @@ class Setting:
     def emptied(self) -> Setting:
         """The same without woods, trees, houses and footways."""
         return replace(self, woods=-9.0, trees=0.0, homes=0.0, footways=False, plain=True)
+
+    def built_up(self, gray: float) -> Setting:
+        """The same town with concrete and gravel for lawns and fields: a gray of 0..1."""
+        stone = {
+            name: tuple(gray * share * np.array([0.97, 1.0, 1.02]))
+            for name, share in (("lawn", 1.0), ("field", 0.9), ("soil", 1.25))
+        }
+        return replace(self, palette={**self.palette, **stone}, woods=-9.0, cars=3 * self.cars)
 
 
 def setting_of(rng: np.random.Generator, frame: Frame, plan: str) -> Setting:

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from training.rendering.frame import Floats, Layer, PlannedRoad
+from training.rendering.extras import Extras
+from training.rendering.frame import Floats, Layer, PlannedRoad, ribbon
+from training.rendering.layouts.curves import crossing
 from training.rendering.noise import fractal, relief, smooth, streaks
 from training.rendering.setting import Setting
 
@@ -98,6 +100,16 @@ def plant(
                 across = np.array([-ahead[1], ahead[0]]) / max(1e-9, float(np.hypot(*ahead)))
                 at = road.points[index] + across * side + rng.normal(0, 0.5, 2)
                 press(canopy, stamps[int(rng.integers(len(stamps)))], at, setting)
+
+
+def clear_strip(setting: Setting, extras: Extras, canopy: Canopy) -> None:
+    """Fell a straight strip through the woods, in place."""
+    rng = np.random.default_rng([extras.seed, 2])
+    frame = setting.frame
+    line = crossing(rng, frame.extent, 1e-4)
+    window, cover = ribbon(frame.pixels(line), frame.length(rng.uniform(8, 45)), frame.shape)
+    for layer in (canopy.cover, canopy.shade):
+        layer[window] *= 1 - cover
 
 
 def stamp(rng: np.random.Generator, setting: Setting, radius: float) -> tuple[Layer, Layer]:

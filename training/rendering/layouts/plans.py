@@ -128,6 +128,22 @@ def motorway(rng: np.random.Generator, extent: float) -> Plan:
     return [*clear, bridge, *ramps, *ways]
 
 
+def boulevard(rng: np.random.Generator, extent: float) -> Plan:
+    """A divided road with a narrow median through a town, sometimes crossed by another."""
+    ways: Plan = []
+    for _ in range(1 if rng.random() < 0.7 else 2):
+        axis = crossing(rng, extent, 1.5e-3)
+        width, median = rng.uniform(6, 12), rng.uniform(1.5, 10)
+        normal = np.gradient(axis, axis=0)
+        normal = np.c_[-normal[:, 1], normal[:, 0]] / np.hypot(*normal.T)[:, None]
+        apart = (width + median) / 2 * normal
+        ways += [PlannedRoad(even(axis + side * apart), width) for side in (-1, 1)]
+    spacing = rng.uniform(60, 140)
+    count = int((extent / spacing) ** 2 * rng.uniform(0.5, 1.0)) + 3
+    style = Style(spacing, 2e-3, 300, count, (6.0, 10.0), int(rng.integers(0, 3)), 0.05)
+    return grown(rng, extent, style, tuple(ways))
+
+
 def _ramps(rng: np.random.Generator, center: Floats, normal: Floats, edge: float) -> Plan:
     tangent = np.array([normal[1], -normal[0]])
     ramps: Plan = []
@@ -177,4 +193,5 @@ PLANS: dict[str, Callable[[np.random.Generator, float], Plan]] = {
     "motorway": motorway,
     "roundabout": roundabout,
     "city": city,
+    "boulevard": boulevard,
 }
