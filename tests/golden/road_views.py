@@ -14,9 +14,10 @@ from roadlang.geometry.junctions.plan import plan_junctions
 from roadlang.geometry.offsetting import offset
 from roadlang.geometry.paths import longest_path, nearest_place, shortest_path
 from roadlang.geometry.routes.lane_graph import LaneGraph, lane_graph
+from roadlang.geometry.routes.legs import RoutePlace
 from roadlang.geometry.routes.nearest_lanes import near_roads
 from roadlang.geometry.routes.random_routes import random_route
-from roadlang.geometry.routes.shortest import RoutePlace, shortest_route
+from roadlang.geometry.routes.shortest import shortest_route
 from roadlang.geometry.routes.walking import following_legs, parts_ahead, parts_behind, walked
 from roadlang.geometry.routes.walking import straight_route as straight
 from tests.golden.geometry_views import plain_value
@@ -189,7 +190,7 @@ def _graph(graph: LaneGraph, points: Any, rng: np.random.Generator) -> Iterator[
     yield f"  near {_numbers(near.distance)}"
     for origin, via, goal in zip(stages, stages[1:], stages[2:], strict=False):
         for wanted in ((origin, goal), (origin, via, goal)):
-            found = shortest_route(graph, wanted)
+            found = shortest_route(graph, wanted[0], wanted[1:])
             yield f"  route {_route(found)}"
     for lane in rng.choice(len(graph.lanes), 5, replace=False).tolist():
         share = float(rng.uniform(0.2, 0.8))

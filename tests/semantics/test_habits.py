@@ -64,6 +64,13 @@ HABITS = [
     ("agent a is car on main at 5m with speed 10m/s", "RL001", "in braces", None),
     ("agent a is car on main at 5m, facing 30deg", "RL001", "in braces", None),
     ("agent a is car on main at 5m { speed: 10m/s }", "RL220", "drive with pure_pursuit", None),
+    ("agent a is car on main { ahead_of: a }", "RL220", "`at ahead_of(...)`", None),
+    (
+        "agent a is car on main at 5m { drive with traffic { start_speed: 5m/s } }",
+        "RL220",
+        "`start_speed` is an option of the agent",
+        None,
+    ),
     ("agent a is car on main at 5m { drive: stanley }", "RL220", "`drive with KIND", None),
     ("agent a is car on main at 5m { sense with lidar }", "RL210", "`sense with ranges`", None),
     ("agent a is car on main at 5m { sense with lid }", "RL210", "`sense` are `boxes`", None),

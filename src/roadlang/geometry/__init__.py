@@ -85,8 +85,8 @@ if TYPE_CHECKING:
     from .profile import OffsetProfile as OffsetProfile
     from .road import Road as Road
     from .routes.lane_graph import LaneGraph as LaneGraph
+    from .routes.legs import RoutePlace as RoutePlace
     from .routes.shortest import ROOM_TO_BEGIN as ROOM_TO_BEGIN
-    from .routes.shortest import RoutePlace as RoutePlace
     from .row_blocks import blocks as blocks
     from .segments import Arc as Arc
     from .segments import Chain as Chain
@@ -151,7 +151,7 @@ _HOMES = {
     "MapTurn": "map_junctions",
     "LaneGraph": "routes.lane_graph",
     "ROOM_TO_BEGIN": "routes.shortest",
-    "RoutePlace": "routes.shortest",
+    "RoutePlace": "routes.legs",
     "Node": "network",
     "Edge": "network",
     "RoadNetwork": "network",

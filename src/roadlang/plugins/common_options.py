@@ -7,9 +7,7 @@ the methods of a dataclass, whose making is what costs time when they are import
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
 
-from ..ir.dimension import LENGTH, PURE
 from .annotations import (
     Angle,
     Condition,
@@ -23,16 +21,9 @@ from .annotations import (
     Speed,
     Word,
 )
+from .common_types import JunctionNumbers, LaneChoice, Points, RoadNumbers, RoutePoints
 from .lane_options import LaneOptions
-from .option_types import CallType, KindNameType, ListType, PointType, QuantityType, UnionType
 from .options import OptionSchema, option, schema_of
-
-JunctionNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_integer=True))]
-LaneChoice = Annotated[Any, UnionType((QuantityType(PURE, is_integer=True), KindNameType("lane")))]
-_RoutePoint = UnionType((PointType(LENGTH), CallType("position")))
-RoutePoints = Annotated[Any, ListType(_RoutePoint, at_least=1)]
-Points = Annotated[Any, ListType(PointType(LENGTH), at_least=1)]
-RoadNumbers = Annotated[tuple[int, ...], ListType(QuantityType(PURE, is_integer=True))]
 
 
 @dataclass(init=False, repr=False, eq=False)
@@ -118,8 +109,9 @@ class AgentOptions(PlacementOptions):
     )
     route: RoutePoints = option(
         None,
-        words=("random",),
-        help="in a network: the points to pass, in order, along lanes by the shortest way; or "
+        words=("random", "left", "straight", "right", "turn_around"),
+        help="in a network: the points to pass, in order, along lanes by the shortest way, and the "
+        "turns to take at the junctions on it (`left`, `straight`, `right`, `turn_around`); or "
         "`random`, turn by turn, the default of an agent that drives; without `at` it begins at "
         "the first point, or anywhere",
         example="[(0m, 0m), (120m, 80m)]",

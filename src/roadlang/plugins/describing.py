@@ -148,5 +148,7 @@ _WORDS: dict[type, Callable[[Any], str]] = {
     types.MapType: lambda t: f"map to {_plural(t.item)}",
     types.ConditionType: lambda t: "formula over the drive",
     types.AnyType: lambda t: "value of any type",
-    types.UnionType: lambda t: " | ".join(_of(item) for item in t.alternatives),
+    types.UnionType: lambda t: " | ".join(
+        _of(item) for item in t.alternatives if not isinstance(item, types.WordType)
+    ),
 }

@@ -156,6 +156,11 @@ class UnionType:
     alternatives: tuple[OptionType, ...]
 
 
+def takes_words(item: OptionType) -> bool:
+    """Whether an item of a list may be one of the words of the option."""
+    return WordType() in (item.alternatives if isinstance(item, UnionType) else (item,))
+
+
 OptionType: TypeAlias = (
     QuantityType
     | LikeType

@@ -11,7 +11,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.junctions.model import NO_JUNCTION
 from ..geometry.routes.lane_graph import LaneGraph
-from ..geometry.routes.shortest import Leg, PlannedRoute
+from ..geometry.routes.legs import Leg, PlannedRoute
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene_actor import SceneActor
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute

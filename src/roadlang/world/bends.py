@@ -7,7 +7,7 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..geometry.arrays import Floats
 from ..geometry.junctions.model import Connection
-from ..geometry.routes.shortest import Leg, PlannedRoute
+from ..geometry.routes.legs import Leg, PlannedRoute
 from .lane_graphs import lanes_of_network
 from .named_roads import named_road
 from .networks import network_root

@@ -12,13 +12,9 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
+from ..geometry.routes.legs import PlannedRoute, RoutePlace
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
-from ..geometry.routes.shortest import (
-    ROOM_TO_BEGIN,
-    PlannedRoute,
-    RoutePlace,
-    shortest_route,
-)
+from ..geometry.routes.shortest import ROOM_TO_BEGIN, shortest_route
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
@@ -120,7 +116,7 @@ class _Finder:
     def _settle(self, row: int, stage: tuple[RoutePlace, ...], into: Spots) -> None:
         chosen, route = min(stage, key=lambda place: place.penalty), None
         if self._vias is not None:
-            found = shortest_route(self.lanes, [stage, *self._vias.stages(row)])
+            found = shortest_route(self.lanes, stage, self._vias.stages(row))
             if isinstance(found, PlannedRoute):
                 route, chosen = found, RoutePlace(found.legs[0].lane, found.legs[0].start)
             else:

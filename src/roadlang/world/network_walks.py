@@ -10,7 +10,7 @@ import numpy as np
 from ..evaluate.copies import CopyBatch
 from ..geometry.arrays import Floats
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
-from ..geometry.routes.shortest import PlannedRoute, RoutePlace
+from ..geometry.routes.legs import PlannedRoute, RoutePlace
 from ..geometry.routes.walking import WalkPart, parts_ahead, parts_behind, walked
 from ..ir.scenario import ScenarioActor
 from .lane_choices import LaneChoice

@@ -8,14 +8,25 @@ from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..geometry.routes.lane_graph import LaneGraph
-from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
+from ..geometry.routes.legs import PlannedRoute, RoutePlace
+from ..geometry.routes.next_turns import NextTurn
+from ..geometry.routes.shortest import Stage, shortest_route
 from ..ir.scenario import ScenarioActor
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
 from .placement import placed
 from .positions import names_another
 from .road_poses import WrittenPlace
-from .route_points import FARTHEST, NamedPlaces, NearPoints, route_parts, route_points
+from .route_points import (
+    FARTHEST,
+    TURNS,
+    NearPoints,
+    Part,
+    TurnWords,
+    route_parts,
+    route_points,
+    stage_of,
+)
 from .routes import route_through, start_places
 
 
@@ -28,7 +39,7 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     by_another = names_another(actor, candidates.scenario)
     if by_another:
         points = route_points(actor, copies, lanes)
-        parts = () if points is None else points.parts
+        parts: tuple[Part, ...] = () if points is None else points.parts
     else:
         parts = route_parts(actor, copies, lanes)
     for part in parts:
@@ -37,15 +48,16 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
     if by_another:
         return _no_way_from_there(actor, candidates, lanes)
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
-    if len(parts) == 1 or choice is None:
-        return None
+    first = parts[0] if parts else None
+    if len(parts) < 2 or first is None or isinstance(first, TurnWords) or choice is None:
+        return None  # before a first turn it begins anywhere
     allowed = allowed_lanes(actor, lanes, choice, copies)
-    stages = [part.places(0) for part in parts]
-    begins = tuple(place for place in stages[0] if place.lane in allowed)
-    found = shortest_route(lanes, [begins, *stages[1:]]) if begins else 1
+    places, stages = first.places(0), [stage_of(part, 0) for part in parts[1:]]
+    begins = tuple(place for place in places if place.lane in allowed)
+    found = shortest_route(lanes, begins, stages) if begins else 1
     if isinstance(found, PlannedRoute):
         return None
-    return _unreachable(actor, parts[found], stages, found, lanes)
+    return _unreachable(actor, parts[found], places, stages, found, lanes)
 
 
 def _no_way_from_there(
@@ -62,13 +74,13 @@ def _no_way_from_there(
         place, stages = places[row], points.stages(row)
         found = 0 if place is None else route_through(lanes, place, stages)
         if place is not None and not isinstance(found, PlannedRoute):
-            return _unreachable(actor, points.parts[found - 1], [(place,), *stages], found, lanes)
+            return _unreachable(actor, points.parts[found - 1], (place,), stages, found, lanes)
     return None
 
 
 def _place_of(actor: ScenarioActor, part: int) -> str:
     """The key of where a part of a way is written: `at`, or a point of the route."""
-    if "at" not in actor.option_spans:
+    if "at" not in actor.option_spans or actor.at_fraction:
         return f"route {part}"
     return "at" if part == 0 else f"route {part - 1}"
 
@@ -96,37 +108,60 @@ def _far(
 
 def _unreachable(
     actor: ScenarioActor,
-    goal: NearPoints | NamedPlaces,
-    stages: list[tuple[RoutePlace, ...]],
+    goal: Part,
+    begins: tuple[RoutePlace, ...],
+    stages: list[Stage],
     failed: int,
     lanes: LaneGraph,
 ) -> Diagnostic:
+    """RL618 of the stage `failed`, from 1, which `goal` stands for."""
     options = [f"`{name}`" for name in ("lane", "facing") if name in actor.options]
-    leg = stages[failed - 1 : failed + 1]
-    if options and isinstance(shortest_route(lanes, stages), PlannedRoute):
+    if options and isinstance(shortest_route(lanes, begins, stages), PlannedRoute):
         help_ = f"without {' and '.join(options)} there is one"
-    elif isinstance(shortest_route(lanes, leg[::-1]), PlannedRoute):
-        help_ = (
-            "there is one only in the other direction, and a route does not turn around on a road: "
-            "add a point through which it can return, or let vehicles turn around at junctions: "
-            "`u_turns: true` in the network"
-        )
+    elif isinstance(goal, TurnWords):
+        help_ = _other_turns(begins, stages[: failed - 1], lanes)
     else:
-        roads = sorted({lanes.lanes[place.lane].edge for place in leg[0]})
-        names = ", ".join(f"`{actor.on}/{road}`" for road in roads)
-        help_ = f"see where the lanes of {names} lead to: `emit svg` draws them"
+        help_ = _other_way((begins, *stages)[failed - 1], goal.places(0), str(actor.on), lanes)
     return diagnose(
         Code.NO_ROUTE,
         _span_of(actor, failed),
-        goal=_written(goal),
+        goal=_written(goal, stages[: failed - 1]),
         network=actor.on,
         name=actor.name,
         help=help_,
     )
 
 
-def _written(goal: NearPoints | NamedPlaces) -> str:
+def _other_turns(begins: tuple[RoutePlace, ...], passed: list[Stage], lanes: LaneGraph) -> str:
+    """What is possible instead of a turn."""
+    ways = [
+        f"`{word}`"
+        for word, turn in TURNS.items()
+        if isinstance(shortest_route(lanes, begins, [*passed, NextTurn(turn)]), PlannedRoute)
+    ]
+    return f"possible there: {', '.join(ways)}" if ways else "no junction lies ahead of it there"
+
+
+def _other_way(origin: Stage, goal: tuple[RoutePlace, ...], network: str, lanes: LaneGraph) -> str:
+    """What to do where no way leads to places."""
+    if isinstance(origin, NextTurn):
+        return "see where the lanes lead to: `emit svg` draws them"
+    if isinstance(shortest_route(lanes, goal, [origin]), PlannedRoute):
+        return (
+            "there is one only in the other direction, and a route does not turn around on a road: "
+            "add a point through which it can return, or let vehicles turn around at junctions: "
+            "`u_turns: true` in the network"
+        )
+    roads = sorted({lanes.lanes[place.lane].edge for place in origin})
+    names = ", ".join(f"`{network}/{road}`" for road in roads)
+    return f"see where the lanes of {names} lead to: `emit svg` draws them"
+
+
+def _written(goal: Part, passed: list[Stage]) -> str:
     if isinstance(goal, NearPoints):
         x, y = goal.point(0)
         return f"({x:g}m, {y:g}m)"
+    if isinstance(goal, TurnWords):
+        following = "the first junction" if not passed else "the next junction after that"
+        return f"`{goal.word(0)}` at {following}"
     return f"`{goal.call.kind.rpartition('.')[2]}(...)`"

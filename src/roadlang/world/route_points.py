@@ -1,23 +1,29 @@
-"""The points of the routes of copies, and the places in lanes that they stand for."""
+"""The points and turns of the routes of copies, and the places in lanes that they stand for."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
+from ..geometry.routes.legs import RoutePlace
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
-from ..geometry.routes.shortest import RoutePlace
+from ..geometry.routes.next_turns import NextTurn
+from ..geometry.routes.shortest import Stage
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
 from .positions import column
 from .route_positions import lane_places_of
 
+TURNS = {"left": "left", "straight": "straight", "right": "right", "turn_around": "u"}
+"""The words of routes for turns, and how connections name them"""
 FARTHEST = 15.0
 """Meters from the nearest lane that a point of a route may be"""
 
@@ -64,14 +70,37 @@ class NamedPlaces:
 
 
 @dataclass(frozen=True, eq=False)
+class TurnWords:
+    """A turn at the next junction in the routes of copies: a word (R,)."""
+
+    words: NDArray[np.object_]
+
+    def word(self, row: int) -> str:
+        """As it is written."""
+        return str(self.words[row])
+
+    def turn(self, row: int) -> NextTurn:
+        """As connections name it."""
+        return NextTurn(TURNS[self.word(row)])
+
+
+Part: TypeAlias = NearPoints | NamedPlaces | TurnWords
+
+
+def stage_of(part: Part, row: int) -> Stage:
+    """What the route of a copy passes there."""
+    return part.turn(row) if isinstance(part, TurnWords) else part.places(row)
+
+
+@dataclass(frozen=True, eq=False)
 class RoutePoints:
     """What the routes of copies pass, in order, after their start."""
 
-    parts: tuple[NearPoints | NamedPlaces, ...]
+    parts: tuple[Part, ...]
 
-    def stages(self, row: int) -> list[tuple[RoutePlace, ...]]:
-        """The places in lanes that a copy passes one of each."""
-        return [part.places(row) for part in self.parts]
+    def stages(self, row: int) -> list[Stage]:
+        """What a copy passes one of each."""
+        return [stage_of(part, row) for part in self.parts]
 
     def beyond(self, row: int) -> float:
         """Meters beyond `FARTHEST` that the worst point of a copy is from every lane."""
@@ -90,18 +119,18 @@ def route_points(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph) -> R
     value = None if route is None else evaluate(route, first, element_of(actor))
     if not isinstance(value, tuple):
         return None
-    parts: list[NearPoints | NamedPlaces] = []
+    parts: list[Part] = []
     for item in value:
-        if isinstance(item, PassCall):
+        if isinstance(item, str | np.ndarray):
+            parts.append(TurnWords(np.broadcast_to(np.ravel(item), (copies.count,))))
+        elif isinstance(item, PassCall):
             parts.append(NamedPlaces(actor, item, first, lanes))
         else:
             parts.append(_near(np.stack([column(part, first) for part in item], axis=-1), lanes))
     return RoutePoints(tuple(parts))
 
 
-def route_parts(
-    actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph
-) -> tuple[NearPoints | NamedPlaces, ...]:
+def route_parts(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph) -> tuple[Part, ...]:
     """Where copies begin, if that is a point or position of the network, and what they pass."""
     at = evaluate(actor.at, copies, element_of(actor))
     route = route_points(actor, copies, lanes)

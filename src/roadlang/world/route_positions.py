@@ -10,7 +10,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build
 from ..geometry.routes.lane_graph import LaneGraph
-from ..geometry.routes.shortest import RoutePlace
+from ..geometry.routes.legs import RoutePlace
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result

@@ -11,8 +11,10 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
+from ..geometry.routes.legs import ONWARD, PlannedRoute, RoutePlace
+from ..geometry.routes.next_turns import NextTurn
 from ..geometry.routes.random_routes import random_route
-from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
+from ..geometry.routes.shortest import Stage, shortest_route
 from ..geometry.routes.walking import following_legs, straight_route
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
@@ -24,8 +26,6 @@ from .route_points import route_points
 from .spots import Spots
 from .turning import sharpest_turn
 
-DEFAULT_LENGTH = 2_000.0
-"""Meters of a random route whose length is not said"""
 PASSED = 30.0
 """Meters behind the start at which the first point of a route may lie."""
 
@@ -77,7 +77,7 @@ def _plan(
     starts = start_places(actor, where, lanes, copies)
     points = route_points(actor, copies, lanes)
     numbers = _number(actor, "route", copies, 0.0) if points is None else None
-    lengths = _number(actor, "route_length", copies, DEFAULT_LENGTH)
+    lengths = _number(actor, "route_length", copies, ONWARD)
     leads = leading_routes(actor, copies, others) if "route" not in actor.options else None
     if candidates.record is not None:
         copies.record_in(candidates.record)
@@ -100,21 +100,19 @@ def _plan(
         into.reshape(-1)[row] = route if isinstance(route, PlannedRoute) else None
 
 
-def route_through(
-    lanes: LaneGraph, start: RoutePlace, stages: list[tuple[RoutePlace, ...]]
-) -> PlannedRoute | int:
-    """The route through one place of each stage, or the number of the first stage that no way leads
-    to, from 1. A first one that lies just behind the start in its lane has been passed already."""
-    found = shortest_route(lanes, [(start,), *stages])
+def route_through(lanes: LaneGraph, start: RoutePlace, stages: list[Stage]) -> PlannedRoute | int:
+    """The route by all stages, or the number of the first one that no way leads to, from 1. A first
+    place that lies just behind the start in its lane has been passed already."""
+    found = shortest_route(lanes, (start,), stages)
     if isinstance(found, PlannedRoute):
         return found
+    first = () if isinstance(stages[0], NextTurn) else stages[0]
     is_passed = len(stages) > 1 and any(
-        place.lane == start.lane and abs(place.station - start.station) < PASSED
-        for place in stages[0]
+        place.lane == start.lane and abs(place.station - start.station) < PASSED for place in first
     )
     if not is_passed:
         return found
-    onward = shortest_route(lanes, [(start,), *stages[1:]])
+    onward = shortest_route(lanes, (start,), stages[1:])
     return onward if isinstance(onward, PlannedRoute) else onward + 1
 
 
@@ -124,10 +122,10 @@ def _after(lanes: LaneGraph, start: RoutePlace, lead: PlannedRoute | None) -> Pl
         legs = following_legs(lanes, start, lead)
         passed = [(RoutePlace(leg.lane, leg.stop),) for leg in legs if leg.turn is not None]
         last = (RoutePlace(legs[-1].lane, legs[-1].stop),)
-        found = shortest_route(lanes, [(start,), *passed, last])
+        found = shortest_route(lanes, (start,), [*passed, last])
         if isinstance(found, PlannedRoute):
             return found
-    return straight_route(lanes, start, DEFAULT_LENGTH)
+    return straight_route(lanes, start, ONWARD)
 
 
 def start_places(

@@ -10,7 +10,8 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..geometry import Step
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
-from ..geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
+from ..geometry.routes.legs import PlannedRoute, RoutePlace
+from ..geometry.routes.shortest import shortest_route
 from ..ir.scenario import ScenarioActor
 from .lane_graphs import lanes_of_network
 from .road_places import to_root
@@ -53,7 +54,7 @@ def route_on_selected(
     path = _path(road.name, steps, start, lane, backward, candidates, lanes)
     if path is None:
         return None
-    route = shortest_route(lanes, path)
+    route = shortest_route(lanes, path[0], path[1:])
     if not isinstance(route, PlannedRoute) or not _keeps_to(path, route, lanes):
         return None
     return SelectedRoute(network.name, route)

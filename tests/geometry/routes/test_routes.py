@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from roadlang.geometry import RoadNetwork, network_of_polylines
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
 from roadlang.geometry.routes.lane_graph import LANE_CHANGE, LaneGraph, TravelLane, lane_graph
+from roadlang.geometry.routes.legs import PlannedRoute, RoutePlace
 from roadlang.geometry.routes.nearest_lanes import near_roads
 from roadlang.geometry.routes.random_routes import random_route
-from roadlang.geometry.routes.shortest import PlannedRoute, RoutePlace, shortest_route
+from roadlang.geometry.routes.shortest import shortest_route
 from tests.geometry.junctions.crossings_of_roads import sections_of, star
 
 
@@ -40,7 +41,7 @@ def grid(side: int = 3, block: float = 80.0, width: float = 7.0) -> RoadNetwork:
 def through(graph: LaneGraph, *points: tuple[float, float]) -> PlannedRoute:
     near = near_roads(graph, np.array(points))
     stages = [near.options(graph, number, lambda _: True) for number in range(len(points))]
-    found = shortest_route(graph, stages)
+    found = shortest_route(graph, stages[0], stages[1:])
     assert isinstance(found, PlannedRoute)
     return found
 
@@ -97,8 +98,8 @@ def test_a_one_way_road_is_driven_in_its_direction_only() -> None:
     assert toward not in ways
     near = near_roads(graph, np.array([[80.0, 0.0], [-40.0, 69.0]]))
     stages = [near.options(graph, number, lambda _: True) for number in range(2)]
-    assert shortest_route(graph, stages) == 1
-    assert isinstance(shortest_route(graph, stages[::-1]), PlannedRoute)
+    assert shortest_route(graph, stages[0], stages[1:]) == 1
+    assert isinstance(shortest_route(graph, stages[1], stages[:1]), PlannedRoute)
 
 
 def test_lanes_are_changed_where_the_turn_needs_another() -> None:
@@ -111,7 +112,7 @@ def test_lanes_are_changed_where_the_turn_needs_another() -> None:
         if turn.turn == "left" and turn not in graph.turns[start]
     )
     goal = RoutePlace(left.target, graph.end[left.target])
-    route = shortest_route(graph, [[RoutePlace(start, 95.0)], [goal]])
+    route = shortest_route(graph, [RoutePlace(start, 95.0)], [[goal]])
     assert isinstance(route, PlannedRoute)
     assert_drivable(graph, route)
     assert len([leg for leg in route.legs if leg.turn is None]) == 2

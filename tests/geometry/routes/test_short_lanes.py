@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from roadlang.geometry import network_of_polylines
+from roadlang.geometry.routes.legs import RoutePlace
 from roadlang.geometry.routes.random_routes import random_route
-from roadlang.geometry.routes.shortest import RoutePlace
 from tests.geometry.routes.test_routes import assert_drivable, graph_of, grid
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roadlang.geometry.routes.lane_graph import LaneGraph
-from roadlang.geometry.routes.shortest import PlannedRoute, RoutePlace
+from roadlang.geometry.routes.legs import PlannedRoute, RoutePlace
 from roadlang.geometry.routes.walking import straight_on, straight_route
 from tests.geometry.routes.test_routes import assert_drivable, graph_of, grid
 

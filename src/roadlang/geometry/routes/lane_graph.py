@@ -73,6 +73,10 @@ class LaneGraph:
     sections: Mapping[int, CrossSection]
     """by edge, along its curve"""
     edges: Mapping[int, Edge]
+    joints: frozenset[int] = frozenset({NO_JUNCTION})
+    """the junctions at which two roads only go on in one another"""
+    ring: frozenset[int] = frozenset()
+    """the edges of roundabouts"""
     _searched: dict[int, Any] = field(default_factory=dict)
     _bends: dict[int, float] = field(default_factory=dict)
 
@@ -104,6 +108,11 @@ class LaneGraph:
         steps = np.hypot(*np.diff(middle, axis=0).T)
         turned = np.abs(np.diff(curve.heading(at)))
         return float((turned / np.maximum(steps, NO_STEP)).max())
+
+    def heading(self, lane: int, station: float) -> float:
+        """Radians: which way traffic in a lane runs at an arc length of its edge."""
+        along = float(self.edges[self.lanes[lane].edge].curve.heading(np.array([station]))[0])
+        return along if self.forward(lane) else along + np.pi
 
     def room(self, lane: int, station: float) -> float:
         """Meters from an arc length to where traffic leaves the lane; negative beyond."""
@@ -197,6 +206,8 @@ def lane_graph(
         tuple(_neighbors(lane, sections[lane.edge], numbers) for lane in lanes),
         dict(sections),
         by_id,
+        frozenset({NO_JUNCTION, *(item.id for item in plan.junctions if item.kind == "joint")}),
+        frozenset(plan.ring),
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arrays import Floats, Integers
 from .lane_graph import LaneGraph
-from .shortest import RoutePlace
+from .legs import RoutePlace
 
 _AT_JUNCTION = 10.0
 """Meters: how much farther than the nearest the other roads of a junction may be for a point in it,

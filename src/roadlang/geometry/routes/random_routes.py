@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from .lane_graph import Exit, LaneGraph
-from .shortest import Leg, PlannedRoute, RoutePlace, lane_legs
+from .legs import Leg, PlannedRoute, RoutePlace, lane_legs
 
 _TURNS_PER_NUMBER = 12
 _SCRAMBLE = 0.6180339887498949

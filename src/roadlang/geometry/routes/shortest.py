@@ -1,50 +1,25 @@
-"""The shortest routes between places in lanes: Dijkstra's algorithm over lanes."""
+"""The shortest routes by places in lanes and turns: Dijkstra's algorithm over lanes."""
 
 from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from .lane_graph import LANE_CHANGE, LaneGraph, Turn
+from .legs import CHANGE_COST, ONWARD, Leg, PlannedRoute, RoutePlace, lane_legs
+from .next_turns import NextTurn, ways_on
+from .walking import straight_route
 
-CHANGE_COST = 30.0
-"""Meters of detour that a change of lane is worth"""
+Stage: TypeAlias = Sequence[RoutePlace] | NextTurn
+"""What a route passes: one of several places, or the next junction by a turn"""
+
 BEGINS_NEAR = 1.001
 """Times the penalty of where a route begins: of routes that cost the same, that one is taken which
 begins nearest to its first point, whichever way the lanes are counted."""
 ROOM_TO_BEGIN = 12.0
 """Meters of a lane that is long enough for an agent to begin in, where there are such"""
-
-
-@dataclass(frozen=True, slots=True)
-class RoutePlace:
-    """A place in a lane of a graph: an arc length of the edge; `penalty` is what it costs to choose
-    it among others, in meters."""
-
-    lane: int
-    station: float
-    penalty: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Leg:
-    """A part of one lane, from arc length `start` to `stop` of its edge, and the turn at its end,
-    None at the last one and before a change of lane."""
-
-    lane: int
-    start: float
-    stop: float
-    turn: Turn | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class PlannedRoute:
-    """Legs in order, and what they cost: meters, changes of lane and penalties."""
-
-    legs: tuple[Leg, ...]
-    cost: float
-    closed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,25 +49,44 @@ class _Reached:
     legs: tuple[Leg, ...]
 
 
-def shortest_route(graph: LaneGraph, stages: Sequence[Sequence[RoutePlace]]) -> PlannedRoute | int:
-    """The cheapest route that passes one place of each stage, in order.
+def shortest_route(
+    graph: LaneGraph, begins: Sequence[RoutePlace], stages: Sequence[Stage]
+) -> PlannedRoute | int:
+    """The cheapest route that begins at one place, and passes all stages in order. After a turn
+    that comes last it goes straight on.
 
-    Where there is none, the number of the first stage that cannot be reached.
+    Where there is none, the number of the first stage that cannot be reached, from 1.
     """
-    reached = [_Reached(place, BEGINS_NEAR * place.penalty, ()) for place in stages[0]]
-    for number, stage in enumerate(stages[1:], 1):
-        following = [found for place in stage if (found := _nearest(graph, reached, place))]
+    reached = [_Reached(place, BEGINS_NEAR * place.penalty, ()) for place in begins]
+    for number, stage in enumerate(stages, 1):
+        if isinstance(stage, NextTurn):
+            following = _turned(graph, reached, stage.turn)
+        else:
+            following = [found for place in stage if (found := _nearest(graph, reached, place))]
         if not following:
             return number
         reached = following
     best = min(reached, key=lambda item: item.cost)
-    legs = _joined(best.legs)
-    first, last = stages[0], best.place
-    returns = len(stages) > 2 and any(
-        place.lane == last.lane and abs(place.station - last.station) < 1e-6 for place in first
+    last, legs = best.place, best.legs
+    if stages and isinstance(stages[-1], NextTurn):
+        legs += straight_route(graph, last, ONWARD).legs
+    legs = _joined(legs)
+    returns = len(stages) > 1 and any(
+        place.lane == last.lane and abs(place.station - last.station) < 1e-6 for place in begins
     )
     closed = returns and legs[0].lane == last.lane and abs(legs[0].start - last.station) < 1e-6
     return PlannedRoute(legs, best.cost, closed)
+
+
+def _turned(graph: LaneGraph, reached: Sequence[_Reached], turn: str) -> list[_Reached]:
+    """Beyond the next junction, the cheapest way into each lane."""
+    found: dict[int, _Reached] = {}
+    for item in reached:
+        for way in ways_on(graph, item.place):
+            cost = item.cost + way.cost
+            if way.turn == turn and (way.end.lane not in found or cost < found[way.end.lane].cost):
+                found[way.end.lane] = _Reached(way.end, cost, item.legs + way.legs)
+    return [found[lane] for lane in sorted(found)]
 
 
 def _nearest(graph: LaneGraph, reached: Sequence[_Reached], place: RoutePlace) -> _Reached | None:
@@ -178,16 +172,6 @@ def _legs(graph: LaneGraph, origin: RoutePlace, goal: RoutePlace, route: _Path) 
         graph, origin.lane, route.exit_lane, origin.station, graph.end[route.exit_lane], route.turn
     )
     return (*first, *(leg for part in reversed(passed) for leg in part), *last)
-
-
-def lane_legs(
-    graph: LaneGraph, first: int, last: int, start: float, stop: float, turn: Turn | None
-) -> tuple[Leg, ...]:
-    """Along one road, the changes of lane evenly between."""
-    lanes = graph.lanes_between(first, last)
-    cuts = [start + (stop - start) * k / len(lanes) for k in range(len(lanes))] + [stop]
-    legs = [Leg(lane, cuts[k], cuts[k + 1]) for k, lane in enumerate(lanes)]
-    return (*legs[:-1], Leg(lanes[-1], cuts[-2], cuts[-1], turn))
 
 
 def _joined(legs: Sequence[Leg]) -> tuple[Leg, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from .lane_graph import LaneGraph, Turn
-from .shortest import Leg, PlannedRoute, RoutePlace
+from .legs import Leg, PlannedRoute, RoutePlace
 
 MeasureLane = Callable[[int, float, float], float]
 """Meters along a lane of the graph between two arc lengths of its edge, as the road is bent"""

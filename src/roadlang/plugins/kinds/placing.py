@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ...geometry.arrays import Booleans, Floats, Integers
     from ...geometry.routes.lane_graph import LaneGraph
-    from ...geometry.routes.shortest import RoutePlace
+    from ...geometry.routes.legs import RoutePlace
 
 
 @dataclass(frozen=True, eq=False)

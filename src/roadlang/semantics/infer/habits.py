@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...diagnostics import Fix, nearest
+from ...plugins.common_options import common_options
 from ...syntax.tree import nodes as ast
 from ...syntax.words import PASS_VERBS
 from ..types.expression_types import DeclaredType, TypedExpression
@@ -148,13 +149,18 @@ def number_of_entity_help(typed: TypedExpression) -> tuple[str, ...]:
     return ()
 
 
-def option_help(name: str, owner: str) -> tuple[str, ...]:
+def option_help(checker: Checker, name: str, owner: str) -> tuple[str, ...]:
     """Help for an option that a statement or kind, the `owner`, does not have."""
     if (owner, name) == ("`network`", "width"):
         return (_NETWORK_WIDTH,)
     if name in (*PASS_VERBS, "sample", "simulate", "falsify"):
         return (f"write `{name} with KIND {{ ... }}`",)
     verb = owner.strip("`").split(" ")[0]
+    if verb == "drive" and name in {option.name for option in common_options("agent")}:
+        return (f"`{name}` is an option of the agent: write it beside `drive with`",)
     if (verb, name) in _SETTINGS:
         return (f"it is called `{_SETTINGS[verb, name]}`",)
+    positions = checker.registry.of("position") if verb in ("agent", "object") else ()
+    if any(entry.name == name for entry in positions):
+        return (f"the position is written before the block: `at {name}(...)`",)
     return (_OPTIONS[name],) if name in _OPTIONS else ()

@@ -97,9 +97,10 @@ def _begin_of_route(
     network: str | None,
     route: Value | None,
 ) -> TypedExpression | None:
-    """The first point of a route that has several; of a random one, some place in a lane."""
+    """The first point of a route that has several; some place in a lane, where it is random or
+    begins with a turn."""
     name = statement.name
-    if network is not None and isinstance(route, RandomValue):
+    if network is not None and (isinstance(route, RandomValue) or begins_with_turn(route)):
         return _anywhere(checker, statement, name, context)
     if network is not None and isinstance(route, Items) and len(route.items) > 1:
         first = route.items[0]
@@ -115,6 +116,11 @@ def _begin_of_route(
         help_ = "write `at (40m, 32m)`, or `on ROAD at 20m`, before the block"
     checker.report(Code.MISSING_POSITION, name.span, name=name.text, help=help_)
     return None
+
+
+def begins_with_turn(route: Value | None) -> bool:
+    """Whether a route has items, but does not say where it begins."""
+    return isinstance(route, Items) and not isinstance(route.items[0], Items | PassCall)
 
 
 def _anywhere(

@@ -171,8 +171,8 @@ def _sequence(
         return _count(checker, typed, what, "two", len(typed.items))
     if isinstance(expected, opt.ListType) and len(typed.items) < expected.at_least:
         return _count(checker, typed, what, f"{expected.at_least} or more", len(typed.items))
-    # Each item has the limits of the option, apart from the words, which stand for the whole.
-    inner = replace(limits, words=()) if not isinstance(item, opt.WordType) else limits
+    # Each item has the limits of the option; words stand for the whole, if not for items too.
+    inner = limits if opt.takes_words(item) else replace(limits, words=())
     items = [_checked(checker, part, item, inner, f"each item of {what}") for part in typed.items]
     fitted = [part for part in items if part is not None]
     if len(fitted) < len(items):
