@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.api import Axis, DiagnosticError, Search, Searcher
 from roadlang_standard.cube_encoding import CubeEncoding
-from roadlang_standard.failure_model import graded
+from roadlang_standard.failure_model import FailureModel, graded
 from roadlang_standard.failure_spread import APART, FailureSpread, one_of_each_neighborhood
 from roadlang_standard.falsify_cma import Cma
 from roadlang_standard.falsify_elites import Archive, Elites
@@ -229,6 +229,17 @@ def test_a_model_of_one_value_or_of_one_place_predicts_it() -> None:
         for _ in range(2):
             kernel.fit(known, np.full(20, 0.3))
             np.testing.assert_allclose(kernel.predicted(known), 0.3)
+
+
+def test_what_only_failures_have_makes_nothing_unlike() -> None:
+    vectors = np.random.default_rng(4).random((300, 3))
+    fails = vectors[:, 0] > 0.5
+    place = np.where(fails, 3.0, 0.0)  # where it fails: the same place
+    model = FailureModel()
+    model.tell(vectors, np.where(fails, -0.5, 0.5), np.column_stack([vectors[:, 1], place]))
+    low, high, other = model.described(np.array([[0.0, 0.5, 0.5], [1.0, 0.5, 0.5], [0.0, 1, 0.5]]))
+    assert np.linalg.norm(high - low) < 0.1
+    assert abs(np.linalg.norm(other - low) - 0.5) < 0.1
 
 
 def test_a_grid_visits_each_value_once_and_ends() -> None:

@@ -54,13 +54,15 @@ class FailureModel:
         the regression has them; k is at most the number of columns."""
         import numpy as np
 
-        slopes = self._regression()[1:]
+        slopes = self._regression()[2:]
         # Distances of `vectors @ slopes` are those of `vectors @ R.T`, where slopes.T = Q R.
         triangle = np.asarray(np.linalg.qr(slopes.T, mode="r"))
         return np.asarray(vectors @ triangle.T)
 
     def _regression(self) -> Floats:
-        """(1 + columns, D) weights of a constant and of each number of a vector."""
+        """(2 + columns, D) weights of a constant, of failing and of each number of a vector. What
+        only failures have, such as where they fail, would otherwise tell safe candidates from
+        failures, and safe ones would seem unlike all that is known."""
         import numpy as np
 
         known = np.concatenate(self._vectors)
@@ -71,7 +73,8 @@ class FailureModel:
                 for part in self._descriptors
             ]
         )
-        base = _with_constant(known[driven])
+        failed = np.concatenate(self._values)[driven] < 0.0
+        base = np.column_stack([np.ones(len(failed)), failed, known[driven]])
         square = base.T @ base + _RIDGE * np.eye(base.shape[1])
         described = found[np.isfinite(found).all(axis=1)]
         return np.asarray(np.linalg.solve(square, base.T @ described))
@@ -90,9 +93,3 @@ def graded(values: Floats) -> Floats:
     scores = ndtri((np.arange(len(safe)) + 0.5) / max(len(safe), 1))
     found[safe[order]] = np.clip(0.5 + scores / _DEVIATIONS, 0.0, 1.0)
     return np.asarray(found)
-
-
-def _with_constant(vectors: Floats) -> Floats:
-    import numpy as np
-
-    return np.column_stack([np.ones(len(vectors)), vectors])

@@ -46,7 +46,7 @@ _DIFFERENT = 0.3
 """Share of the children that lie off a failure by the difference of two others."""
 _MOST_DIFFERENCE, _NEIGHBORS, _NOISE = 2.5, 30, 0.02
 """The greatest multiple of the difference, how many neighbors it is of, normal steps beside it."""
-_UNLIKE = (1.0, 2.5)
+_UNLIKE = (1.03, 3.5)
 """How far from all failures a child should be (further than 1 is distinct), and what it loses in
 value for what it lacks; the best value is below 0, the worst 1."""
 _UNLIKE_AT_FIRST = (0.5, 0.3)

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Singles = NDArray[np.float32]
 
 _NOISE = 0.05
 """Variance of the noise, in parts of that of the values."""
 _RIDGE = 0.1
 """What the metric keeps of every direction, in parts of what it has in a usual one."""
 _LEAST = 1e-12
-_AT_ONCE = 2048
+_AT_ONCE = 512
 """Vectors whose values are predicted together: their distances fit into the caches."""
 
 
@@ -63,29 +64,38 @@ class LearnedKernel:
         equation 5.4 at its maximum): a lower confidence bound (Cox and John 1992)."""
         import numpy as np
 
-        parts = (vectors[first : first + _AT_ONCE] for first in range(0, len(vectors), _AT_ONCE))
+        mapped = (vectors @ self._map).astype(np.float32)  # enough to tell which are better
+        parts = (mapped[first : first + _AT_ONCE] for first in range(0, len(mapped), _AT_ONCE))
         return np.concatenate([np.empty(0), *(self._of_part(part, optimism) for part in parts)])
 
-    def _of_part(self, vectors: Floats, optimism: float) -> Floats:
+    def _of_part(self, mapped: Singles, optimism: float) -> Floats:
         import numpy as np
         from scipy.linalg import solve_triangular
 
-        apart = np.sqrt(3.0 * squares_apart(vectors @ self._map, self._known))
-        kernel = (1.0 + apart) * np.exp(-apart)
-        found = self._mean + kernel @ self._weights
+        apart = squares_apart(mapped, self._known.astype(np.float32))
+        apart *= 3.0
+        np.sqrt(apart, out=apart)
+        kernel = np.exp(-apart)
+        apart += 1.0
+        kernel *= apart
+        found = self._mean + (kernel @ self._weights.astype(np.float32)).astype(np.float64)
         if not optimism:
             return np.asarray(found)
-        known = solve_triangular(self._factor, kernel.T, lower=True, check_finite=False)
+        factor = self._factor.astype(np.float32)
+        known = solve_triangular(factor, kernel.T, lower=True, check_finite=False)
         unknown = np.maximum(1.0 - np.einsum("ij,ij->j", known, known), 0.0)
         return np.asarray(found - optimism * np.sqrt(max(self._variance, 0.0) * unknown))
 
 
-def squares_apart(a: Floats, b: Floats) -> Floats:
+def squares_apart(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     """(n, m) squared distances of rows (n, D) and (m, D), to rounding."""
     import numpy as np
 
-    square = (a * a).sum(axis=1)[:, None] + (b * b).sum(axis=1) - 2.0 * (a @ b.T)
-    return np.asarray(np.maximum(square, 0.0))
+    square = a @ b.T
+    square *= -2.0
+    square += (a * a).sum(axis=1)[:, None]
+    square += (b * b).sum(axis=1)
+    return np.asarray(np.maximum(square, 0.0, out=square))
 
 
 def _scaled(root: Floats, vectors: Floats) -> Floats:
