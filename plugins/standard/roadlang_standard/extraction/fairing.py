@@ -12,12 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.interpolate import CubicSpline
-from scipy.linalg import solveh_banded
 
 from roadlang.geometry import Floats
 
 from .edges import normals
-from .smoothing import stations
+from .smoothing import banded_solution, stations
 
 _TURNING, _CHANGING = 1.0, 3.0
 """Weights of curvature and of its change, beside squares of pixels off what was seen."""
@@ -27,6 +26,7 @@ _INSIDE, _BEYOND = 0.012, 4.0
 """Weights of squares of pixels within the tolerance, and beyond it."""
 _ROUNDS, _EASING = 32, 0.7
 _PINNED = 1e5
+_ZEROS = np.zeros(3)
 
 
 @dataclass(frozen=True)
@@ -106,16 +106,28 @@ def _solved(seen: SeenOffsets, bend: Floats, step: float) -> Floats:
         pulled = weight * (_INSIDE * goal + _BEYOND * outside * edge)
         for index, offset in seen.pins:
             pull[index], pulled[index] = _PINNED, _PINNED * offset
-        curvature = bend + np.diff(found, 2) / step**2
-        changed = change + np.diff(found, 3) / step**3
+        second = _differences(found, 2)
+        curvature = bend + second / step**2
+        changed = change + (second[1:] - second[:-1]) / step**3
         turning = _TURNING / step / np.maximum(np.abs(curvature), flattest)
         changing = _CHANGING / step**2 / np.maximum(np.abs(changed), evenest)
-        right = pulled - np.diff(np.pad(turning * bend, 2), 2)
-        right += np.diff(np.pad(changing * change, 3), 3)
-        found = solveh_banded(
-            _system(pull, turning / step**2, changing / step**3), right, lower=True
-        )
+        right = pulled - _spread(turning * bend, 2)
+        right += _spread(changing * change, 3)
+        system = _system(pull, turning / step**2, changing / step**3)
+        found = banded_solution(system, right)
     return found
+
+
+def _differences(values: Floats, order: int) -> Floats:
+    """As `numpy.diff`, which takes longer for short lines."""
+    for _ in range(order):
+        values = values[1:] - values[:-1]
+    return values
+
+
+def _spread(weighted: Floats, order: int) -> Floats:
+    """The differences' transpose: (n,) of values (n - order,)."""
+    return _differences(np.concatenate([_ZEROS[:order], weighted, _ZEROS[:order]]), order)
 
 
 def _system(pull: Floats, turning: Floats, changing: Floats) -> Floats:

@@ -97,27 +97,22 @@ def _junctions(padded: Booleans) -> Booleans:
 def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) -> None:
     steps = (-1, 1, -stride, stride, -stride - 1, -stride + 1, stride - 1, stride + 1)
     free = {int(i) for i in np.flatnonzero(padded)} - owner.keys()
+    beside = {pixel + s for pixel in owner for s in steps}  # few: all others are passed quickly
 
     def go(pixel: int, start: int, path: list[int]) -> None:
         """Follow free pixels until a node or a dead end."""
         while True:
             path.append(pixel)
             free.discard(pixel)
-            hit = next(
-                (
-                    owner[pixel + s]
-                    for s in steps
-                    if pixel + s in owner and _fresh(path, start, owner[pixel + s])
-                ),
-                None,
+            nodes = (
+                [owner[pixel + s] for s in steps if pixel + s in owner] if pixel in beside else []
             )
+            hit = next((node for node in nodes if _fresh(path, start, node)), None)
             if hit is not None:
                 return _add(graph, start, hit, path, stride)
             onward = _onward(pixel, start if len(path) < 3 else None, free, owner, steps)
             if onward is None:
-                back = len(path) > 2 and any(
-                    pixel + s in owner and owner[pixel + s] == start for s in steps
-                )
+                back = len(path) > 2 and start in nodes
                 return _add(graph, start, start if back else None, path, stride)
             pixel = onward
 
@@ -135,6 +130,7 @@ def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) ->
         node = graph.add_node(_xy(root, stride))
         if onward is not None:
             owner[root] = node
+            beside.update(root + s for s in steps)
             go(onward, node, [])
 
 
@@ -159,7 +155,8 @@ def _fresh(path: list[int], start: int, node: int) -> bool:
 
 
 def _add(graph: Graph, start: int, end: int | None, path: list[int], stride: int) -> None:
-    points = np.array([_xy(pixel, stride) for pixel in path])
+    flat = np.array(path)
+    points = np.column_stack([flat % stride - 1.0, flat // stride - 1.0])
     if end is None:
         end = graph.add_node(points[-1])
     polyline = np.vstack([graph.nodes[start], points, graph.nodes[end]])
