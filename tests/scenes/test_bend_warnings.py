@@ -39,3 +39,20 @@ def test_all_scenes_and_copies_give_one_warning() -> None:
 
 def test_who_stands_is_not_named() -> None:
     assert warned(ROAD % "4" + "agent cars is bus on main at 10m\n") == []
+
+
+@pytest.mark.parametrize(("kind", "times"), [("car", 1), ("bicycle", 0)])
+def test_the_bend_where_a_closed_road_ends_counts(kind: str, times: int) -> None:
+    drop = """road main {
+      draw with waypoints { points: [(0m, 0m), (26m, 7m), (36m, -2m), (26m, -7m)] }, closed: true
+      lanes: 2, oneway: true
+    }
+    """
+    assert warned(drop + CAR % (kind, "20m")) == times * ["RL619"]
+
+
+@pytest.mark.parametrize(("radius", "times"), [("5", 1), ("9", 0)])
+def test_who_has_no_route_cuts_no_bend(radius: str, times: int) -> None:
+    """A truck needs 7.6 m; to the inside of a bend by 60 degrees it would have room enough."""
+    bend = ROAD.replace("170deg", "-60deg").replace("lanes: 2", "lanes: 1") % radius
+    assert warned(bend + CAR % ("truck", "10m")) == times * ["RL619"]

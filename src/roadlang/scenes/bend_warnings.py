@@ -53,7 +53,8 @@ def _found(
             key = agent.group, agent.kind, road.name
             if tightest[place] <= limit or key in known:
                 continue
-            if _is_too_tight(road, lane, (low, high), limit, agent.width):
+            aside = _aside(_line(road, lane, low, high), 1.0 / limit, agent.route is not None)
+            if aside > _room(road, lane, low, high, agent.width) + _BESIDE:
                 known.add(key)
                 yield diagnose(
                     Code.BEND_TOO_TIGHT,
@@ -92,35 +93,50 @@ def _driven(
         yield road, agent.lane, low, agent.start if backward and not road.closed else road.length
 
 
-def _is_too_tight(
-    road: SceneRoad, lane: int, part: tuple[float, float], limit: float, width: float
-) -> bool:
-    """Whether who can steer bends of up to `limit`, 1/m, has to leave a lane somewhere on it."""
+def _line(road: SceneRoad, lane: int, low: float, high: float) -> Floats:
+    """x, y and heading (n, 3) of the middle of a lane between two arc lengths; all around a closed
+    road twice, with the bend where it ends; (0, 3) where there is no lane."""
     section = road.cross_section()
-    if lane not in section.ids:
-        return False
     s = np.asarray(road.stations)
+    there = (s >= low) & (s <= high)
+    if lane not in section.ids or not there.any():
+        return np.zeros((0, 3))
     offset, heading = section.offset(lane, s), np.unwrap(road.heading)
     x, y = road.x - np.sin(heading) * offset, road.y + np.cos(heading) * offset
-    there = (s >= part[0]) & (s <= part[1])
-    if not there.any():
-        return False
-    room = 0.5 * (float(section.lane_width(lane, s[there]).max()) - width)
-    return _aside(x[there], y[there], heading[there], 1.0 / limit) > max(room, 0.0) + _BESIDE
+    line = np.stack((x, y, heading), axis=1)[there]
+    if not (road.closed and there.all()):
+        return line
+    turned = 2.0 * np.pi * np.round((heading[-1] - heading[0]) / (2.0 * np.pi))
+    return np.concatenate((line, line + np.array([0.0, 0.0, turned])))
 
 
-def _aside(x: Floats, y: Floats, heading: Floats, least: float) -> float:
-    """Meters to the inside of a line that who needs the radius `least` has to cut its bends.
+def _room(road: SceneRoad, lane: int, low: float, high: float, width: float) -> float:
+    """Meters between the side of an agent in the middle of a lane and the border of the lane, where
+    that is widest."""
+    section = road.cross_section()
+    s = np.asarray(road.stations)
+    there = (s >= low) & (s <= high)
+    return max(0.5 * (float(section.lane_width(lane, s[there]).max(initial=0.0)) - width), 0.0)
+
+
+def _aside(line: Floats, least: float, cuts: bool) -> float:
+    """Meters by which who needs the radius `least` leaves a line in its bends.
 
     A bend of radius `r` by the angle `a` lies within an arc of a greater radius `R` that begins
-    before it and ends after it, which is `(R - r) (1 / cos(a / 2) - 1)` inside of its middle.
+    before it and ends after it, which is `(R - r) (1 / cos(a / 2) - 1)` inside of its middle. Who
+    does not cut bends, as agents without routes, is `(R - r) (1 - cos a)` outside at its end.
     """
-    gone = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
-    along = np.interp(np.arange(0.0, gone[-1], _SPACING), gone, heading)
+    if not len(line):
+        return 0.0
+    steps = np.hypot(*np.diff(line[:, :2], axis=0).T)
+    gone = np.concatenate(([0.0], np.cumsum(steps)))
+    along = np.interp(np.arange(0.0, gone[-1], _SPACING), gone, line[:, 2])
     most = 0.0
     for over in _OVER:
-        steps = round(over / _SPACING)
-        angle = float(np.abs(along[steps:] - along[:-steps]).max(initial=0.0))
+        count = round(over / _SPACING)
+        angle = float(np.abs(along[count:] - along[:-count]).max(initial=0.0))
         spare = least - over / max(angle, 1e-9)
-        most = max(most, spare * (1.0 / np.cos(0.5 * min(angle, _TIGHTEST_TURN)) - 1.0))
+        turned = min(angle, _TIGHTEST_TURN)
+        share = 1.0 / np.cos(0.5 * turned) - 1.0 if cuts else 1.0 - np.cos(turned)
+        most = max(most, spare * float(share))
     return most
