@@ -176,3 +176,20 @@ def test_coordinates_that_are_not_on_earth_are_no_place(tmp_path: Path) -> None:
     found = opened(path)
     assert (found.scale, found.shown.origin) == (2.0, None)
     assert found.shown.warning is not None
+
+
+@pytest.mark.parametrize(
+    ("west", "north", "is_place"),
+    [
+        (10.0, 88.99, True), (10.0, 89.0, False), (-359.9, 10.0, True),
+        (359.0, 10.0, True), (360.1, 10.0, False), (10.0, -88.0, True), (10.0, -88.9, False),
+    ],
+)  # fmt: skip
+def test_a_place_is_on_earth_but_not_next_to_a_pole(
+    tmp_path: Path, west: float, north: float, is_place: bool
+) -> None:
+    numbers = {33550: (1e-3, 1e-3, 0.0), 33922: (0.0, 0.0, 0.0, west, north, 0.0)}
+    path = written_geotiff(tmp_path / "a.tif", shown(), ((1024, 2), (2048, 4326)), numbers)
+    found = opened(path)
+    assert (found.shown.origin is not None) is is_place
+    assert (found.shown.warning is None) is is_place
