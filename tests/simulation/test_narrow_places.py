@@ -28,8 +28,8 @@ def found(
     x = ahead * math.cos(direction) - across * math.sin(direction) + s * np.cos(heading)
     y = ahead * math.sin(direction) + across * math.cos(direction) + s * np.sin(heading)
     cosine, sine = np.cos(heading) + 0.0 * s, np.sin(heading) + 0.0 * s
-    covered = (np.array(side) + 0.0 * s for side in (left, right))
-    lines = _Samples(np.arange(2), s, x, y, cosine, sine, *covered, s > math.inf)
+    to_left, to_right = np.array(left) + 0.0 * s, np.array(right) + 0.0 * s
+    lines = _Samples(np.arange(2), s, x, y, cosine, sine, to_left, to_right, s > math.inf)
     places = _places(lines, np.array([0]), np.array([1]))
     return None if places is None else [np.round(part, 6).tolist() for part in places]
 
