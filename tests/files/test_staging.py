@@ -32,6 +32,12 @@ def fill(folder: Path, *names: str) -> None:
             files.add(name, name.encode())
 
 
+def renew(folder: Path, *names: str) -> None:
+    with staged_set(folder, MARKER, lambda _: ()) as files:
+        for name in (*names, MARKER):
+            files.add(name, b"new")
+
+
 def fail_inside(folder: Path) -> None:
     with staged_set(folder, MARKER, everything) as files:
         files.add("a", b"other")
@@ -162,6 +168,35 @@ def test_many_files_are_made_safe_together_where_the_system_can(
     fill(tmp_path / "out", *map(str, range(count)))
     assert len(names_in(tmp_path / "out")) == count + 1
     assert sum(synced) == alone
+
+
+@pytest.mark.parametrize("names", [("a", "b", "c"), ()])
+def test_whoever_sees_the_marker_sees_all_files_of_its_set(
+    tmp_path: Path, names: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also while a set that is in place is taken back, because Ctrl-C came then."""
+    fill(tmp_path, "a", "b")
+    before = {name: (tmp_path / name).read_bytes() for name in names_in(tmp_path)}
+    marker, replace = tmp_path / MARKER, os.replace
+    seen: list[bool] = []
+
+    def replace_and_look(source: Path, target: Path) -> None:
+        if target.parent == tmp_path and target != marker:
+            seen.append(marker.exists())
+        replace(source, target)
+
+    def interrupt(folder: Path) -> None:
+        if folder == tmp_path and marker.exists() and marker.read_bytes() == b"new":
+            monkeypatch.setattr(transaction, "sync_folder", lambda folder: None)
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(transaction, "sync_folder", interrupt)
+    monkeypatch.setattr(os, "replace", replace_and_look)
+    with pytest.raises(KeyboardInterrupt):
+        renew(tmp_path, *names)
+    assert len(seen) >= len(names)
+    assert not any(seen)
+    assert {name: (tmp_path / name).read_bytes() for name in names_in(tmp_path)} == before
 
 
 def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
