@@ -20,6 +20,7 @@ from hypothesis.extra.numpy import arrays
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import DiagnosticError
+from roadlang.drive.figure import COLOR_STEPS, robustness_color
 from roadlang.ir.results_record import RESULTS_FILE
 from roadlang.ir.trace import AgentTrace, Trace
 from roadlang.report.draw_charts import separation
@@ -136,6 +137,13 @@ def test_a_path_is_where_the_trace_has_it(search: Path) -> None:
     assert math.remainder(turned[-1] - trace["agents"]["ego"]["heading"][-1], math.tau) == (
         pytest.approx(0.0, abs=2e-3)
     )
+
+
+def test_colors_of_paths_go_from_the_worst_to_the_best(search: Path) -> None:
+    shades = data_of(write_report(search))["shades"]
+    assert len(shades) == 2 * COLOR_STEPS + 1
+    ends = [robustness_color(share) for share in (-1.0, 0.0, 1.0)]
+    assert [shades[0], shades[COLOR_STEPS], shades[-1]] == ends
 
 
 def test_what_sets_failures_apart_is_their_speed(search: Path) -> None:
