@@ -1,4 +1,4 @@
-"""Arguments without names beyond the first: kinds that gather them, as `choice` does."""
+"""Arguments of calls: those that a kind gathers, as `choice` does, and whether a call is drawn."""
 
 from __future__ import annotations
 
@@ -42,6 +42,14 @@ def test_what_gathers_a_draw_is_drawn(draws: str) -> None:
     one, other = (scene.roads[name].length for name in ("one", "other"))
     assert 30.0 <= min(one, other) <= max(one, other) <= 60.0
     assert one != other
+
+
+@pytest.mark.parametrize("call", ["arc(40m, 30deg..60deg)", "arc(30m..60m, 30deg)"])
+def test_a_call_with_a_draw_among_its_arguments_is_drawn(call: str) -> None:
+    (scene,) = testing.sample(TWO.format(call))
+    assert scene.roads["one"].length != scene.roads["other"].length
+    fixed = TWO.format("arc(40m, 30deg)")
+    assert [str(found.code) for found in testing.check(fixed)] == ["RL232"]
 
 
 def test_what_gathers_no_draw_cannot_be_drawn_again() -> None:
