@@ -81,8 +81,7 @@ def named(name: str, candidates: CandidateBatch) -> Any:
 
     def make(batch: CandidateBatch) -> Any:
         found = evaluate(declared.value, batch)
-        numbers = np.asarray(found) if isinstance(found, float | np.ndarray) else np.zeros(1)
-        if numbers.dtype.kind == "f" and np.isnan(numbers).any():
+        if isinstance(found, float | np.ndarray) and _has_nan(np.asarray(found)):
             raise DiagnosticError(diagnose(Code.NON_FINITE_VALUE, declared.span, name=name))
         return found
 
@@ -90,6 +89,10 @@ def named(name: str, candidates: CandidateBatch) -> Any:
     return candidates.of_scene(
         lambda scene_batch: scene_batch.once(("value", name), lambda: make(scene_batch))
     )
+
+
+def _has_nan(values: np.ndarray) -> bool:
+    return values.dtype.kind == "f" and bool(np.isnan(values).any())
 
 
 def drawn(draw: RandomValue, candidates: CandidateBatch, element: int = 0) -> Any:
