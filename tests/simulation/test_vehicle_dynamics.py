@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import fields, replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -138,3 +140,21 @@ def test_straight_on_it_is_stable_after_a_push(speed: float, friction: float) ->
     motion = go(parts, 0.0, 0.3, 300)
     assert abs(motion.slide[0]) < 0.01
     assert abs(motion.yaw_rate[0]) < 0.01
+
+
+@pytest.mark.parametrize("friction", [0.2, 0.5, 1.1])
+def test_a_car_on_other_ground_is_as_one_that_was_built_there(friction: float) -> None:
+    others = [replace(CAR, options={**CAR.options, "mass": mass}) for mass in (900.0, 2500.0)]
+    kinds = {"car": Body()}
+    ground, other = TireSurface(0.9), TireSurface(friction)
+    built = Bodies.of([CAR, *others], [ground, other, other], kinds, DT)
+    rows = np.array([1, 2])
+    moved = Bodies.of([CAR, *others], [ground] * 3, kinds, DT).on_ground(
+        rows, built.friction[rows], built.rolling[rows]
+    )
+    for field in fields(Bodies):
+        found, expected = (getattr(one, field.name) for one in (moved, built))
+        np.testing.assert_allclose(found, expected, rtol=1e-12, err_msg=field.name)
+    np.testing.assert_allclose(moved.stacked, built.stacked, rtol=1e-12)
+    for found, expected in zip(moved.columns, built.columns, strict=True):
+        np.testing.assert_allclose(found, expected, rtol=1e-12)
