@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from xml.etree import ElementTree
 
+import pytest
+
+from roadlang.api import junction_paint
 from roadlang.scenes.sampling import SamplingResult
 from roadlang_standard.emit_svg import Svg
-from roadlang_standard.svg.palette import LIGHTS
+from roadlang_standard.svg.junctions import paint
+from roadlang_standard.svg.palette import FAINT_MARKING, LIGHTS, MARKING
+from roadlang_standard.svg.viewport import BoundingBox, Viewport
 
 SVG = "{http://www.w3.org/2000/svg}"
 PLAN = '''
@@ -55,3 +60,29 @@ def test_signals_show_the_light_of_the_first_moment(
     assert len(heads) == 7
     assert colors.count(LIGHTS["green"]) in (3, 4)
     assert colors.count(LIGHTS["red"]) == 7 - colors.count(LIGHTS["green"])
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.4, 2.5, 8.0])
+def test_small_figures_have_no_arrows_faint_crossings_and_lines_that_can_be_seen(
+    sample: Callable[..., SamplingResult], scale: float
+) -> None:
+    text = PLAN.replace("CONTROL", "lanes: 4, sidewalks: 2m, control with signals")
+    scene = sample(text).scenes[0]
+    junctions = scene.networks[0].junctions
+    shapes = list(junction_paint(scene, junctions))
+    assert {shape.kind for shape in shapes} >= {"arrow", "crossing", "stop_line"}
+    small = scale < 2.5
+    shown = [shape for shape in shapes if not (small and shape.kind == "arrow")]
+    box = BoundingBox(0.0, 0.0, 400.0, 100.0)
+    drawn = paint(scene, junctions, Viewport(box, 0.0, 0.0, 400.0 * scale, 100.0 * scale))
+    for shape, written in zip(shown, drawn, strict=True):
+        element = ElementTree.fromstring(written)
+        if not shape.width:
+            faint = small and shape.kind == "crossing"
+            assert element.get("fill") == (FAINT_MARKING if faint else MARKING), shape.kind
+            continue
+        width = float(element.get("stroke-width") or 0.0)
+        least = 1.4 if shape.kind in ("stop_line", "yield_line") else 0.4
+        assert width == pytest.approx(max(shape.width * scale, least), abs=0.01), shape.kind
+        dashes = [float(part) for part in (element.get("stroke-dasharray") or "").split()]
+        assert dashes == pytest.approx([part * scale for part in shape.dashes or ()], abs=0.01)
