@@ -52,7 +52,9 @@ def _moment(
     choices = list(condition.choices())
     if not choices or not len(time):
         return None
-    chosen, values = min(choices, key=lambda choice: condition.rho_of(choice[1]))
+    chosen, values = choices[0]
+    if len(choices) > 1:
+        chosen, values = min(choices, key=lambda choice: condition.rho_of(choice[1]))
     variables, sample = find(formula, time, values)
     signals = {
         name: call for name, call in verdict.formula.get("signals", {}).items() if name in variables
