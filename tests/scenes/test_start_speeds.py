@@ -18,6 +18,14 @@ road main {
   lanes: 2, speed_limit: 20m/s
 }
 """
+TOWN = '''
+image plan from """
+.....
+#####
+.....
+""" { scale: 40m/px }
+network town from plan { lanes: 2 }
+'''
 
 
 @dataclass(frozen=True)
@@ -82,6 +90,21 @@ def test_a_controller_says_how_fast_its_agent_begins() -> None:
 def test_an_agent_stands_where_its_controller_says_nothing_or_waits() -> None:
     assert begins("drive with patient") == 0.0
     assert begins("drive with hasty { when: ego.speed > 1m/s }") == 0.0
+
+
+@pytest.mark.parametrize(
+    ("drive", "speed"),
+    [
+        ("", 0.0),
+        ("drive with patient", 0.0),
+        ("drive with hasty { target: 3, when: car[1].speed > 1m/s }", 0.0),
+        ("drive with hasty { target: 3 }", 3.0),
+    ],
+)
+def test_so_do_agents_and_groups_on_a_network(drive: str, speed: float) -> None:
+    text = f"{TOWN}\nagent car is car on town at random {{ count: 2, {drive} }}"
+    for scene in testing.sample(text, 2, kinds=[Hasty, Patient]):
+        assert [actor.start_speed for actor in scene.record.agents] == [speed, speed]
 
 
 def test_what_is_no_initial_speed_is_a_fault_of_the_plugin() -> None:
