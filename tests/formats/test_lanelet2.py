@@ -12,6 +12,10 @@ import pytest
 from roadlang import testing
 from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.emit_lanelet2 import Lanelet2Backend
+from roadlang_formats.lanelet2.document import TOLERANCE
+from roadlang_formats.lanelet2.primitives import Primitives
+from roadlang_formats.lanelet2.regulatory_elements import RegulatoryElements
+from roadlang_formats.lanelets.network import lanelet_map
 from tests.formats.test_commonroad import CROSSING, STREET, scene_of
 
 
@@ -97,6 +101,22 @@ def test_junctions_have_the_rules_of_the_scene(rule: str, subtype: str, role: st
         ]
         assert all("turn_direction" in tags_of(lanelet) for lanelet in holders)
         assert holders
+
+
+@pytest.mark.parametrize("left_out", ["yielding", "prior", "neither"])
+def test_a_rule_names_who_yields_and_to_whom_or_is_none(left_out: str) -> None:
+    lanelets = lanelet_map(scene_of(CROSSING % "lanes: 2, control with stop"), TOLERANCE)
+    junction = max(lanelets.junctions, key=lambda found: len(found.junction.yields))
+    low = junction.junction.yields[0][0]
+    highs = {high for one, high in junction.junction.yields if one == low}
+    without = {"yielding": {low}, "prior": highs, "neither": set()}[left_out]
+    numbers = {junction.connections[id] for id in {low, *highs} - without}
+    ids = {number: id for id, number in enumerate(sorted(numbers), 1)}
+    primitives = Primitives(LocalProjection(0.0, 0.0), reserved=len(ids))
+    rules = RegulatoryElements(primitives, lanelets, ids)
+    rules.add_junction(junction)
+    found = [number for number in ids if rules.of(number)]
+    assert (junction.connections[low] in found) is (left_out == "neither")
 
 
 def test_points_are_where_the_origin_says() -> None:
