@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from roadlang.cli.machine_faults import machine_fault
 from tests.cli.command_lines import roadlang
 
 
@@ -75,6 +76,20 @@ def test_a_full_device_behind_standard_output_is_said(words: str, folder: Path) 
     assert "standard output" in done.stderr
     assert "Traceback" not in done.stderr
     assert "Exception ignored" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("error", "says"),
+    [
+        (OSError(28, "No space left on device", "a.json"), ("a.json", "no space left on device")),
+        (OSError(122, "Disk quota exceeded"), ("standard output", "disk quota exceeded")),
+        (OSError(5, None, "b.json"), ("b.json", "no room")),
+    ],
+)
+def test_what_has_no_room_and_why_is_said(error: OSError, says: tuple[str, str]) -> None:
+    found = machine_fault(error)
+    assert found is not None
+    assert all(part in found.message for part in says)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -43,6 +45,17 @@ def test_roads_are_in_pixels_whatever_the_scale(tmp_path: Path, scale: float) ->
         assert 0.0 < road["confidence"] <= 1.0
         steps = np.hypot(*np.diff(road["points"], axis=0).T)
         assert 1.0 < steps.mean() < 3.0
+
+
+def test_numbers_for_the_page_are_short(tmp_path: Path) -> None:
+    roads = picture_roads(tmp_path)
+    edge = roads.network.edges[0]
+    widths, confidence = np.full_like(edge.widths, 2.71828), 0.98765
+    (road,) = replace(
+        roads, network=SimpleNamespace(edges=[replace(edge, widths=widths, confidence=confidence)])
+    ).found_roads()
+    assert (road["width"], road["confidence"]) == (5.44, 0.988)
+    assert all(number == round(number, 1) for point in road["points"] for number in point)
 
 
 def test_a_closed_road_ends_on_the_page_where_it_begins(tmp_path: Path) -> None:

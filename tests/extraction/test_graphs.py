@@ -280,3 +280,20 @@ def test_a_short_line_leaves_its_ends_toward_each_other() -> None:
     for side in (0, 1):
         toward = np.array([1.0, 1.0]) / np.sqrt(2.0) * (1 - 2 * side)
         assert heading(line, side, 20.0) == pytest.approx(toward)
+
+
+@pytest.mark.parametrize(
+    ("at", "node"), [((-9.0, 1.0), 0), ((3.0, 1.0), 0), ((40.0, 1.0), 1), ((30.0, 0.0), 1)]
+)
+def test_a_line_is_not_split_at_its_end_though_its_node_is_elsewhere(at: Point, node: int) -> None:
+    points = dense((0.0, 0.0), (30.0, 0.0))
+    nodes = {0: np.array([-20.0, 0.0]), 1: np.array([50.0, 0.0])}
+    graph = Graph(nodes, [Line(0, 1, points)])
+    near = at[0] if 0.0 < at[0] < 30.0 else 0.0
+    split = attach(graph, graph.lines[0], np.array(at))
+    if near:
+        assert (split, len(graph.lines)) == (2, 2)
+        assert graph.nodes[split].tolist() == [near, 0.0]
+        assert [(line.start, line.end) for line in graph.lines] == [(0, 2), (2, 1)]
+    else:
+        assert (split, len(graph.lines)) == (node, 1)

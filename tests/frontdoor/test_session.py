@@ -226,6 +226,8 @@ def test_notebooks_show_the_figure_and_the_contact_sheet(file: Path) -> None:
     assert scenes[0]._repr_svg_().startswith("<svg") or "<svg" in scenes[0].svg()[:200]
     assert 'width="800"' in scenes[0].svg(size=800)
     assert scenes._repr_svg_() != scenes[0].svg()
+    one = roadlang.load(file).sample(1)
+    assert one._repr_svg_() == one[0].svg(), "one scene is its figure"
 
 
 def test_options_of_a_figure_are_checked(file: Path) -> None:
