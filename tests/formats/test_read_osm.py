@@ -224,6 +224,27 @@ def test_faults_are_reported_in_the_file(tmp_path: Path, text: str, word: str) -
     assert found.span is not None
 
 
+@pytest.mark.parametrize(
+    ("latitude", "longitude", "is_place"),
+    [
+        (89.0, 11.0, True), (89.001, 11.0, False), (-89.0, 180.0, True), (-89.001, 180.0, False),
+        (48.0, -180.0, True), (48.0, 180.001, False), (48.0, -180.001, False),
+    ],
+)  # fmt: skip
+def test_places_are_on_earth_but_not_at_a_pole(
+    tmp_path: Path, latitude: float, longitude: float, is_place: bool
+) -> None:
+    toward = 0.001 if latitude < 0.0 else -0.001
+    nodes = f'<node id="a" lat="{latitude}" lon="{longitude}"/>'
+    nodes += f'<node id="b" lat="{latitude + 1.5 * toward}" lon="{longitude}"/>'
+    text = osm(way(1, "a b"), nodes=nodes)
+    if is_place:
+        assert len(read(tmp_path, text).network.edges) == 1
+    else:
+        with pytest.raises(roadlang.DiagnosticError, match="not a place on Earth"):
+            read(tmp_path, text)
+
+
 def tagged_node(id: str, east: float, north: float, **tags: str) -> str:
     """A node so many degrees from the corner of the grid."""
     listed = "".join(
