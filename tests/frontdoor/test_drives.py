@@ -109,3 +109,14 @@ def test_a_drive_signal_that_gives_no_numbers_is_at_fault() -> None:
     (found,) = [one for one in drive.diagnostics if "`talks`" in one.help[-1]]
     assert found.code == "RL474"
     assert "gave values that are of type <U4, not real numbers" in found.message
+
+
+def test_a_figure_is_called_after_the_worst_expectation() -> None:
+    found = drives(n=4)
+    figures = [drive.svg() for drive in found]
+    assert "scene 0: slow, robustness 2" in figures[0]
+    assert "scene 3: slow, robustness -1" in figures[3]
+    plain = drives("\n".join(line for line in TEXT.splitlines() if "expect" not in line), 1)
+    (figure,) = [drive.svg() for drive in plain]
+    assert "scene 0" in figure
+    assert "robustness" not in figure

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from roadlang.ir.scene import SceneActor
 from roadlang.simulation import vehicle_dynamics as vehicle
-from roadlang.simulation.bodies import Bodies, Body
+from roadlang.simulation.bodies import Bodies, Body, vehicle_parameters
 from roadlang.simulation.lines import Lines, straight_line
 from roadlang.simulation.motion import Motion, Track, advance
 from roadlang.simulation.surfaces import TireSurface
@@ -158,3 +158,20 @@ def test_a_car_on_other_ground_is_as_one_that_was_built_there(friction: float) -
     np.testing.assert_allclose(moved.stacked, built.stacked, rtol=1e-12)
     for found, expected in zip(moved.columns, built.columns, strict=True):
         np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+def test_the_numbers_of_a_car_are_those_of_its_options_and_its_kind() -> None:
+    body = Body(drag_area=0.8, rolling=0.02, power=50.0, mass_height=0.4)
+    found = vehicle_parameters(CAR, body)
+    assert (found.mass, found.wheelbase, found.max_steering) == (1500.0, 2.7, 0.61)
+    assert found.drag == pytest.approx(0.5 * 1.2 * 0.8 / 1500.0)
+    assert found.rolling == pytest.approx(0.02 * 9.81, rel=1e-3)
+    assert found.power == 50.0
+    assert found.mass_height == pytest.approx(0.4 * 1.5)
+    usual = vehicle_parameters(replace(CAR, options={}), body)
+    assert usual.mass == 1500.0
+    assert usual.wheelbase == pytest.approx(0.6 * 4.5)
+    odd = replace(CAR, options={"mass": 0.0, "wheelbase": 0.0, "max_steering": 3.0})
+    least = vehicle_parameters(odd, body)
+    assert (least.mass, least.wheelbase, least.max_steering) == (1e-3, 0.05, 1.5)
+    assert vehicle_parameters(CAR) == vehicle_parameters(CAR, Body())

@@ -9,9 +9,10 @@ from typing import Any
 
 import pytest
 
-from roadlang import loads
+from roadlang import DiagnosticError, loads, testing
 from roadlang.ir.scene import SceneActor
 from roadlang.scenes.sampling import SamplingResult
+from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
 ROAD = (
@@ -272,3 +273,18 @@ def test_signals_of_a_drive_are_of_one_copy() -> None:
     ]
     assert drive.verdicts["first"].robustness == pytest.approx(apart[0].min() - 1)
     assert agents["cars[0]"].speed[-1] == pytest.approx(agents["cars[1]"].speed[-1])
+
+
+@pytest.mark.parametrize(
+    ("things", "says"),
+    [
+        ("object wall is box on main at 20m\nagent ego is car on main at 19m..21m",
+         "`wall` is in the way of `ego`"),
+        ("object wall is box at (0m..0.1m, 0m) { count: 2 }",
+         "copies of `wall` are in the way of each other"),
+    ],
+)  # fmt: skip
+def test_what_is_in_the_way_of_what_is_said_where_there_is_no_scene(things: str, says: str) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        testing.sample(f"{STRAIGHT.replace(', width: 8m', '')}\n{things}\n")
+    assert says in str(caught.value)
