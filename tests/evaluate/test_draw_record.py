@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+import pytest
 
 from roadlang.evaluate.draw_record import CopyDraws, DrawRecord
 
@@ -61,3 +64,16 @@ def test_what_was_drawn_is_in_the_order_of_its_names() -> None:
     assert list(found.items()) == [
         ("a/at", 5.0), ("tree/kind[100]", "c"), ("tree/kind[10]", "a"), ("tree/kind[2]", "b"),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("columns", [False, True])
+def test_what_another_kind_drew_stands_where_a_candidate_lacks_the_first(columns: bool) -> None:
+    """Each candidate has the one or the other; the last has neither."""
+    record = DrawRecord()
+    into: dict[str, Any] = record.values if columns else record.coordinates
+    for numbers, lacking in (([1.0, 2.0, 3.0], [0, 1, 1]), ([4.0, 5.0, 6.0], [1, 0, 1])):
+        column = np.array(numbers)[:, None] if columns else np.array(numbers)
+        record.add_shared(into, "ego/length", column, np.array(lacking, bool))
+    assert into["ego/length"].shape == ((3, 1) if columns else (3,))
+    assert into["ego/length"].reshape(-1)[:2].tolist() == [1.0, 5.0]
+    assert record.absent["ego/length"].tolist() == [False, False, True]

@@ -219,7 +219,9 @@ def test_without_results_there_is_a_diagnostic(
     elif kind == "empty":
         folder.mkdir()
     assert run(["report", str(folder)]) == 2
-    assert "RL720" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "RL720" in said
+    assert (f"there is no {RESULTS_FILE}" if kind == "empty" else "it is no folder") in said
     assert not (folder / "report.html").exists()
 
 

@@ -169,6 +169,27 @@ def test_an_unreadable_statement_leaves_its_name() -> None:
     assert let.name.text == "e2"
 
 
+UNCLOSED = """road main {
+  draw with waypoints { points: [(0m, 0m), (90m, 0m)]
+  width: 8m
+}
+road other { draw with waypoints { points: [(0m, 0m), (90m, 0m)] }
+lanes: 2
+"""
+
+
+def test_what_follows_on_a_line_of_its_own_belongs_to_the_block_around() -> None:
+    """It is an option of the road, not of the waypoints; where there is none around, of the one
+    that is not closed."""
+    tree, found = parse(Source("unclosed.rl", UNCLOSED))
+    assert [each.code for each in found] == ["RL003", "RL003"]
+    main, other = tree.statements
+    for road, option in ((main, "width"), (other, "lanes")):
+        assert isinstance(road, ast.Geometry)
+        assert road.block is not None
+        assert [item.key.text for item in road.block.options] == [option]
+
+
 def test_both_readings_are_offered_as_fixes() -> None:
     _, (found,) = parse(Source("p.rl", "require a: always p and q"))
     assert [fix.replacement for fix in found.fixes] == ["always (p) and q", "always (p and q)"]
