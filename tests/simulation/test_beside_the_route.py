@@ -46,3 +46,47 @@ def test_a_point_stands_for_the_lane_on_its_side(y: float, side: float, lane: st
     text = f"{TOWN}\nagent ego is {kind} on town at (30m, {y}m) {{ lane: {lane} }}"
     (scene,) = testing.sample(text, 1)
     assert np.sign(scene.record.agents[0].y - 10.0) == side
+
+
+CROSSING = """
+image plan from \"\"\"
+....#....
+....#....
+....#....
+....#....
+#########
+....#....
+....#....
+....#....
+....#....
+\"\"\" { scale: 30m/px, legend: { "#": road } }
+network town from plan {
+  left: [drive, bike, sidewalk]
+  right: [drive, bike, sidewalk]
+  speed_limit: 30km/h
+  control with CONTROL
+}
+agent ego is car on town at (137m, 20m..40m) { route: TURN, drive with traffic }
+agent rider is bicycle on town at (PLACE) {
+  lane: bike, route: straight, drive with traffic { speed: 16km/h..20km/h } }
+"""
+ALONGSIDE, ONCOMING = "139m, 45m..75m", "131m, 205m..225m"
+
+
+@pytest.mark.parametrize("control", ["right_first", "yield", "signals { green: 15s }"])
+@pytest.mark.parametrize(("turn", "place"), [("right", ALONGSIDE), ("left", ONCOMING)])
+def test_who_turns_lets_riders_in_the_bike_lane_go_straight_on(
+    control: str, turn: str, place: str
+) -> None:
+    text = CROSSING.replace("CONTROL", control).replace("TURN", turn).replace("PLACE", place)
+    close = 0
+    for one in testing.sample(text, 4, seed=3).run("builtin", duration=60.0):
+        ego, rider = one.trace.agents["ego"], one.trace.agents["rider"]
+        apart = np.hypot(ego.x - rider.x, ego.y - rider.y)
+        close += apart.min() < 15.0
+        assert not ego.contacts.any()
+        assert not rider.contacts.any()
+        assert abs(ego.x[-1] - 135.0) > 40.0
+        if "signals" not in control:
+            assert rider.speed[np.abs(rider.y - 135.0) < 30.0].min() > 2.0
+    assert close

@@ -1,5 +1,6 @@
-"""Pedestrians who step toward the lane of a car, or wait at a crossing, and vehicles that back into
-it: where the car has to stop to let them pass."""
+"""Pedestrians who step toward the lane of a car, or wait at a crossing, riders beside it whose way
+it crosses when it turns, and vehicles that back into it: where the car has to stop to let them
+pass."""
 
 from __future__ import annotations
 
@@ -29,6 +30,8 @@ TIMES: Floats = np.arange(0.0, SOON + 0.5 * STEP, STEP)
 """Seconds ahead at which it is looked where somebody who goes on as now will be."""
 STARTING = 2.0
 """m/s: who is slower counts as this fast."""
+RIDES = 4.0
+"""m/s: a rider who has started counts as at least this fast."""
 CLEARANCE = 1.0
 """Seconds between a car and a pedestrian when one goes before the other."""
 AT_CURB = 3.0
@@ -69,6 +72,8 @@ class _Seen:
     """the same where it enters the lane: other than now where the car turns"""
     faces: Booleans
     is_standing: Booleans
+    alongside: Booleans
+    """who rides beside the lane, and is let pass when it is beside the car already"""
 
     @property
     def soon(self) -> Booleans:
@@ -88,12 +93,15 @@ class Pedestrians:
         self._junctions = crossings.stop, crossings.exit
         self._waited = np.zeros(len(world.present))
         self._time = np.full(len(world.present), -math.inf)
-        self._walkers = bool((world.bodies.walks & world.filled).any())
+        self._rides_beside = _rides_beside(world)
+        self._watched = world.bodies.walks | self._rides_beside
+        self._exist = bool((self._watched & world.filled).any())
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         self._places, self._waited = self._places[agents], self._waited[agents]
         self._time = self._time[agents]
+        self._rides_beside, self._watched = self._rides_beside[agents], self._watched[agents]
         first, last = self._junctions
         self._junctions = first[agents], last[agents]
 
@@ -101,8 +109,10 @@ class Pedestrians:
         """(n,) meters from the fronts of some agents to where they have to stop for a pedestrian,
         or for a vehicle that backs, infinite for nobody."""
         out = np.full(len(rows), math.inf)
-        exist = self._walkers or bool(_backs(world).any())
-        seen = _seen(world, poses, rows) if exist else None
+        backs = _backs(world)
+        exist = self._exist or bool(backs.any())
+        watched = self._watched & world.present | backs
+        seen = _seen(world, poses, rows, watched, self._rides_beside) if exist else None
         if seen is None:
             return out
         car = rows[seen.agent]
@@ -110,7 +120,8 @@ class Pedestrians:
         own = half + seen.half_extent
         gap = seen.nearest - own
         toward = np.where(self._turns(world, seen, car), seen.toward_later, seen.toward)
-        needs = (toward > STEPS) & (seen.enters_at > own) & _meet(seen, gap, speed, half)
+        is_ahead = seen.enters_at > np.where(seen.alongside, -own, own)
+        needs = (toward > STEPS) & is_ahead & _meet(seen, gap, speed, half)
         stop = seen.ahead - own - BEFORE
         courteous = self._wants_to_cross(world, seen, car) & (stop > -BEFORE)
         courteous &= braking_to_stop(speed, stop) < COURTEOUS
@@ -166,15 +177,29 @@ def _backs(world: World) -> Booleans:
     return np.asarray(world.present & (world.motion.speed < -STEPS))
 
 
-def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
-    """The pedestrians, and what backs, near the lines of some agents, if there are any."""
-    walkers = np.flatnonzero(world.bodies.walks & world.present | _backs(world))
+def _rides_beside(world: World) -> Booleans:
+    """(N,) who goes in a bike lane or on a sidewalk, beside the lanes of its route."""
+    found = np.zeros(len(world.present), dtype=bool)
+    for place in np.flatnonzero(world.has_route & world.filled & ~world.bodies.walks).tolist():
+        actor = world.scenes[place // world.slots].agents[place % world.slots]
+        found[place] = actor.route is not None and actor.lane != actor.route.steps[0].lane
+    return found
+
+
+def _seen(
+    world: World, poses: Poses, rows: Integers, watched: Booleans, rides_beside: Booleans
+) -> _Seen | None:
+    """Those who are watched near the lines of some agents, if there are any. Who rides beside the
+    lanes is watched by those in the lanes who go its way: of others the right of way decides."""
+    walkers = np.flatnonzero(watched)
     same = (rows // world.slots)[:, None] == (walkers // world.slots)[None, :]
     view = looks_ahead(world)[rows][:, None]
     off_x = poses.x[walkers][None, :] - poses.x[rows][:, None]
     off_y = poses.y[walkers][None, :] - poses.y[rows][:, None]
     drives = (world.has_road & world.present & ~world.bodies.walks)[rows][:, None]
     near = same & drives & (walkers[None, :] != rows[:, None])
+    same_way = np.cos(poses.heading[walkers][None, :] - poses.heading[rows][:, None]) > 0.0
+    near &= ~rides_beside[walkers] | same_way & ~rides_beside[rows][:, None]
     near &= off_x * off_x + off_y * off_y < view * view
     place, number = np.nonzero(near)
     if not len(place):
@@ -191,6 +216,8 @@ def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
         return None
     place, column, walker, speed = place[close], column[close], walker[close], speed[close]
     half, half_extent = half[close], half_extent[close]
+    starts = rides_beside[walker] & (speed > STEPS)
+    speed = np.where(starts, np.maximum(speed, RIDES), speed)
     pace = speed * np.cos(poses.heading[walker]), speed * np.sin(poses.heading[walker])
     x = poses.x[walker] + TIMES[:, None] * pace[0]
     y = poses.y[walker] + TIMES[:, None] * pace[1]
@@ -202,6 +229,7 @@ def _seen(world: World, poses: Poses, rows: Integers) -> _Seen | None:
     return _Seen(
         place, ahead[0], outside[0], enters, leaves, ahead[first, np.arange(len(walker))], nearest,
         half_extent, speed * turned[0], speed * later, turned[0] > FACES, np.abs(speed) < STEPS,
+        rides_beside[walker],
     )  # fmt: skip
 
 
