@@ -5,6 +5,7 @@ extends "../build/thing.gd"
 const Protocol := preload("../net/protocol.gd")
 const Agent := preload("agent.gd")
 const PathLine := preload("path_line.gd")
+const FollowedLine := preload("followed_line.gd")
 const Vehicle := preload("vehicle.gd")
 const Walker := preload("walker.gd")
 const Driver := preload("driver.gd")
@@ -21,8 +22,7 @@ var path_id := NO_PATH
 var path: PathLine
 ## +1 along the path, -1 against it.
 var direction := 1.0
-## Of the line to follow, left of the path's center line.
-var line_offset := 0.0
+var line := FollowedLine.new()
 var body: PhysicsBody3D
 var driver: Driver
 
@@ -80,7 +80,7 @@ func build(reader: Reader) -> String:
 	agent_name = str(spec.get("name", "agent"))
 	path_id = int(number(spec, "path", NO_PATH))
 	direction = -1.0 if number(spec, "direction", 1.0) < 0.0 else 1.0
-	line_offset = number(spec, "offset", 0.0)
+	line = FollowedLine.new(number(spec, "offset", 0.0), spec.get("offsets"))
 	_start = Vector2(number(spec, "x", 0.0), number(spec, "y", 0.0))
 	_start_heading = number(spec, "heading", 0.0)
 	_start_speed = number(spec, "speed", 0.0)
@@ -191,7 +191,7 @@ func find_station() -> void:
 		var usual := direction * way
 		moved = wrapf(moved, usual - 0.5 * path.length, usual + 0.5 * path.length)
 	traveled += moved * direction
-	cross_track_error = direction * (path.offset(_segment, x, y) - line_offset)
+	cross_track_error = direction * (path.offset(_segment, x, y) - line_offset(station))
 
 
 ## Its place along the path has changed: it is found when somebody asks for it.
@@ -244,16 +244,24 @@ func at_end() -> bool:
 
 ## The point of the line to follow that is `ahead` meters on, and its direction of travel there.
 func ahead(meters: float) -> Vector2:
-	return path.point(station + direction * meters, line_offset)
+	var s := station + direction * meters
+	return path.point(s, line_offset(s))
 
 
 func line_heading(meters: float = 0.0) -> float:
-	var along := path.heading(station + direction * meters)
+	var s := station + direction * meters
+	var along := path.heading(s) + line.turned(path, s)
 	return along if direction > 0.0 else along + PI
 
 
 func line_curvature(meters: float = 0.0) -> float:
-	return direction * path.curvature(station + direction * meters)
+	var s := station + direction * meters
+	return direction * (path.curvature(s) + line.bend(path, s))
+
+
+## Of the line to follow, left of the path's center line at an arc length.
+func line_offset(s: float) -> float:
+	return line.offset(path, s)
 
 
 func _add_body(spec: Dictionary) -> void:

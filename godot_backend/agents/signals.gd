@@ -97,7 +97,7 @@ func _ahead(agent: Agent) -> Ahead:
 		var between := agent.direction * (place.x - agent.station)
 		if agent.path.closed:
 			between = fposmod(between, agent.path.length)
-		var beside := place.y - agent.line_offset
+		var beside := place.y - agent.line_offset(place.x)
 		var gap := between - 0.5 * (agent.size().x + other.size().x)
 		if between > 0.0 and absf(beside) < SAME_LANE and gap < out.gap:
 			out.gap = gap
@@ -108,7 +108,8 @@ func _ahead(agent: Agent) -> Ahead:
 ## Station and offset of another agent on the path of this one.
 func _on_path_of(agent: Agent, other: Agent) -> Vector2:
 	if other.path == agent.path:
-		return Vector2(other.station, other.direction * other.cross_track_error + other.line_offset)
+		var offset := other.line_offset(other.station)
+		return Vector2(other.station, other.direction * other.cross_track_error + offset)
 	var pair := Vector2i(agent.id, other.id)
 	var segment := agent.path.nearest(other.x, other.y, _segments.get(pair, -1))
 	_segments[pair] = segment

@@ -175,6 +175,7 @@ if TYPE_CHECKING:
     from .simulation.bodies import Body, body_of, vehicle_parameters
     from .simulation.contacts import Contact
     from .simulation.decision import Decision
+    from .simulation.lane_guides import lane_guide
     from .simulation.line_steering import line_steering
     from .simulation.mirroring import Mirror
     from .simulation.observation_vector import ObservationVector
@@ -224,6 +225,7 @@ _LATER = {
     ".simulation.bodies": "Body body_of vehicle_parameters",
     ".simulation.contacts": "Contact",
     ".simulation.decision": "Decision",
+    ".simulation.lane_guides": "lane_guide",
     ".simulation.line_steering": "line_steering",
     ".simulation.mirroring": "Mirror",
     ".simulation.observation_vector": "ObservationVector",
@@ -259,9 +261,9 @@ __all__ = [
     "SolidThings", "Source", "Span", "Speed", "Standing", "String", "SurfaceName",
     "SurfacePatch", "SurfaceStretch", "Trace", "Verdict", "ViolatedSegment", "Word",
     "beside_curb", "body_of", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl",
-    "junction_curbs", "junction_paint", "junction_surface", "kind_of", "line_steering",
-    "list_of", "map_of", "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image",
-    "read_input", "record_of", "road_surface", "route_points", "scene_from_json",
+    "junction_curbs", "junction_paint", "junction_surface", "kind_of", "lane_guide",
+    "line_steering", "list_of", "map_of", "one_of", "option", "paint_rings", "pair_of", "quantity",
+    "read_image", "read_input", "record_of", "road_surface", "route_points", "scene_from_json",
     "signal_heads", "simulate_scenes", "surface_names", "surface_stretches", "to_json",
     "vehicle_parameters",
 ]  # fmt: skip

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from roadlang.api import body_of, vehicle_parameters
+from roadlang.api import body_of, lane_guide, vehicle_parameters
 from roadlang_standard.engine_tables import BODIES
 
 from .conditions import engine_condition
@@ -78,6 +78,9 @@ def agent_spec(
             "offset": line_offset(actor, lines[name]),
             "direction": -1 if actor.facing == "back" else 1,
         }
+        offsets = _line_offsets(actor, scene)
+        if offsets:
+            spec["offsets"] = offsets
     return spec
 
 
@@ -106,6 +109,14 @@ def line_offset(actor: SceneActor, line: RoadSamples) -> float:
         return float(line.cross_section.offset(actor.lane, actor.start or 0.0))
     offset = actor.offset or 0.0
     return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
+
+
+def _line_offsets(actor: SceneActor, scene: Scene) -> list[list[float]]:
+    """Where its lane changes its width: arc lengths of its road, and how far left of the center
+    line the line lies there that it should follow."""
+    road = next((road for road in scene.roads if road.name == actor.road), None)
+    guide = None if road is None or actor.lane is None else lane_guide(road, actor.lane)
+    return [] if guide is None else np.round(np.stack(guide, axis=1), 4).tolist()
 
 
 def _path_name(actor: SceneActor) -> str:

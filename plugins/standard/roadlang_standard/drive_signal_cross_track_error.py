@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CrossTrack(DriveSignal):
-    """Lateral distance from the path that the agent follows, positive to the left."""
+    """Lateral distance from the path that the agent follows, such as the middle of its lane,
+    positive to the left."""
 
     name: ClassVar[str] = "cross_track_error"
     unit: ClassVar[str] = "m"

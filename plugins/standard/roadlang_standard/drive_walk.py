@@ -69,10 +69,13 @@ class Walk(Controller):
         from roadlang.api import ControlBatch
 
         seen, place = observations, state[:, 0]
-        if np.isnan(place).any():
-            place[:] = np.where(np.isnan(place), self._place(seen), place)
+        aside = -seen.cross_track_error
+        begins = np.isnan(place)
+        if begins.any():
+            place[:] = np.where(begins, self._place(seen), place)
+            aside = np.where(begins, place - seen.road_offset, aside)
         _, _, along, _ = seen.line_ahead(0.0)
-        heading = along + np.arctan((place - seen.road_offset) / LOOKAHEAD)
+        heading = along + np.arctan(aside / LOOKAHEAD)
         waits = self.wait_for != "nothing" and self._waits(seen, along, state)
         pace = np.where(waits, 0.0, self.speed)
         acceleration = (pace - seen.speed) / seen.step

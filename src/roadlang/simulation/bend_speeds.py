@@ -21,6 +21,7 @@ class BendSpeeds:
         count, cells = len(world.present), world.track.lines.cells
         self._agents = np.arange(count)
         self._limits = np.zeros((2, count))
+        self._guides = np.full(count, -1)
         self._plans = np.zeros((count, cells))
         self._first = self._agents * cells - world.track.first
         self._latest: tuple[Any, ...] = ()
@@ -39,8 +40,8 @@ class BendSpeeds:
         with a lateral acceleration of at most `lateral`."""
         track = world.track.of_rows(rows)
         wanted = (rows, lateral, braking)
-        if not self._was_latest(*wanted):
-            self._plan(track, *wanted)
+        if world.followed.guided or not self._was_latest(*wanted):
+            self._plan(world, track, *wanted)
         self._latest = wanted  # the next may be these very arrays
         along = track.wrapped(world.motion.along[rows] + distance)
         if compiled.is_loaded():
@@ -53,21 +54,26 @@ class BendSpeeds:
         return len(latest) == 3 and all(map(_is_same, latest, wanted))
 
     def _plan(
-        self, track: Track, rows: Any, lateral: Floats | float, braking: Floats | float
-    ) -> None:
+        self, world: World, track: Track, rows: Any, lateral: Floats | float,
+        braking: Floats | float,
+    ) -> None:  # fmt: skip
         """Make the plans that are new."""
         limits = np.empty((2, len(track.row)))
         limits[0], limits[1] = lateral, braking
-        new = (limits != self._limits[:, rows]).any(axis=0)
+        guides = world.followed.guide[rows]
+        new = (limits != self._limits[:, rows]).any(axis=0) | (guides != self._guides[rows])
         if new.any():
-            self._limits[:, rows] = limits
+            self._limits[:, rows], self._guides[rows] = limits, guides
             agents = self._agents[rows][new]
-            self._plans[agents] = planned(track.lines, track.row[new], *limits[:, new])
+            bend = _bend_beside(world, track.row[new], guides[new])
+            fresh = limits[:, new]
+            self._plans[agents] = planned(track.lines, track.row[new], fresh[0], fresh[1], bend)
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         self._agents = np.arange(len(agents))
         self._limits, self._plans = self._limits[:, agents], self._plans[agents]
+        self._guides = self._guides[agents]
         moved = (self._agents - agents) * self._plans.shape[1]
         self._first, self._latest = self._first[agents] + moved, ()
 
@@ -81,9 +87,23 @@ def _is_same(one: Any, other: Any) -> bool:
     return type(one) is type(other) and bool(one == other)
 
 
-def planned(lines: Lines, row: Integers, lateral: Floats, braking: Floats) -> Floats:
-    """(N, M) greatest speeds at the ends of the cells of the lines `row`."""
-    limits = squares_in_bends(lines.column(lines.seen_curvature)[row], lateral[:, None])
+def _bend_beside(world: World, row: Integers, guide: Integers) -> Floats | None:
+    """(N, M) 1/m by which guides bend more than the lines `row`; None where there are none."""
+    if not world.followed.guided:
+        return None
+    lines = world.track.lines
+    along = lines.origin[row, None] + lines.spacing[row, None] * np.arange(lines.cells)
+    return world.followed.guides.ahead(guide[:, None], along)[2]
+
+
+def planned(
+    lines: Lines, row: Integers, lateral: Floats, braking: Floats, bend: Floats | None = None
+) -> Floats:
+    """(N, M) greatest speeds at the ends of the cells of the lines `row`, which are followed where
+    they bend by `bend` more."""
+    curvature = lines.column(lines.seen_curvature)[row]
+    curvature = curvature if bend is None else curvature + bend
+    limits = squares_in_bends(curvature, lateral[:, None])
     gain = 2.0 * braking * lines.spacing[row]
     square = squares_before(limits, gain)
     again = np.flatnonzero(lines.closed[row])

@@ -114,17 +114,14 @@ def _carry_lines(before: World, after: World, rows: Continued) -> None:
         for old, new in zip(rows.before.tolist(), rows.after.tolist(), strict=True)
     ]
     old, new = rows.before[same], rows.after[same]
-    lateral, was = after.lateral, before.lateral
-    for name in ("target", "time", "share", "powers", "offset"):
-        column = getattr(lateral, name).copy()
-        column[..., new] = getattr(was, name)[..., old]
-        setattr(lateral, name, column)
-    lateral.moves = lateral.moves or was.moves
+    place, pace = after.motion.along, after.motion.speed
     target = np.full(len(after.filled), math.nan)
+    at_start = after.line_offset  # of the lines as they were at the start, beside the agents now
+    after.followed.go_on(before.followed, new, old, before.motion.along[old])
     for then, now in zip(old.tolist(), new.tolist(), strict=True):
-        settled = was.target[then] == was.start[then]
-        target[now] = lateral.start[now] if settled else _moved_lane(before, after, then, now)
-    lateral.move(target, np.full(len(target), SETTLING_TIME))
+        settled = before.followed.is_as_at_start(then)
+        target[now] = at_start[now] if settled else _moved_lane(before, after, then, now)
+    after.followed.move(target, np.full(len(target), SETTLING_TIME), place, pace)
 
 
 def _path(world: World, row: int) -> tuple[str | None, bool, bool]:
@@ -138,7 +135,7 @@ def _direction(world: World, row: int) -> tuple[bool, bool]:
 
 def _moved_lane(before: World, after: World, old: int, new: int) -> float:
     """Where the lane is now that an agent had changed to; the same offset where there is none."""
-    target = float(before.lateral.target[old])
+    target = float(before.followed.target(old, float(before.motion.along[old])))
     roads = [_road(world, row) for world, row in ((before, old), (after, new))]
     if roads[0] is None or roads[1] is None or after.has_route[new]:
         return target

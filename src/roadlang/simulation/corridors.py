@@ -62,7 +62,7 @@ class Window:
         cell, rest = track.cell(along)
         x, y, heading, _, _ = frames_in(track, cell, rest)
         cosine, sine = np.cos(heading), np.sin(heading)
-        offset = world.line_offset[rows]
+        offset = world.followed.offset(rows, along)
         x, y = x - sine * offset, y + cosine * offset
         swept = world.sweeps.at(rows, cell - track.first)
         return cls(agents, s, view, x, y, cosine, sine, swept)

@@ -45,7 +45,7 @@ def crossings_of(world: World) -> Crossings:
         elif world.has_route[agent]:
             found.append(_of_route(world, agent, crossed))
         else:
-            key = (int(world.track.row[agent]), float(world.line_offset[agent]))
+            key = (int(world.track.row[agent]), *world.followed.kind(agent))
             if key not in known:
                 known[key] = _of_line(world, agent, list(crossed.values()))
             found.append(known[key])
@@ -124,11 +124,11 @@ def _of_line(world: World, agent: int, crossed: Sequence[SceneJunction]) -> list
     first = row * lines.cells
     cells = slice(first, first + int(lines.last[row]) + 1)
     heading = lines.heading[cells]
-    offset = float(world.line_offset[agent])
+    along = lines.origin[row] + np.arange(len(heading)) * lines.spacing[row]
+    offset = world.followed.offset(np.full(len(along), agent), along)
     points = np.stack(
         [lines.x[cells] - np.sin(heading) * offset, lines.y[cells] + np.cos(heading) * offset]
     )
-    along = lines.origin[row] + np.arange(points.shape[1]) * lines.spacing[row]
     length = float(lines.length[row])
     out: dict[Any, tuple[float, _Crossing]] = {}
     for junction in crossed:

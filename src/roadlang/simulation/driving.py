@@ -187,7 +187,7 @@ def _move_lines(
     target[rows] = offset if moves is None else np.where(moves, offset, math.nan)
     if found.line_time is not None:
         time[rows] = found.line_time
-    world.lateral.move(target, time)
+    world.followed.move(target, time, world.motion.along, world.motion.speed)
 
 
 def _decided(

@@ -1,4 +1,5 @@
-"""Lanes that end: those beside them let in, one after the other, who has to leave them."""
+"""Lanes that end: those beside them let in, one after the other, who has to leave them, and who
+leaves falls in behind who is ahead there."""
 
 from __future__ import annotations
 
@@ -37,9 +38,11 @@ def has_lane_endings(roads: list[SceneRoad]) -> bool:
 def lets_in(
     world: World, lanes: LanesHere, leaders: Leaders, rows: Integers, politeness: Floats | float
 ) -> tuple[Floats, Floats]:
-    """(n,) gaps of agents to who is next ahead in a lane beside theirs that ends soon, infinite for
-    nobody, and the speed of that one. As at a zip fastener, each lets in one: who is ahead of its
-    own leader is for that one to let in. `politeness`: from 0, nobody, to 1."""
+    """(n,) gaps of agents to who is next ahead in a lane beside theirs that ends soon, or beside
+    theirs which ends soon, infinite for nobody, and the speed of that one. As at a zip fastener,
+    each lets in one: who is ahead of its own leader is for that one to let in. Who leaves its lane
+    is also behind who drives beside it. `politeness`: from 0, nobody, to 1; who leaves has to.
+    """
     shape = len(world.scenes), world.slots
     left = world.motion.offset
     end = np.where(world.present & world.has_road & ~world.has_route, lanes.end(left), np.inf)
@@ -59,19 +62,25 @@ def lets_in(
     ahead = along[:, None, :] - along[:, :, None]
     aside = np.abs(left[:, None, :] - left[:, :, None])
     gap = ahead - half[:, :, None] - half[:, None, :]
-    comes = leaves[:, None, :] & ~leaves[:, :, None] & (ahead > 0.0)
+    into = leaves[:, None, :] & ~leaves[:, :, None] & (ahead > 0.0)
+    # Of two side by side that hardly move, the one whose middle is ahead goes first.
+    stays = ~leaves & (pace > ROLLING)
+    least_ahead = np.where(stays[:, None, :], -half[:, :, None], 0.0)
+    behind = leaves[:, :, None] & (ahead > least_ahead)
+    comes = into | behind
     comes &= (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
     comes &= _same_way(world, shape) & (aside > SAME_LANE) & (aside < NEXT_LANE)
-    comes &= (gap > CLEAR) | (pace > ROLLING)[:, None, :]
+    comes &= behind | (gap > CLEAR) | (pace > ROLLING)[:, None, :]
     comes &= gap < leaders.gap.reshape(shape)[:, :, None]
     spare = ROOM * np.minimum(end, WITHIN) * np.minimum(pace / ROLLING, 1.0)
-    gap = np.where(comes, gap + spare[:, None, :], np.inf)
+    spare = np.where(leaves[:, :, None], spare[:, :, None], spare[:, None, :])
+    gap = np.where(comes, gap + spare, np.inf)
     first = gap.argmin(axis=2)
     least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0].ravel()[rows]
     speed = np.take_along_axis(pace, first, axis=1).ravel()[rows]
     closing = np.maximum(world.motion.speed[rows] - speed, 0.0)
     needed = closing * closing / (2.0 * np.maximum(least, 0.1))
-    polite = needed <= COURTEOUS * np.asarray(politeness)
+    polite = (needed <= COURTEOUS * np.asarray(politeness)) | leaves.ravel()[rows]
     return np.where(polite, least, np.inf), speed
 
 

@@ -45,11 +45,7 @@ class LateralMotion:
 
     def restart(self, agents: Integers) -> None:
         """Those of some agents are as at the start of the drive."""
-        rest = LateralMotion.at_rest(self.start[agents])
-        for name in ("target", "time", "share", "powers", "offset"):
-            column = getattr(self, name).copy()
-            column[..., agents] = getattr(rest, name)
-            setattr(self, name, column)
+        self.settle(agents, self.start[agents])
 
     def take(self, rows: Integers) -> LateralMotion:
         """Those of some agents."""
@@ -77,6 +73,36 @@ class LateralMotion:
         self.share[new] = np.where(smooth, 0.0, 1.0)
         self.offset[new] = np.where(smooth, place, target[new])
         self.moves = self.moves or bool(smooth.any())
+
+    def seen_from(self, rows: Integers, shift: Floats, drift: Floats) -> None:
+        """From now on, lines of some agents are measured from others, which are `shift` meters to
+        the right of those before and go away from these with `drift`, m/s."""
+        if not len(rows):
+            return
+        slope = drift * self.time[rows]
+        powers = self.powers.copy()
+        powers[0, rows] += shift - slope * self.share[rows]
+        powers[1, rows] += slope
+        self.powers = powers
+        self.target[rows] += shift
+        self.offset = self.offset.copy()
+        self.offset[rows] += shift
+
+    def go_on(self, earlier: LateralMotion, rows: Integers, old: Integers) -> None:
+        """Those of some agents move as those of agents `old` do."""
+        for name in _STATE:
+            column = getattr(self, name).copy()
+            column[..., rows] = getattr(earlier, name)[..., old]
+            setattr(self, name, column)
+        self.moves = self.moves or earlier.moves
+
+    def settle(self, rows: Integers, offset: Floats) -> None:
+        """Those of some agents are at rest at offsets."""
+        rest = LateralMotion.at_rest(offset)
+        for name in _STATE:
+            column = getattr(self, name).copy()
+            column[..., rows] = getattr(rest, name)
+            setattr(self, name, column)
 
     def advance(self, speed: Floats, seconds: float) -> None:
         """Time passes; agents go at these speeds."""
@@ -111,6 +137,9 @@ class LateralMotion:
     def _pace(self, speed: Floats) -> Floats:
         """Shares for each second."""
         return np.minimum(np.maximum(speed / SLOW, 0.0), 1.0) / self.time
+
+
+_STATE = ("target", "time", "share", "powers", "offset")
 
 
 def _quintic(place: Floats, slope: Floats, bend: Floats, target: Floats) -> Floats:

@@ -101,11 +101,22 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
     if world.track.has_closed:
         closed = world.closed.reshape(shape)[:, :, None]
         ahead = np.where(closed, ahead - np.floor(ahead / road) * road, ahead)
-    offset = world.line_offset.reshape(shape)[:, :, None]
+    offset = _offsets_beside(world, shape, ahead)
     length = world.bodies.length.reshape(shape)
     gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
     fits = (ahead > 0.0) & (np.abs(beside - offset) < _in_the_way(world, shape))
     return np.where(fits, gap, math.inf)
+
+
+def _offsets_beside(world: World, shape: tuple[int, int], ahead: Floats) -> Floats:
+    """(S, A, A) how far left of the center line the line of the first is beside the second, which
+    is `ahead` of it; (S, A, 1) where the lines stay where they are."""
+    if world.followed.guides.is_empty:
+        return world.line_offset.reshape(shape)[:, :, None]
+    rows = np.arange(len(world.present)).reshape(shape)[:, :, None]
+    along = world.motion.along[rows] + ahead
+    lap = np.where(world.closed, world.length, math.inf)[rows]
+    return world.followed.offset(rows, along - np.where(along >= lap, lap, 0.0))
 
 
 def _in_the_way(world: World, shape: tuple[int, int]) -> Floats:

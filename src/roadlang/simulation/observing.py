@@ -148,7 +148,7 @@ class View:
         along = track.wrapped(world.motion.along[rows] + distance)
         x, y, heading, curvature, _ = line_frames(track, along)
         speed = world.motion.speed[rows]
-        offset, slope, bend, moving = world.lateral.ahead(rows, distance, speed)
+        offset, slope, bend, moving = world.followed.ahead(rows, distance, speed, along)
         x -= np.sin(heading) * offset
         y += np.cos(heading) * offset
         if moving is not None:
@@ -169,7 +169,7 @@ class View:
         x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
         bend = curvature * rest
         bulge = 0.5 * bend * (rest - track.spacing)
-        left = world.lateral.ahead(rows, distances, world.motion.speed[rows])[0]
+        left = world.followed.ahead(rows, distances, world.motion.speed[rows], along)[0]
         # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
         ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
         across = bulge + left

@@ -72,7 +72,7 @@ class Obstacles:
                 lap = world.length[agent]
                 gap = np.where(world.closed[agent], gap - np.floor(gap / lap) * lap, gap)
             gap = gap - 0.5 * world.bodies.length[agent]
-            aside = np.abs(self.left - world.line_offset[agent])
+            aside = np.abs(self.left - self._line(world))
             room = self.half + half_width[agent] + MARGIN
             if not world.sweeps.is_empty:
                 room = room + np.maximum(self._swept(world), self._drift(world, gap))
@@ -80,12 +80,16 @@ class Obstacles:
             np.minimum.at(out, agent[meets], gap[meets])
         return out
 
+    def _line(self, world: World) -> Floats:
+        """(P,) where the lines of the agents are beside the objects, left of the tabled lines."""
+        return world.followed.offset(self.agent, self.begin)
+
     def _drift(self, world: World, gap: Floats) -> Floats:
         """(P,) meters by which the front of a long agent is off its line toward an object before
         which it can hardly stop any more; of others, 0."""
         agent, speed = self.agent, world.motion.speed[self.agent]
         front = world.cross_track_error + 0.5 * world.bodies.length * world.motion.sine
-        left = np.where(self.left > world.line_offset[agent], front[agent], -front[agent])
+        left = np.where(self.left > self._line(world), front[agent], -front[agent])
         late = (world.sweeps.table[agent] > 0) & (gap * 2.0 * LATE < speed * speed)
         return np.where(late, np.maximum(left, 0.0), 0.0)
 
@@ -94,7 +98,7 @@ class Obstacles:
         track = world.track.of_rows(self.agent)
         cell = track.cell(track.wrapped(np.maximum(self.begin, 0.0)))[0] - track.first
         left, right = world.sweeps.at(self.agent, cell)
-        return np.where(self.left > world.line_offset[self.agent], left, right)
+        return np.where(self.left > self._line(world), left, right)
 
 
 def things_beside(lines: Lines, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:

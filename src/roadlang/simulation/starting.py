@@ -41,19 +41,21 @@ def start_speed(actor: SceneActor) -> float:
 
 
 class LineOffsets:
-    """How far left of the center line of its road the line lies that an agent should follow.
+    """How far left of its guide the line lies that an agent should follow; of an agent without a
+    guide, of the center line of its road.
 
-    The middle of its lane where it starts, if it has one, else where it stands; from beside the
-    road, the middle of the road; with a route, that of its lanes. Cross-sections that many roads
-    share are built once.
+    The guide is the middle of its lane, if it has one and lanes change their widths. Else it is the
+    middle of its lane where it starts, or where it has none where it stands; from beside the road,
+    the middle of the road; with a route, that of its lanes. Cross-sections that many roads share
+    are built once.
     """
 
     def __init__(self) -> None:
         self._known: dict[Any, float] = {}
 
-    def of(self, actor: SceneActor, road: SceneRoad | None, width: float) -> float:
+    def of(self, actor: SceneActor, road: SceneRoad | None, width: float, guide: int) -> float:
         """Of one agent; `width`: of the road where it starts."""
-        if road is None:
+        if road is None or guide >= 0:
             return 0.0
         if actor.route is not None:
             return self._beside_route(actor.lane, actor.route.steps[0], road, actor.start or 0.0)

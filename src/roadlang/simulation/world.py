@@ -15,7 +15,7 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scene import Scene, SceneActor
 from .arrivals import ARRIVED, END_BRAKING
 from .bodies import Bodies
-from .lateral_motion import LateralMotion
+from .followed_lines import FollowedLines
 from .motion import Advance, Motion, Track, advance
 from .placing import Placing
 from .poses import Poses, poses_of
@@ -56,8 +56,8 @@ class World:
     """without a route, against the direction of the road"""
     road: Integers
     """the road of each agent at the start, within its scene, -1 for none"""
-    lateral: LateralMotion
-    """of the lines to follow, left of the tabled lines"""
+    followed: FollowedLines
+    """the lines to follow, left of the tabled lines"""
     end: Floats
     """arc length of the line at which the agent arrives"""
     start: Motion
@@ -117,7 +117,7 @@ class World:
         self.halted[agents] = ~self.filled[agents]
         for column in (self.contacts, self.collision, self.red_lights, self.traveled, *self.pace):
             column[agents] = 0.0
-        self.lateral.restart(agents)
+        self.followed.restart(agents)
         self.began[agents] = self.tick
 
     def step(
@@ -144,7 +144,7 @@ class World:
             self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
                 between = copy(self)
-                between.motion, between.lateral = copy(motion), copy(self.lateral)
+                between.motion, between.followed = copy(motion), self.followed.copied()
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()
                 between._arrive(before, end)
@@ -183,7 +183,7 @@ class World:
         seconds = steps * self.dt
         self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
         self.traveled = self.traveled + moved
-        self.lateral.advance(self.motion.speed, seconds)
+        self.followed.advance(self.motion.speed, seconds)
         if not self.stop_lines.is_empty:
             self._count_red_lights(before[0], moved, seconds)
         self._wrap()
@@ -205,8 +205,8 @@ class World:
 
     @property
     def line_offset(self) -> Floats:
-        """(N,) of the line to follow, left of the tabled line."""
-        return self.lateral.offset
+        """(N,) of the line to follow, left of the tabled line, beside each agent."""
+        return self.followed.offset(slice(None), self.motion.along)
 
     @property
     def closed(self) -> Booleans:
@@ -294,7 +294,7 @@ class World:
             self.motion.line_heading = self.motion.line_heading - over * turn
 
 
-_PARTS = ("bodies", "verges", "table", "sweeps", "stop_lines", "start", "motion", "lateral")
+_PARTS = ("bodies", "verges", "table", "sweeps", "stop_lines", "start", "motion", "followed")
 _COLUMNS = (
     "filled", "present", "end", "names", "has_road", "has_route", "backward", "road", "halted",
     "contacts", "collision", "red_lights", "traveled", "began")  # fmt: skip

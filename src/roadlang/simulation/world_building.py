@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Booleans
-from ..ir.scene import Scene, SceneActor
+from ..ir.scene import Scene, SceneActor, SceneRoad
 from .arrivals import Arrivals
 from .bodies import Bodies, Body
 from .crossed_junctions import crossings_of
+from .followed_lines import FollowedLines
 from .keeping_clear import kept_clear
 from .kept_in_lane import kept_in_lane
-from .lateral_motion import LateralMotion
+from .lane_guides import LaneGuides
 from .leaning import leaned
 from .lines import Lines, LineSource, road_line, straight_line
 from .motion import Track
@@ -106,14 +107,29 @@ def _crowded(scenes: tuple[Scene, ...]) -> Booleans:
 
 
 def _line_offsets(
-    scenes: tuple[Scene, ...], slots: int, agents: Iterable[tuple[SceneActor, int, float]]
+    scenes: tuple[Scene, ...], slots: int, agents: Iterable[tuple[SceneActor, int, float, int]]
 ) -> list[float]:
-    """Of the lines that agents follow. `agents`: each with its road and the width of its line."""
+    """Of the lines that agents follow. `agents`: each with its road, the width of its line and its
+    guide."""
     known = LineOffsets()
     return [
-        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, width)
-        for i, (actor, road, width) in enumerate(agents)
+        known.of(actor, scenes[i // slots].roads[road] if road >= 0 else None, width, guide)
+        for i, (actor, road, width, guide) in enumerate(agents)
     ]
+
+
+def _guides(
+    scenes: tuple[Scene, ...], slots: int, found: Sequence[_Slot], count: int
+) -> tuple[LaneGuides, list[int]]:
+    """Of `count` lines, and which of them agents begin with, -1 for none."""
+    roads: list[tuple[SceneRoad, bool] | None] = [None] * count
+    for place, slot in enumerate(found):
+        actor = slot.actor or _NOBODY
+        if slot.road >= 0 and actor.route is None:
+            road = scenes[place // slots].roads[slot.road]
+            roads[slot.line] = road, actor.facing == "back"
+    guides = LaneGuides.of(roads)
+    return guides, [guides.number(slot.line, (slot.actor or _NOBODY).lane or 0) for slot in found]
 
 
 def _started(
@@ -140,17 +156,22 @@ def _started(
     narrowest = lines.column(lines.width).min(axis=1)[row]
     verges = Verges.of(scenes, road, has_route, narrowest, bodies, surfaces)
     widths = track.lines.width[track.cell(start.along)[0]].tolist()
-    offsets = _line_offsets(scenes, slots, zip(actors, road_numbers, widths, strict=True))
+    guides, numbers = _guides(scenes, slots, found, len(lines.length))
+    on_lines = zip(actors, road_numbers, widths, numbers, strict=True)
+    offsets = np.array(_line_offsets(scenes, slots, on_lines))
     count = len(found)
     arrivals = [Arrivals(scene) for scene in scenes]
     lengths = track.length.tolist()
     ends = [arrivals[i // slots].end(actor, lengths[i]) for i, actor in enumerate(actors)]
-    lateral = LateralMotion.at_rest(np.where(backward, -1.0, 1.0) * np.array(offsets))
+    followed = FollowedLines.at_rest(
+        np.where(backward, -1.0, 1.0) * offsets, guides, row, np.array(numbers, dtype=np.int64),
+        start.along,
+    )  # fmt: skip
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, verges, track, table,
         Sweeps.of(bodies, lines, row, present & np.repeat(_crowded(scenes), slots)),
-        has_road, has_route, backward, road, lateral, np.array(ends), start, start, ~present,
+        has_road, has_route, backward, road, followed, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),
         StopLines.none(count),

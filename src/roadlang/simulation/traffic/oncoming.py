@@ -156,10 +156,11 @@ class _Samples:
         s = np.arange(count, dtype=np.float64)[:, None] * SPACING - half
         track = world.track.of_rows(agents)
         along = world.motion.along[agents] + s
-        cell, rest = track.cell(track.wrapped(along))
+        place = track.wrapped(along)
+        cell, rest = track.cell(place)
         x, y, heading, _, road_width = frames_in(track, cell, rest)
         cosine, sine = np.cos(heading), np.sin(heading)
-        offset, width = world.line_offset[agents], 0.5 * world.bodies.width[agents]
+        offset, width = world.followed.offset(agents, place), 0.5 * world.bodies.width[agents]
         left, right = world.sweeps.at(agents, cell - track.first)
         over = ~world.closed[agents] & (along > world.end[agents] + half)
         # Others that are longer have more samples, which may not change what this one sees.
