@@ -276,8 +276,7 @@ class ControlBatch:
     heading: Floats | None = None
     line_offset: Floats | None = None
     """moves the line that the agent follows so many meters left of its tabled line, for all later
-    controllers; NaN: as before. Where lanes change their widths, the line then stays as far beside
-    the middle of the lane that is nearest there."""
+    controllers, and where widths change keeps it beside the nearest lane; NaN: as before"""
     line_time: Floats | None = None
     """seconds in which the line moves there, smoothly; None or 0: at once"""
     pose: Floats | None = None

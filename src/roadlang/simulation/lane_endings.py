@@ -78,10 +78,15 @@ def lets_in(
     first = gap.argmin(axis=2)
     least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0].ravel()[rows]
     speed = np.take_along_axis(pace, first, axis=1).ravel()[rows]
-    closing = np.maximum(world.motion.speed[rows] - speed, 0.0)
-    needed = closing * closing / (2.0 * np.maximum(least, 0.1))
-    polite = (needed <= COURTEOUS * np.asarray(politeness)) | leaves.ravel()[rows]
-    return np.where(polite, least, np.inf), speed
+    polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
+    return np.where(polite | leaves.ravel()[rows], least, np.inf), speed
+
+
+def _is_polite(closing: Floats, gap: Floats, politeness: Floats | float) -> Booleans:
+    """(n,) whether somebody lets in who is `gap` ahead and slower by `closing`, m/s."""
+    faster = np.maximum(closing, 0.0)
+    needed = faster * faster / (2.0 * np.maximum(gap, 0.1))
+    return np.asarray(needed <= COURTEOUS * np.asarray(politeness))
 
 
 def _same_way(world: World, shape: tuple[int, int]) -> Booleans:

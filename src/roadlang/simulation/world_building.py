@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.arrays import Booleans
+from ..geometry.arrays import Booleans, Floats
 from ..ir.scene import Scene, SceneActor, SceneRoad
 from .arrivals import Arrivals
 from .bodies import Bodies, Body
@@ -132,6 +132,22 @@ def _guides(
     return guides, [guides.number(slot.line, (slot.actor or _NOBODY).lane or 0) for slot in found]
 
 
+def _followed(
+    scenes: tuple[Scene, ...], slots: int, found: Sequence[_Slot], track: Track,
+    start: tuple[Booleans, Floats],
+) -> FollowedLines:  # fmt: skip
+    """The lines that agents follow. `start`: who goes against its road, and from which arc lengths
+    agents begin."""
+    backward, along = start
+    widths = track.lines.width[track.cell(along)[0]].tolist()
+    guides, numbers = _guides(scenes, slots, found, len(track.lines.length))
+    actors = [slot.actor or _NOBODY for slot in found]
+    on_lines = zip(actors, [slot.road for slot in found], widths, numbers, strict=True)
+    offsets = np.where(backward, -1.0, 1.0) * np.array(_line_offsets(scenes, slots, on_lines))
+    guide = np.array(numbers, dtype=np.int64)
+    return FollowedLines.at_rest(offsets, guides, track.row, guide, along)
+
+
 def _started(
     scenes: tuple[Scene, ...],
     slots: int,
@@ -144,8 +160,7 @@ def _started(
     actors = [slot.actor or _NOBODY for slot in found]
     present = np.array([slot.actor is not None for slot in found], dtype=bool)
     row = np.array([slot.line for slot in found], dtype=np.int64)
-    road_numbers = [slot.road for slot in found]
-    road = np.array(road_numbers, dtype=np.int64)
+    road = np.array([slot.road for slot in found], dtype=np.int64)
     track = Track.of(lines, row)
     has_route = np.array([actor.route is not None for actor in actors], dtype=bool)
     backward = np.array([actor.facing == "back" for actor in actors], dtype=bool) & ~has_route
@@ -155,18 +170,11 @@ def _started(
     bodies = Bodies.of(actors, surfaces, kinds, dt)
     narrowest = lines.column(lines.width).min(axis=1)[row]
     verges = Verges.of(scenes, road, has_route, narrowest, bodies, surfaces)
-    widths = track.lines.width[track.cell(start.along)[0]].tolist()
-    guides, numbers = _guides(scenes, slots, found, len(lines.length))
-    on_lines = zip(actors, road_numbers, widths, numbers, strict=True)
-    offsets = np.array(_line_offsets(scenes, slots, on_lines))
     count = len(found)
     arrivals = [Arrivals(scene) for scene in scenes]
     lengths = track.length.tolist()
     ends = [arrivals[i // slots].end(actor, lengths[i]) for i, actor in enumerate(actors)]
-    followed = FollowedLines.at_rest(
-        np.where(backward, -1.0, 1.0) * offsets, guides, row, np.array(numbers, dtype=np.int64),
-        start.along,
-    )  # fmt: skip
+    followed = _followed(scenes, slots, found, track, (backward, start.along))
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
         np.array([actor.name for actor in actors], dtype=object), bodies, verges, track, table,
