@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
 
 
+MOST_OFFSETS = 200
+"""Pairs of an arc length and an offset that are sent of an agent."""
+
+
 @dataclass(frozen=True, slots=True)
 class AgentPose:
     """Where an agent is: meters east and north, radians, meters per second."""
@@ -116,7 +120,12 @@ def _line_offsets(actor: SceneActor, scene: Scene) -> list[list[float]]:
     line the line lies there that it should follow."""
     road = next((road for road in scene.roads if road.name == actor.road), None)
     guide = None if road is None or actor.lane is None else lane_guide(road, actor.lane)
-    return [] if guide is None else np.round(np.stack(guide, axis=1), 4).tolist()
+    if guide is None:
+        return []
+    if len(guide[0]) > MOST_OFFSETS:  # an agent is sent in one datagram
+        even = np.linspace(guide[0][0], guide[0][-1], MOST_OFFSETS)
+        guide = even, np.interp(even, *guide)
+    return np.round(np.stack(guide, axis=1), 3).tolist()
 
 
 def _path_name(actor: SceneActor) -> str:
