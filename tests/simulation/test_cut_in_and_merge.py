@@ -7,6 +7,8 @@ from itertools import product
 import numpy as np
 import pytest
 
+from roadlang import testing
+
 from .driven_roads import drive, drive_together
 
 ROAD = """
@@ -141,3 +143,24 @@ def test_after_the_merge_it_keeps_its_distance_whatever_drives_then() -> None:
     assert gap[merged].min() > 5.0
     assert ego.speed[-1] == pytest.approx(15.0, abs=0.3)
     assert np.abs(np.diff(ego.acceleration[merged])).max() < 1.5
+
+
+RAMP = """
+road before { draw with segments { pieces: [straight(300m)] }, lanes: 2, oneway: true }
+road beside { draw with segments { pieces: [straight(250m)] }, lanes: 3, oneway: true }
+road after { draw with segments { pieces: [straight(700m)] }, lanes: 2, oneway: true }
+road motorway from before { then: [beside, after], taper: 60m }
+agent ego is car on motorway at 340m..360m {
+  lane: -3, start_speed: 50km/h, drive with traffic, drive with merge { to: left } }
+agent slow is choice(car, truck, weights: [3, 1]) on motorway at 150m..230m {
+  lane: -2, count: 9, spacing: 14m..40m, drive with traffic { speed: (75km/h)..(110km/h) } }
+agent fast is car on motorway at 30m..60m {
+  lane: -1, count: 6, spacing: 40m..60m, drive with traffic { speed: 95km/h } }
+"""
+
+
+def test_who_turned_back_changes_one_lane_only() -> None:
+    """Its center may be in the new lane for a moment after it has turned back: what is to the left
+    of that is not where it wants to go."""
+    for one in testing.sample(RAMP, 20, seed=3).run("builtin", duration=26.0):
+        assert one.trace.agents["ego"].lane.max() == -2

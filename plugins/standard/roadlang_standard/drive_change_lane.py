@@ -38,6 +38,9 @@ _PHASE, _TARGET, _ORIGIN, _CLOCK, _TIME, _CLOSE = range(6)
 ABORT_GAP_SHARE = 0.4
 """A change is aborted when less than this share of the gap needed to begin it remains, during its
 first half."""
+RETURNED = 0.6
+"""Meters from its old line: farther away who turns back may be in the new lane still, beside which
+is another than the one that it wants."""
 BACK_TIME = 2.0
 """Seconds: the maximum duration of the return after an aborted change."""
 
@@ -117,7 +120,9 @@ class ChangeLane(Controller):
         that go on waiting behind a standing vehicle or object, NaN for all others."""
         import numpy as np
 
-        target = self._target(seen)
+        has_begun = (state[:, _PHASE] == WAITING) & (state[:, _TIME] > 0.0)
+        has_begun &= np.abs(seen.road_offset - state[:, _ORIGIN]) > RETURNED
+        target = np.where(has_begun, state[:, _TARGET], self._target(seen))
         time = self._time(seen)
         waits = (state[:, _PHASE] == WAITING) & np.isfinite(target)
         gap, pace = ahead_in_lane(seen)

@@ -17,7 +17,7 @@ from roadlang.api import (
 )
 
 from .drive_brake import HOLDING, STANDING
-from .drive_change_lane import ABORT_GAP_SHARE, SIGHT
+from .drive_change_lane import ABORT_GAP_SHARE, RETURNED, SIGHT
 from .lane_traffic import SETTLING_TIME, LaneTraffic, has_room, lane_traffic
 from .steering import ahead_in_lane, along_line, target_speed, toward
 
@@ -101,7 +101,12 @@ class Merge(Controller):
         limit = self._following(seen, *ahead_in_lane(seen))
         state[:, _BEGAN] = np.where(np.isnan(state[:, _BEGAN]), seen.traveled, state[:, _BEGAN])
         if (state[:, _PHASE] != DONE).any():
-            middle = seen.offset_of_lane(self.to)
+            has_returned = np.abs(seen.road_offset - state[:, _ORIGIN]) < RETURNED
+            state[(state[:, _PHASE] == WAITING) & has_returned, _CLOCK] = 0.0
+            # What is beside the lane where it is by now is not what is beside its own.
+            middle = np.where(
+                state[:, _CLOCK] > 0.0, state[:, _TARGET], seen.offset_of_lane(self.to)
+            )
             exists = np.isfinite(middle)
             near = seen.nearby(SIGHT)
             lane = lane_traffic(seen, np.where(exists, middle, 0.0), near)
