@@ -125,7 +125,8 @@ def _line_offsets(actor: SceneActor, scene: Scene) -> list[list[float]]:
     if len(guide[0]) > MOST_OFFSETS:  # an agent is sent in one datagram
         even = np.linspace(guide[0][0], guide[0][-1], MOST_OFFSETS)
         guide = even, np.interp(even, *guide)
-    return np.round(np.stack(guide, axis=1), 3).tolist()
+    offsets: list[list[float]] = np.round(np.stack(guide, axis=1), 3).tolist()
+    return offsets
 
 
 def _path_name(actor: SceneActor) -> str:
