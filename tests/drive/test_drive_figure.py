@@ -43,13 +43,39 @@ def line(shape: ElementTree.Element) -> list[tuple[float, float]]:
 def test_roads_and_paths_are_drawn_to_scale_with_y_up() -> None:
     """The highest point is the road at y = 0, 34 + 24 px from the top; y = -5 m is 50 px below."""
     root = figure()
-    main, ego, other = root.findall("polyline")
-    assert (line(main)[0], line(main)[-1]) == ((24, 58), (876, 58))
-    assert (main.get("stroke-width"), ego.get("stroke-width")) == ("80.0", "1.5")
+    (main,) = root.findall("polygon")
+    ego, other = root.findall("polyline")
+    assert (line(main)[0], line(main)[399]) == ((24, 18), (876, 18))
+    assert (line(main)[400], line(main)[-1]) == ((876, 98), (24, 98))
+    assert ego.get("stroke-width") == "1.5"
     assert line(ego) == [(24 + 200 * i, 58) for i in range(5)]
     assert line(other)[0] == (24, 108)
     assert (root.get("width"), root.get("height")) == ("900", "132")
     assert [text.text for text in root.findall("text")] == ["a < b"]
+
+
+def test_a_road_is_as_wide_as_its_drivable_lanes_at_each_place() -> None:
+    narrowing = tuple(np.linspace(8.0, 6.0, 400).tolist())
+    (main,) = figure(roads=(road("main", lambda x: 0.0, 85.2, width=narrowing),)).findall("polygon")
+    upper, lower = line(main)[:400], line(main)[:399:-1]
+    wide = [below[1] - above[1] for above, below in zip(upper, lower, strict=True)]
+    assert (wide[0], wide[-1]) == (80, 60)
+    assert wide == sorted(wide, reverse=True)
+
+
+def test_a_closed_road_is_drawn_around_its_inside() -> None:
+    around = np.linspace(0.0, 2.0 * np.pi, 401)[:-1]
+    ring = replace(
+        road("main", lambda x: 0.0, 80.0 * np.pi, width=(8.0,) * 400),
+        x=tuple((40.0 * np.cos(around)).tolist()), y=tuple((40.0 * np.sin(around)).tolist()),
+        heading=tuple((around + 0.5 * np.pi).tolist()), closed=True,
+    )  # fmt: skip
+    (drawn,) = figure(roads=(ring,)).findall("polygon")
+    points = np.array(line(drawn))
+    x, y = points.T
+    area = 0.5 * abs(float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))))
+    scale = (900 - 48) / 120.0  # from the west of the ring, at -40 m, to the end of the drive
+    assert area == pytest.approx(2.0 * np.pi * 40.0 * 8.0 * scale**2, rel=0.01)
 
 
 def test_objects_are_drawn_in_their_size() -> None:
@@ -65,7 +91,7 @@ def test_objects_are_drawn_in_their_size() -> None:
 
 def test_the_path_has_the_color_of_its_robustness() -> None:
     """Runs of one color, each up to the first point of the next; 0.35 of the agent's 2 m wide."""
-    _, *runs, _ = figure([1.0, 1.0, 0.0, -1.0, -2.0]).findall("polyline")
+    *runs, _ = figure([1.0, 1.0, 0.0, -1.0, -2.0]).findall("polyline")
     assert [(run.get("stroke"), len(line(run))) for run in runs] == [
         (GREEN, 3), (YELLOW, 2), (RED, 2), (RED, 1)
     ]  # fmt: skip
@@ -74,7 +100,7 @@ def test_the_path_has_the_color_of_its_robustness() -> None:
 
 def test_the_path_of_a_thin_agent_can_be_seen() -> None:
     main = road("main", lambda x: 0.0, 8520.0)
-    _, *runs, _ = figure([1.0] * 5, roads=(main,)).findall("polyline")
+    *runs, _ = figure([1.0] * 5, roads=(main,)).findall("polyline")
     assert [run.get("stroke-width") for run in runs] == ["2.0"]
 
 
@@ -88,7 +114,7 @@ def test_the_moment_that_decides_is_marked() -> None:
 def test_only_derived_roads_are_drawn_where_there_are_some() -> None:
     first = road("main", lambda x: 0.0, 85.2)
     second = replace(first, name="bent", derived=True)
-    assert len(figure(roads=(first, second)).findall("polyline")) == 3
+    assert len(figure(roads=(first, second)).findall("polygon")) == 1
 
 
 def test_shades_are_eighths_of_the_largest_of_a_sign() -> None:
@@ -111,9 +137,9 @@ def test_roads_end_where_junctions_begin() -> None:
     place = SceneJunction(1, (1,), "junction", area, (SceneArm("main", "end", 5.2, 3, 0),), ())
     town = SceneNetwork("town", (), ("main",), junctions=(place,))
     root = figure(roads=(main,), networks=(town,))
-    assert line(root.findall("polyline")[0])[-1][0] == pytest.approx(824, abs=2.2)
-    (drawn,) = root.findall("polygon")
-    assert line(drawn) == [(824, 98), (876, 98), (876, 58), (824, 58)]
+    place_drawn, road_drawn = root.findall("polygon")
+    assert max(x for x, _ in line(road_drawn)) == pytest.approx(824, abs=2.2)
+    assert line(place_drawn) == [(824, 98), (876, 98), (876, 58), (824, 58)]
 
 
 def test_who_has_left_is_drawn_no_further() -> None:
@@ -126,7 +152,7 @@ def test_who_has_left_is_drawn_no_further() -> None:
     values = np.array([1.0, 2.0, 3.0, 4.0, 5.0])
     text = drive_figure(scene, Trace(agents["ego"].time, agents), "ego", values, "a < b", 2)
     shapes = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
-    paths = [line(shape) for shape in shapes.iter("polyline")][1:]
+    paths = [line(shape) for shape in shapes.iter("polyline")]
     assert max(x for path in paths for x, _ in path) == pytest.approx(24 + 40.0 * 10, abs=1.0)
 
 
@@ -148,4 +174,4 @@ def figure_of(ego: AgentTrace) -> ElementTree.Element:
     scene = replace(bend(), roads=(main,), objects=())
     text = drive_figure(scene, Trace(ego.time, {"ego": ego}), "ego", None, "a < b", None)
     root = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
-    return root.findall("polyline")[1]
+    return root.findall("polyline")[0]

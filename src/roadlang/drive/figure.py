@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..geometry.cross_section import drivable_borders
 from ..ir.scene import Scene, SceneActor, SceneRoad
 from ..ir.trace import AgentTrace, Trace
 
@@ -45,7 +46,7 @@ def drive_figure(
 
     height = _HEAD + 2 * _MARGIN + high * scale
     parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
-    parts += _surfaces(scene, roads, place, scale)
+    parts += _surfaces(scene, roads, place)
     parts += (_footprint(object_, place, scale) for object_ in scene.objects)
     for agent in agents:
         line = place(agent.x, agent.y)
@@ -73,10 +74,7 @@ def _while_there(agent: AgentTrace) -> AgentTrace:
 
 
 def _surfaces(
-    scene: Scene,
-    roads: list[SceneRoad],
-    place: Callable[[Floats, Floats], Floats],
-    scale: float,
+    scene: Scene, roads: list[SceneRoad], place: Callable[[Floats, Floats], Floats]
 ) -> Iterator[str]:
     """Junctions and the roads between them."""
     shown = {road.name for road in roads}
@@ -84,16 +82,30 @@ def _surfaces(
         if shown.issuperset(arm.road for arm in junction.arms):
             yield _area(place(*np.array(junction.area).T))
     for road in roads:
-        line = place(*_between_junctions(road))
-        yield _polyline(line, _ROAD, max(float(np.mean(road.width)) * scale, 1.0))
+        ring = _between_junctions(road)
+        if ring is not None:
+            yield _area(place(*ring))
 
 
-def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats]:
-    """x and y of what the junctions leave of a road; of one inside a junction, nothing."""
+def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats] | None:
+    """x and y around the drivable lanes of what the junctions leave of a road; None of one inside a
+    junction."""
     stations = np.array(road.stations)
     first, last = stations[0] + road.trim[0], stations[-1] - road.trim[1]
-    inside = (stations >= first - 1e-6) & (stations <= last + 1e-6)
-    return np.array(road.x)[inside], np.array(road.y)[inside]
+    inside = np.flatnonzero((stations >= first - 1e-6) & (stations <= last + 1e-6))
+    if len(inside) < 2:
+        return None
+    if road.closed:
+        inside = np.append(inside, inside[0])
+    section = road.cross_section()
+    edges = drivable_borders(np.array([lane.drivable for lane in section.lanes]))
+    left, right = section.border_offsets(stations[inside])[list(edges)]
+    x, y, heading = (np.array(part)[inside] for part in (road.x, road.y, road.heading))
+    sine, cosine = np.sin(heading), np.cos(heading)
+    return (
+        np.concatenate([x - left * sine, (x - right * sine)[::-1]]),
+        np.concatenate([y + left * cosine, (y + right * cosine)[::-1]]),
+    )
 
 
 def _area(ring: Floats) -> str:
