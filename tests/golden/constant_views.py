@@ -117,11 +117,14 @@ def _defaults(module: Any) -> Iterator[str]:
                 stated = [one for one in fields(value) if _has_default(one)]
                 parts = (f"{one.name}={_shown(one.default)}" for one in stated)
                 yield f"  {name}: {', '.join(parts)}"
+            hidden = "_" if issubclass(value, Enum) else "__"  # an enum's own depend on Python
             for member, found in vars(value).items():
                 found = found.__func__ if isinstance(found, classmethod | staticmethod) else found
                 if inspect.isfunction(found) and member != "__init__":
                     yield from _parameters(f"{name}.{member}", found)
-                elif isinstance(found, bool | int | float | str | tuple) and member[:2] != "__":
+                elif isinstance(found, bool | int | float | str | tuple) and not member.startswith(
+                    hidden
+                ):
                     yield f"  {name}.{member} = {_shown(found)}"
 
 
