@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang.api import Scene
+from roadlang import testing
+from roadlang.api import Scene, lane_guide
+from roadlang_godot.agent_specs import MOST_OFFSETS
 from roadlang_godot.engine import project
 from roadlang_godot.faults import EngineError
 from roadlang_godot.layout import layout_of
@@ -65,6 +67,27 @@ def test_agents_follow_the_middle_of_their_lane() -> None:
     assert agent_spec(made, "right")["offset"] == pytest.approx(-1.75)
     assert agent_spec(made, "left")["offset"] == pytest.approx(1.75)
     assert agent_spec(made, "left")["direction"] == -1
+
+
+def test_the_lines_of_long_lanes_that_change_their_width_fit_into_a_datagram() -> None:
+    """24 tapers of 30 m, in one road of 9.6 km: each is still there."""
+    text = "".join(
+        f"road r{i} {{ draw with segments {{ pieces: [straight(400m)] }}, "
+        f"left: [drive({width}m)], right: [drive({width}m)] }}\n"
+        for i, width in enumerate([3.5, 2.75] * 12)
+    )
+    parts = ", ".join(f"r{i}" for i in range(1, 24))
+    text += f"road street from r0 {{ then: [{parts}], taper: 30m }}\n"
+    text += "agent ego is car on street at 20m { drive with lane_follow }"
+    (made,) = testing.sample(text, 1)
+    sent = np.array(agent_spec(made.record, "ego")["offsets"])
+    road = next(road for road in made.record.roads if road.name == "street")
+    guide = lane_guide(road, -1)
+    assert guide is not None
+    assert len(guide[0]) > MOST_OFFSETS >= len(sent)
+    assert (np.diff(sent[:, 0]) > 0.0).all()
+    stations = np.linspace(0.0, road.length, 20_000)
+    assert np.abs(np.interp(stations, *sent.T) - np.interp(stations, *guide)).max() < 0.03
 
 
 def test_a_condition_becomes_the_nested_lists_of_the_engine() -> None:

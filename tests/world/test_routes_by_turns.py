@@ -106,12 +106,12 @@ def test_it_turns_around_where_the_network_lets_it(sample: Sample) -> None:
         ),
         (f"{WEST_END} {{ route: [straight, right] }}", "RL618", "right", "`left`, `straight`"),
         (f"{WEST_END} {{ route: [left, right, left, left] }}", "RL618", "left", "no junction"),
-        (f"{WEST_END} {{ route: [random, left] }}", "RL206", "[random, left]", "no other items"),
+        (f"{WEST_END} {{ route: [random, left] }}", "RL206", "[random, left]", "stands alone"),
         (
             f"{WEST_END} {{ route: choice(random, left) }}",
             "RL206",
             "choice(random, left)",
-            "no oth",
+            "stands alone",
         ),
         (f"{WEST_END} {{ route: [left, up] }}", "RL223", "up", "the words are"),
         (

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 MOST_OFFSETS = 200
-"""Pairs of an arc length and an offset that are sent of an agent."""
+"""Pairs of an arc length and an offset that are sent for an agent, which fits into a datagram."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,10 +122,10 @@ def _line_offsets(actor: SceneActor, scene: Scene) -> list[list[float]]:
     guide = None if road is None or actor.lane is None else lane_guide(road, actor.lane)
     if guide is None:
         return []
-    if len(guide[0]) > MOST_OFFSETS:  # an agent is sent in one datagram
-        even = np.linspace(guide[0][0], guide[0][-1], MOST_OFFSETS)
-        guide = even, np.interp(even, *guide)
-    offsets: list[list[float]] = np.round(np.stack(guide, axis=1), 3).tolist()
+    pairs = np.stack(guide, axis=1)
+    if len(pairs) > MOST_OFFSETS:  # where the line is straight there are none to leave out
+        pairs = pairs[np.linspace(0, len(pairs) - 1, MOST_OFFSETS).round().astype(np.int64)]
+    offsets: list[list[float]] = np.round(pairs, 3).tolist()
     return offsets
 
 

@@ -39,8 +39,7 @@ ABORT_GAP_SHARE = 0.4
 """A change is aborted when less than this share of the gap needed to begin it remains, during its
 first half."""
 RETURNED = 0.6
-"""Meters from its old line: farther away who turns back may be in the new lane still, beside which
-is another than the one that it wants."""
+"""Meters from the old line"""
 BACK_TIME = 2.0
 """Seconds: the maximum duration of the return after an aborted change."""
 
@@ -121,7 +120,7 @@ class ChangeLane(Controller):
         import numpy as np
 
         has_begun = (state[:, _PHASE] == WAITING) & (state[:, _TIME] > 0.0)
-        has_begun &= np.abs(seen.road_offset - state[:, _ORIGIN]) > RETURNED
+        has_begun &= ~has_returned(seen, state[:, _ORIGIN])
         target = np.where(has_begun, state[:, _TARGET], self._target(seen))
         time = self._time(seen)
         waits = (state[:, _PHASE] == WAITING) & np.isfinite(target)
@@ -211,3 +210,11 @@ def _else_beside(seen: ObservationBatch, middle: Floats, side: float) -> Floats:
         away = side * (found - seen.road_offset)
         middle = np.where(np.isnan(middle) & (away > 0.0) & (away < NEXT), found, middle)
     return middle
+
+
+def has_returned(seen: ObservationBatch, origin: Floats) -> NDArray[np.bool_]:
+    """(N,) whether vehicles are on the lines at offsets `origin` again. One on its way back may be
+    in the new lane still, whose neighbor is not the lane that it wants."""
+    import numpy as np
+
+    return np.asarray(np.abs(seen.road_offset - origin) <= RETURNED)

@@ -17,7 +17,7 @@ from roadlang.api import (
 )
 
 from .drive_brake import HOLDING, STANDING
-from .drive_change_lane import ABORT_GAP_SHARE, RETURNED, SIGHT
+from .drive_change_lane import ABORT_GAP_SHARE, SIGHT, has_returned
 from .lane_traffic import SETTLING_TIME, LaneTraffic, has_room, lane_traffic
 from .steering import ahead_in_lane, along_line, target_speed, toward
 
@@ -101,9 +101,8 @@ class Merge(Controller):
         limit = self._following(seen, *ahead_in_lane(seen))
         state[:, _BEGAN] = np.where(np.isnan(state[:, _BEGAN]), seen.traveled, state[:, _BEGAN])
         if (state[:, _PHASE] != DONE).any():
-            has_returned = np.abs(seen.road_offset - state[:, _ORIGIN]) < RETURNED
-            state[(state[:, _PHASE] == WAITING) & has_returned, _CLOCK] = 0.0
-            # What is beside the lane where it is by now is not what is beside its own.
+            waiting = state[:, _PHASE] == WAITING
+            state[waiting & has_returned(seen, state[:, _ORIGIN]), _CLOCK] = 0.0
             middle = np.where(
                 state[:, _CLOCK] > 0.0, state[:, _TARGET], seen.offset_of_lane(self.to)
             )

@@ -139,7 +139,7 @@ def _other_turns(begins: tuple[RoutePlace, ...], passed: list[Stage], lanes: Lan
         for word, turn in TURNS.items()
         if isinstance(shortest_route(lanes, begins, [*passed, NextTurn(turn)]), PlannedRoute)
     ]
-    return f"possible there: {', '.join(ways)}" if ways else "no junction lies ahead of it there"
+    return f"possible there: {', '.join(ways)}" if ways else "no junction lies ahead"
 
 
 def _other_way(origin: Stage, goal: tuple[RoutePlace, ...], network: str, lanes: LaneGraph) -> str:
@@ -162,6 +162,6 @@ def _written(goal: Part, passed: list[Stage]) -> str:
         x, y = goal.point(0)
         return f"({x:g}m, {y:g}m)"
     if isinstance(goal, TurnWords):
-        following = "the first junction" if not passed else "the next junction after that"
-        return f"`{goal.word(0)}` at {following}"
+        which = "next" if passed else "first"
+        return f"`{goal.word(0)}` at its {which} junction"
     return f"`{goal.call.kind.rpartition('.')[2]}(...)`"

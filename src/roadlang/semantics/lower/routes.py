@@ -68,7 +68,7 @@ def _stages(
         checker.report(
             Code.WRONG_TYPE, span, what="each item of `route`",
             expected="a point, a place in the network, or a turn", found="`random`",
-            help="`route: random` has no other items",
+            help="`random` stands alone: `route: random`",
         )  # fmt: skip
         return None
     if any(isinstance(item, PassCall) and is_by_another(item) for item in items):

@@ -95,7 +95,7 @@ class Pedestrians:
         self._time = np.full(len(world.present), -math.inf)
         self._rides_beside = _rides_beside(world)
         self._watched = world.bodies.walks | self._rides_beside
-        self._exist = bool((self._watched & world.filled).any())
+        self._any_watched = bool((self._watched & world.filled).any())
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
@@ -107,10 +107,10 @@ class Pedestrians:
 
     def ahead(self, world: World, poses: Poses, rows: Integers) -> Floats:
         """(n,) meters from the fronts of some agents to where they have to stop for a pedestrian,
-        or for a vehicle that backs, infinite for nobody."""
+        a rider beside them or a vehicle that backs, infinite for nobody."""
         out = np.full(len(rows), math.inf)
         backs = _backs(world)
-        exist = self._exist or bool(backs.any())
+        exist = self._any_watched or bool(backs.any())
         watched = self._watched & world.present | backs
         seen = _seen(world, poses, rows, watched, self._rides_beside) if exist else None
         if seen is None:
