@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import TYPE_CHECKING
 
 from ...diagnostics import Fix, nearest
@@ -82,8 +83,11 @@ _SETTINGS = {
     ("simulate", "dt"): "step",
     ("sample", "budget"): "attempts",
     ("sample", "iterations"): "attempts",
+    ("drive", "at"): "station",
+    ("drive", "position"): "station",
 }
 """Other tools' names of options, by verb."""
+_PLACES = ("position", "at", "on")
 _NETWORK_WIDTH = (
     "the width of roads from a picture is an option of what reads it: "
     "`extract with auto { width: 7m }`"
@@ -149,8 +153,9 @@ def number_of_entity_help(typed: TypedExpression) -> tuple[str, ...]:
     return ()
 
 
-def option_help(checker: Checker, name: str, owner: str) -> tuple[str, ...]:
-    """Help for an option that a statement or kind, the `owner`, does not have."""
+def option_help(checker: Checker, name: str, owner: str, known: Container[str]) -> tuple[str, ...]:
+    """Help for an option that a statement or kind, the `owner`, does not have; it has those that
+    are `known`."""
     if (owner, name) == ("`network`", "width"):
         return (_NETWORK_WIDTH,)
     if name in (*PASS_VERBS, "sample", "simulate", "falsify"):
@@ -158,9 +163,11 @@ def option_help(checker: Checker, name: str, owner: str) -> tuple[str, ...]:
     verb = owner.strip("`").split(" ")[0]
     if verb == "drive" and name in {option.name for option in common_options("agent")}:
         return (f"`{name}` is an option of the agent: write it beside `drive with`",)
-    if (verb, name) in _SETTINGS:
+    if _SETTINGS.get((verb, name)) in known:
         return (f"it is called `{_SETTINGS[verb, name]}`",)
     positions = checker.registry.of("position") if verb in ("agent", "object") else ()
     if any(entry.name == name for entry in positions):
         return (f"the position is written before the block: `at {name}(...)`",)
+    if name in _PLACES and verb not in ("agent", "object"):
+        return ()
     return (_OPTIONS[name],) if name in _OPTIONS else ()

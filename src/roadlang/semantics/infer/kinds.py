@@ -144,7 +144,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
         meant = None  # `object b is car` means the agent, not an object with a similar name
     help_ = [] if meant else _of_other_verbs(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
-        help_ = _described(checker, verb, name)
+        help_ = _word_of_option(checker, verb, name) or _described(checker, verb, name)
     if not (meant or help_):
         help_ += _listing(verb, registry.names(verb))
     if not meant:
@@ -157,6 +157,18 @@ def _not_installed(checker: Checker, name: str) -> list[str]:
     plugin, dot, _ = name.rpartition(".")
     there = {entry.origin.plugin for entry in checker.registry.entries}
     return [f"no plugin called `{plugin}` is installed"] if dot and plugin not in there else []
+
+
+def _word_of_option(checker: Checker, verb: str, word: str) -> list[str]:
+    """How kinds of a verb are told to do it that have such a word among the values of an option."""
+    kinds = [loaded(entry) for entry in checker.registry.of(verb)]
+    return [
+        f"write `{display_name(verb, kind.entry.name)} {{ {option.name}: {word} }}`"
+        for kind in kinds
+        if isinstance(kind, ResolvedKind)
+        for option in kind.schema
+        if word in option.words
+    ]
 
 
 def _described(checker: Checker, verb: str, word: str) -> list[str]:

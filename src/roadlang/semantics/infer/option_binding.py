@@ -155,7 +155,7 @@ def report_unknown(
     checker: Checker, key: ast.Word, known: dict[str, OptionSchema], owner: str
 ) -> None:
     """RL220, with the nearest option or all of them."""
-    habit = () if key.text in known else option_help(checker, key.text, owner)
+    habit = () if key.text in known else option_help(checker, key.text, owner, known)
     meant = None if habit else meant_name(key.text, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
     help_ = habit or (() if meant else (listed,))

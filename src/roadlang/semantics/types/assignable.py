@@ -273,10 +273,12 @@ def _point(
     if typed.items and len(typed.items) != len(expected.parts):
         count = "three" if expected.in_space else "two"
         return _count(checker, typed, what, count, len(typed.items))
-    name = "a coordinate" if expected.second is None else f"a number of {what}"
+    names = ["a coordinate"] * 3
+    if expected.second is not None:
+        names = [f"the {which} of {what}" for which in ("first number", "second number")]
     items = [
         _checked(checker, item, part, Constraints(), name)
-        for item, part in zip(typed.items, expected.parts, strict=False)
+        for item, part, name in zip(typed.items, expected.parts, names, strict=False)
     ]
     fitted = [item for item in items if item is not None]
     return _with_items(typed, fitted) if len(fitted) == len(items) else None

@@ -123,21 +123,19 @@ def _point_without_parentheses(place: ErrorPosition) -> Mistake:
 
 
 def relative_position(place: ErrorPosition) -> Mistake | None:
-    """`at 20m ahead of ego`: Scenic's specifier."""
-    signs = {"ahead": "+", "behind": "-"}
+    """`at 20m ahead of ego`, `is car behind ego by 5m`: Scenic's specifiers."""
+    calls = {"ahead": "ahead_of", "ahead_of": "ahead_of", "behind": "behind"}
     other = 2 if place.word(1) == "of" else 1
-    if place.word() not in signs or place.kind(other) != "NAME":
+    if place.word() not in calls or place.kind(other) != "NAME":
         return None
-    if place.kind(-1) == "NAME" and place.first_kind in ("AGENT", "OBJECT"):
-        sign, name = signs[place.word()], place.word(other)
-        distance = place.word(other + 2) if place.word(other + 1) == "by" else "10m"
-        help = f"a position relative to another is written `at {name}.start {sign} {distance}`"
-        return _refused(place, help, hopeless=True)
-    if place.kind(-1) != "NUMBER":
+    if place.kind(-1) == "NUMBER":
+        gap = place.word(-1)
+    elif place.kind(-1) == "NAME" and place.first_kind in ("AGENT", "OBJECT"):
+        gap = place.word(other + 2) if place.word(other + 1) == "by" else "10m"
+    else:
         return None
-    meant = f"{place.word(other)}.start {signs[place.word()]} {place.word(-1)}"
-    help = f"a position relative to another is written `at {meant}`"
-    return _refused(place, help, hopeless=True)
+    meant = f"at {calls[place.word()]}({place.word(other)}, {gap})"
+    return _refused(place, f"a position relative to another is written `{meant}`", hopeless=True)
 
 
 def typed_value(place: ErrorPosition) -> Mistake | None:
@@ -175,6 +173,16 @@ def options_in_parentheses(place: ErrorPosition) -> Mistake | None:
         return None
     kind = place.word(-1)
     return _refused(place, f"options are written in braces: `{kind} {{ option: value }}`")
+
+
+def options_in_list(place: ErrorPosition) -> Mistake | None:
+    """`left: [drive { width: 3m }]`: a call with its options in braces."""
+    if place.kind() != "LBRACE" or place.kind(-1) != "NAME" or place.kind(1) != "NAME":
+        return None
+    if place.kind(-2) not in ("LSQB", "COMMA") or place.kind(2) != "COLON":
+        return None
+    meant = f"{place.word(-1)}({place.word(1)}: {place.word(3)})"
+    return _refused(place, f"in a list, options are written in parentheses: `{meant}`")
 
 
 def method_call(place: ErrorPosition) -> Mistake | None:
