@@ -124,9 +124,9 @@ def _point_without_parentheses(place: ErrorPosition) -> Mistake:
 
 def relative_position(place: ErrorPosition) -> Mistake | None:
     """`at 20m ahead of ego`, `is car behind ego by 5m`: Scenic's specifiers."""
-    calls = {"ahead": "ahead_of", "ahead_of": "ahead_of", "behind": "behind"}
     other = 2 if place.word(1) == "of" else 1
-    if place.word() not in calls or place.kind(other) != "NAME":
+    side, _, of = place.word().partition("_")
+    if side not in ("ahead", "behind") or of not in ("", "of") or place.kind(other) != "NAME":
         return None
     if place.kind(-1) == "NUMBER":
         gap = place.word(-1)
@@ -134,7 +134,8 @@ def relative_position(place: ErrorPosition) -> Mistake | None:
         gap = place.word(other + 2) if place.word(other + 1) == "by" else "10m"
     else:
         return None
-    meant = f"at {calls[place.word()]}({place.word(other)}, {gap})"
+    name = f"{side}_of" if side == "ahead" else side
+    meant = f"at {name}({place.word(other)}, {gap})"
     return _refused(place, f"a position relative to another is written `{meant}`", hopeless=True)
 
 
