@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import subprocess
 import sys
 from concurrent.futures.process import BrokenProcessPool
@@ -133,3 +134,25 @@ def test_little_memory_leaves_nothing_written(
     done = roadlang("compile", "scene.rl", "-o", "out", cwd=folder)
     assert (done.returncode, "too little memory" in done.stderr) == (5, True), done.stderr
     assert not (folder / "out").exists()
+
+
+def test_what_libraries_in_c_print_does_not_mix_with_results() -> None:
+    program = (
+        "import os\n"
+        "from roadlang.cli.standard_output import claim_standard_output\n"
+        "claim_standard_output()\n"
+        "os.write(1, b'a library\\n')\n"
+        "print('a result', flush=True)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("a result\n", "a library\n")
+
+
+def test_standard_output_that_is_no_file_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in a notebook, or in a test."""
+    from roadlang.cli.standard_output import claim_standard_output
+
+    ours = io.StringIO()
+    monkeypatch.setattr(sys, "stdout", ours)
+    claim_standard_output()
+    assert sys.stdout is ours

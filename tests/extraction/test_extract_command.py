@@ -14,7 +14,7 @@ from click.testing import CliRunner
 
 from roadlang.api import Extraction, Picture
 from roadlang.cli.extract import command
-from roadlang.cli.extraction_files import as_json, as_overlay
+from roadlang.cli.extraction_files import as_json, as_mask, as_overlay
 from roadlang.diagnostics import DiagnosticError
 from roadlang.geometry import Curve, Edge, Node, RoadNetwork
 from training.rendering.drawings import draw_circuit
@@ -62,6 +62,35 @@ def test_each_stretch_of_a_road_says_how_sure_it_is() -> None:
     )
     assert colors[0] == ("#00e5ff", "99")
     assert colors[-1] == ("#ee6223", "20")
+
+
+def one_road(mask: Any = None) -> tuple[Picture, Extraction]:
+    """A road 6 pixels wide, from west to east."""
+    picture = Picture(np.full((40, 200, 3), 90, np.uint8), 0.5)
+    points = np.column_stack([np.arange(10, 191, 10), np.full(19, 20)])
+    curve = Curve.through(picture.to_world(points))
+    nodes = (Node(0, tuple(curve.at(0.0))), Node(1, tuple(curve.at(curve.length))))
+    network = RoadNetwork(nodes, (Edge(1, 0, 1, curve, np.array([3.0])),))
+    return picture, Extraction(network, mask=mask)
+
+
+def test_the_mask_is_that_of_the_extractor_where_it_has_one() -> None:
+    surface = np.zeros((40, 200), bool)
+    surface[5:9, 50:80] = True
+    picture, found = one_road(surface)
+    drawn = cv2.imdecode(np.frombuffer(as_mask(picture, found), np.uint8), 0)
+    assert ((drawn == 255) == surface).all()
+
+
+@pytest.mark.parametrize("mask", [None, np.ones((20, 100), bool)])
+def test_a_mask_is_drawn_along_the_roads_where_there_is_none_of_that_size(mask: Any) -> None:
+    picture, found = one_road(mask)
+    drawn = cv2.imdecode(np.frombuffer(as_mask(picture, found), np.uint8), 0)
+    assert drawn.shape == (40, 200)
+    across = np.flatnonzero(drawn[:, 100])
+    assert (across.min(), across.max()) == pytest.approx((17, 23), abs=1)
+    along = np.flatnonzero(drawn[20])
+    assert (along.min(), along.max()) == pytest.approx((10, 190), abs=4)
 
 
 def test_without_an_output_the_json_goes_to_standard_output(circuit: Any) -> None:

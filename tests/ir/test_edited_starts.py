@@ -14,6 +14,7 @@ road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 5m)] }, l
 agent ego is car on main at first { drive with stanley { speed: 9m/s } }
 agent lead is car on main at first + gap { start_speed: 3m/s }
 agent parked is van at (10m, 30m)
+agent drawn is car on main at 0m..(gap * 2) { offset: choice(0m, first) }
 """
 
 
@@ -28,9 +29,12 @@ agent parked is van at (10m, 30m)
         ("(10m, 30m)", "(10m, 31m)", {"parked"}),
         ("start_speed: 3m/s", "start_speed: 4m/s", {"lead"}),
         ("{ start_speed: 3m/s }", "{ start_speed: 3m/s, lane: 1 }", {"lead"}),
-        ("gap = 20m", "gap = 21m", {"lead"}),
-        ("first = 5m", "first = 6m", {"ego", "lead"}),
+        ("gap = 20m", "gap = 21m", {"lead", "drawn"}),
+        ("first = 5m", "first = 6m", {"ego", "lead", "drawn"}),
         ("agent parked is van", "agent other is van", set()),
+        ("agent drawn", "\n   agent drawn", set()),
+        ("0m..(gap", "1m..(gap", {"drawn"}),
+        ("choice(0m, first)", "choice(0m, gap)", {"drawn"}),
     ],
 )
 def test_only_what_is_written_of_the_start_counts(old: str, new: str, moved: set[str]) -> None:

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
 
-from roadlang.api import AgentTrace, DiagnosticError, Trace
+from roadlang import testing
+from roadlang.api import AgentName, AgentTrace, DiagnosticError, Monitor, Trace, option
 from roadlang.drive.trace_files import from_json, to_csv, to_json
 from roadlang.ir.scene import Provenance, Scene, Verdict
 from roadlang.judging.drives import DriveCondition, judge
 from roadlang.judging.robustness_series import robustness_series
 from roadlang.plugins.discovery import load_registry
+from tests.straight_road import STRAIGHT
 
 TIME = np.linspace(0.0, 10.0, 101)
 REGISTRY = load_registry()
@@ -184,3 +187,28 @@ def test_a_group_is_as_robust_as_its_worst_member_at_each_time() -> None:
     series = robustness_series(verdict, trace(*cars), REGISTRY)
     assert series is not None
     np.testing.assert_allclose(series, 12.0 - np.max(speeds, axis=0))
+
+
+@dataclass(frozen=True)
+class StartsAt(Monitor):
+    """How far east an agent starts."""
+
+    name: ClassVar[str] = "starts_at"
+    domain: ClassVar[str] = "drive"
+    agent: AgentName = option(help="the agent")
+    text: str = option("", help="words that may be those of an agent")
+
+    def judge(self, trace: Trace) -> float:
+        return float(self.agent.x[0])
+
+
+def test_a_monitor_judges_the_worst_of_a_group_or_the_copy_that_it_names() -> None:
+    text = STRAIGHT + (
+        "agent cars is car on main at 10m { count: 3, spacing: 20m, drive with brake }\n"
+        "expect all with starts_at { agent: cars }\n"
+        "expect last with starts_at { agent: cars[2] }\n"
+        'expect told with starts_at { agent: cars[1], text: "cars" }\n'
+    )
+    ((one,)) = testing.sample(text, 1, kinds=[StartsAt]).run("builtin", duration=1.0)
+    found = {name: one.verdicts[name].robustness for name in ("all", "last", "told")}
+    assert found == pytest.approx({"all": 10.0, "last": 50.0, "told": 30.0}, abs=0.1)

@@ -82,3 +82,17 @@ def test_the_line_ahead_is_where_it_will_be() -> None:
     assert offset[0] == pytest.approx(later[-1])
     assert slope[0] == pytest.approx(1.875 * 3.5 / 4 / 20.0, rel=1e-3)  # midway: the peak
     assert bend[0] == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("time", [2.0, 5.0])
+def test_a_move_in_another_time_begins_with_the_speed_of_the_one_before(time: float) -> None:
+    moves = LateralMotion.at_rest(np.array([0.0]))
+    moves.move(np.array([3.5]), np.array([4.0]))
+    first = moved(moves, 1.5)
+    moves.move(np.array([4.5]), np.array([time]))
+    second = moved(moves, 0.2)
+    speed = np.diff(np.concatenate([first, second])) / STEP
+    begins = len(first) - 1
+    assert speed[begins] == pytest.approx(speed[begins - 1], abs=0.02)
+    acceleration = np.diff(speed) / STEP
+    assert acceleration[begins] == pytest.approx(acceleration[begins - 2], abs=0.2)

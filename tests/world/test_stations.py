@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from roadlang import testing
 from roadlang.diagnostics import DiagnosticError
 from roadlang.plugins.discovery import load_registry
 from roadlang.scenes.sampling import SamplingResult
@@ -176,3 +177,21 @@ def test_intervals_that_are_drawn_must_hold_stations_too(sample: Sample) -> None
     for scene in result.scenes:
         road = scene.roads[-1]
         assert sum(abs(y) > 1e-6 for y in road.y) >= 8
+
+
+@pytest.mark.parametrize(("spacing", "shortest"), [("1m", 8.0), ("2m", 16.0), ("3m", 24.0)])
+def test_waves_of_unbounded_draws_are_refused_where_stations_would_hide_them(
+    sample: Sample, spacing: str, shortest: float
+) -> None:
+    """A `normal` may draw any wavelength; a wave takes eight stations."""
+    wave = "perturb with sine { amplitude: 0.1m, wavelength: normal(26m, 6m) }"
+    text = STRAIGHT + bent(wave, options=f"station_spacing: {spacing}")
+    drawn = [
+        value
+        for scene in testing.sample(text, 60)
+        for place, value in scene.draws.items()
+        if "wavelength" in place
+    ]
+    assert len(drawn) == 60
+    assert min(drawn) >= 0.99 * shortest
+    assert min(drawn) < max(16.0, shortest + 2.0)  # what the stations show is not refused

@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Mapping
 from typing import Any
 
+from ..diagnostics import Span
 from .read_only import FrozenDict
 from .scenario import Scenario, ScenarioActor
 from .values import Reference
@@ -38,6 +39,8 @@ def _written_start(actor: ScenarioActor, scenario: Scenario) -> Any:
 
 def _plain(part: Any, values: Mapping[str, Any]) -> Any:
     """What is written, wherever it stands in the file."""
+    if isinstance(part, Span):
+        return None
     if isinstance(part, Reference):
         return part.name, _plain(values.get(part.name), values)
     if isinstance(part, dict | FrozenDict):
@@ -48,6 +51,5 @@ def _plain(part: Any, values: Mapping[str, Any]) -> Any:
         return type(part).__name__, {
             field.name: _plain(getattr(part, field.name), values)
             for field in dataclasses.fields(part)
-            if field.name != "span"
         }
     return part

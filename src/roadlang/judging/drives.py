@@ -161,11 +161,19 @@ class _TraceSignal:
 
 
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
+    """Robustness, of the worst member of the groups that the monitor names."""
     entry = entry_of(registry, "monitor", str(call["monitor"]))
-    options = {
-        key: (trace.named(value) or (value,))[0] if isinstance(value, str) else value
-        for key, value in call.get("options", {}).items()
-    }
+    options = call.get("options", {})
+    named = named_entities(entry, options)
+    members = product(*(trace.named(name) for name in named.values()))
+    found = [
+        _monitored_once(entry, {**options, **dict(zip(named, chosen, strict=True))}, trace)
+        for chosen in members
+    ]
+    return min(found, default=math.inf)
+
+
+def _monitored_once(entry: KindEntry, options: Mapping[str, Any], trace: Trace) -> float:
     with plugin_guard(entry, None):
         kind: Any = entry.load()
         rho = float(kind(**options).judge(trace))

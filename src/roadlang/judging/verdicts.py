@@ -83,7 +83,7 @@ def _shown(rho: Floats, truth: Truth) -> list[tuple[float | None, bool]]:
 
 
 def _options(call: PassCall, candidates: CandidateBatch) -> dict[str, Any]:
-    built = build(call, candidates, single=True)
+    built = build(call, candidates, single=True, resolve=lambda entity: entity.text)
     return {key: _plain(value) for key, value in vars(built.kind).items()}
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .guard import plugin_guard
 from .kinds import DriveSignal
-from .option_types import EntityType
+from .option_types import EntityType, OptionType
 from .options import schema_of
 from .registry import KindEntry
 from .results import real_numbers
@@ -26,9 +26,12 @@ def drive_signal_kind(entry: KindEntry) -> type[DriveSignal]:
 
 def named_entities(entry: KindEntry, options: Mapping[str, Any]) -> dict[str, str]:
     """The options that name agents and objects, with those names."""
-    schema = schema_of(drive_signal_kind(entry))
-    named = (option.name for option in schema if isinstance(option.type, EntityType))
+    named = [option.name for option in schema_of(entry.load()) if _takes_actors(option.type)]
     return {name: str(options[name]) for name in named if options.get(name) is not None}
+
+
+def _takes_actors(type_: OptionType) -> bool:
+    return isinstance(type_, EntityType) and not {"agent", "object"}.isdisjoint(type_.roles)
 
 
 def drive_signal_values(entry: KindEntry, options: Mapping[str, Any], trace: Trace) -> Floats:
