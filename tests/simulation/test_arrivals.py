@@ -126,3 +126,75 @@ def test_encroachment_remembers_who_has_left() -> None:
     there = PostEncroachmentTime(everybody, second).values()
     assert values[38] == there[38]
     assert (np.diff(values[np.isfinite(values)]) <= 0.0).all()
+
+
+LEAVER = """
+road main { draw with segments { pieces: [straight(60m), arc(40m, 30deg)] }, lanes: 2 }
+agent ego is car on main at 10m { start_speed: 40km/h, drive with lane_follow { speed: 60km/h } }
+agent witness is car on main at 0m {
+  drive with stop_at { distance: 0m }
+  drive with lane_follow { speed: 20km/h, when: ego.speed < 5m/s }
+}
+expect comes_to_rest: eventually (ego.speed < 1m/s)
+expect moves: always (ego.speed > 30km/h and ego.acceleration > -2m/s^2)
+expect calm: always (abs(ego.jerk) < 15m/s^3 and abs(ego.yaw_rate) < 40deg/s)
+"""
+
+
+def test_what_is_known_of_who_has_left_stays_as_it_was() -> None:
+    ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0)
+    ego = one.trace.agents["ego"]
+    left = ego.samples_there
+    assert 0 < left < len(ego.time) - 20
+    assert ego.speed[left] > 12.0
+    constant = ("x", "y", "heading", "speed", "steering", "station", "cross_track_error",
+                "progress", "route_progress", "off_road", "lane_offset")  # fmt: skip
+    for name in constant:
+        values = getattr(ego, name)[left:]
+        assert (values == values[0]).all(), name
+    assert (ego.acceleration[left:] == ego.acceleration[left - 1]).all()
+    assert ego.acceleration[left - 1] == pytest.approx(ego.acceleration[left - 2], abs=0.3)
+
+
+def test_who_has_left_has_not_stopped() -> None:
+    ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0)
+    assert one.verdicts["comes_to_rest"].robustness < -5.0
+    assert one.verdicts["moves"].robustness > 0.0
+    assert one.verdicts["calm"].robustness > 0.0
+    assert one.trace.agents["witness"].speed.max() == 0.0
+
+
+def test_the_rate_of_a_signal_of_who_has_left_is_that_of_its_last_moment() -> None:
+    from roadlang_standard.drive_signal_yaw_rate import YawRate
+
+    time = np.arange(0.0, 3.0, 0.1)
+    there = time < 2.0
+    heading = np.where(there, 0.5 * time**2, 0.5 * 2.0**2)
+    zero = np.zeros(len(time))
+    agent = testing.agent_trace(
+        "ego", time=time, x=zero, y=zero, heading=heading, speed=10.0, length=4.0, width=2.0,
+        present=np.where(there, 1.0, 0.0),
+    )  # fmt: skip
+    values = YawRate(agent).values()
+    assert values[there][1:-1] == pytest.approx(time[there][1:-1])
+    assert (values[~there] == values[there][-1]).all()
+    assert values[there][-1] == pytest.approx(1.85)
+
+
+def test_another_engine_may_bring_back_who_had_left() -> None:
+    world = world_of([queue_to_the_end()], {}, 0.1, 0.1)
+    start = world.poses
+    pose = np.stack([start.x, start.y, start.heading, np.full(5, 5.0)], axis=1)
+    gone = pose.copy()
+    ahead = world.end - world.motion.along + 5.0
+    gone[0, 0] += ahead[0] * math.cos(start.heading[0])
+    gone[0, 1] += ahead[0] * math.sin(start.heading[0])
+    world.follow(gone, np.zeros(5), world.poses, passed=True)
+    assert world.present.tolist() == [False, True, True, True, True]
+    there = world.poses.x[0], world.motion.speed[0]
+    gone[0] += [0.5 * math.cos(start.heading[0]), 0.5 * math.sin(start.heading[0]), 0.0, -3.0]
+    world.follow(gone, np.zeros(5), world.poses, passed=True)
+    assert (world.poses.x[0], world.motion.speed[0]) == there
+    world.follow(pose, np.zeros(5), world.poses, passed=True)
+    assert world.present.all()
+    assert world.poses.x[0] == pytest.approx(start.x[0], abs=1e-6)

@@ -23,4 +23,4 @@ class JerkSignal(DriveSignal):
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
-        return rate(self.agent.acceleration, self.agent.time)
+        return rate(self.agent.acceleration, self.agent)

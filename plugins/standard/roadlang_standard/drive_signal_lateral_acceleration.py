@@ -23,4 +23,4 @@ class LateralAcceleration(DriveSignal):
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
-        return rate(self.agent.heading, self.agent.time) * self.agent.speed
+        return rate(self.agent.heading, self.agent) * self.agent.speed

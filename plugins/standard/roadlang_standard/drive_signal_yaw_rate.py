@@ -23,4 +23,4 @@ class YawRate(DriveSignal):
     agent: AgentName = option(help="the agent")
 
     def values(self) -> Floats:
-        return rate(self.agent.heading, self.agent.time)
+        return rate(self.agent.heading, self.agent)

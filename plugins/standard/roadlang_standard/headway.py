@@ -29,7 +29,7 @@ def _along_road(a: AgentTrace, b: AgentTrace) -> Floats:
     `a` changes; over the seam of a closed road, those of `_along_arc`."""
     import numpy as np
 
-    change = rate(a.station, a.time)
+    change = rate(a.station, a)
     is_known = np.abs(change) < 2.0 * a.speed + 1.0  # a closed road begins anew at its seam
     apart = np.sign(change) * is_known * (b.station - a.station)
     return np.where(apart > 0.0, apart, _along_arc(a, b))

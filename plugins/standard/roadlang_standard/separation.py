@@ -57,8 +57,23 @@ def footprints(agent: AgentTrace) -> geometry.Footprints:
     return geometry.Footprints(agent.x, agent.y, agent.heading, length, width)
 
 
-def rate(values: Floats, time: Floats) -> Floats:
-    """Derivative by central differences in time, along the first axis."""
+def rate(values: Floats, agent: AgentTrace) -> Floats:
+    """Derivative of something of an agent by central differences in time, along the first axis; of
+    who has left as it was last."""
+    import numpy as np
+
+    found = _derivative(values, agent.time)
+    gone = (agent.present == 0.0).reshape(len(values), -1)
+    if gone.any():
+        columns, of_columns = values.reshape(len(values), -1), found.reshape(len(values), -1)
+        for column in np.flatnonzero(gone.any(axis=0) & ~gone.all(axis=0)):
+            there = int(gone[:, column].argmax())
+            of_columns[:there, column] = _derivative(columns[:there, column], agent.time[:there])
+            of_columns[there:, column] = of_columns[there - 1, column]
+    return found
+
+
+def _derivative(values: Floats, time: Floats) -> Floats:
     import numpy as np
 
     return np.gradient(values, time, axis=0) if len(time) > 1 else np.zeros_like(values)

@@ -103,6 +103,13 @@ class Track:
         """(4, N) what the compiled motion has to know of the lines."""
         return np.stack((self.last, self.origin, self.spacing, self.per_meter))
 
+    def wrap(self, motion: Motion) -> None:
+        """On closed lines, arc length begins anew after a lap."""
+        if self.has_closed:
+            over = np.floor(motion.along / self.length) * self.closed
+            motion.along = motion.along - over * self.length
+            motion.line_heading = motion.line_heading - over * self.lines.turn[self.row]
+
     def of_rows(self, rows: Any) -> Track:
         """That of some agents."""
         if isinstance(rows, slice):

@@ -79,14 +79,14 @@ class Placing:
                 column[rows] = placed
             setattr(motion, name, column)
 
-    def poses(self, motion: Motion, track: Track, steps: int, halted: Booleans) -> Poses:
-        """Those of all agents, with those of who goes by a recording, and is not halted, exact."""
+    def poses(self, motion: Motion, track: Track, steps: int, stays: Booleans) -> Poses:
+        """Those of all agents; exact of who goes by a recording, but for who `stays`."""
         now = self.at(steps)
-        if isinstance(self.rows, slice) and not halted.any():
+        if isinstance(self.rows, slice) and not stays.any():
             x, y, heading = now[:, :3].T.copy()
             return Poses(x, y, heading, line_widths(track, motion.along))
-        poses, free = poses_of(motion, track), ~halted[self.rows]
-        rows, now = np.arange(len(halted))[self.rows][free], now[free]
+        poses, free = poses_of(motion, track), ~stays[self.rows]
+        rows, now = np.arange(len(stays))[self.rows][free], now[free]
         columns = [poses.x.copy(), poses.y.copy(), poses.heading.copy()]
         for column, values in zip(columns, now.T[:3], strict=True):
             column[rows] = values

@@ -75,10 +75,17 @@ class RecordedAgent:
     def __call__(self, name: str) -> Floats:
         """(T,) a member."""
         if name == "acceleration":
-            return read_only(_rate(self("speed"), self.time))
+            return read_only(self._acceleration())
         found = [part.column(agent, name) for part, agent in self.parts]
         values = (found[0] if len(found) == 1 else np.concatenate(found))[: len(self.time)]
         return read_only(_unwrapped(values) if name == "heading" else values)
+
+    def _acceleration(self) -> Floats:
+        """The derivative of the speed; of who has left as it was last."""
+        speed, gone = self("speed"), self("present") == 0.0
+        there = int(gone.argmax()) or len(gone)
+        found = _rate(speed[:there], self.time[:there])
+        return np.concatenate([found, np.full(len(gone) - there, found[-1])])
 
 
 def _unwrapped(heading: Floats) -> Floats:

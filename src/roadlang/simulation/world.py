@@ -30,8 +30,8 @@ class World:
     """S scenes with at most A agents each, in columns (N,) with N = S A, scene by scene.
 
     Slots that a scene has no agent for are not `filled`. Who has arrived at the end of its line is
-    no longer `present`: nobody sees or touches it. `reset` puts all agents where their scenes have
-    them, `step` moves them on.
+    no longer `present`: nobody sees or touches it, and all that is known of it stays as it was
+    then. `reset` puts all agents where their scenes have them, `step` moves them on.
     """
 
     scenes: tuple[Scene, ...]
@@ -85,6 +85,7 @@ class World:
     advance: Advance = advance
     """the equations of motion"""
     _arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
+    _any_left: bool = False  # whether anybody has
 
     @property
     def time(self) -> float:
@@ -101,8 +102,10 @@ class World:
         """Where all agents are."""
         if self.placing is None:
             return poses_of(self.motion, self.track)
-        steps = self.tick - self.placed_at
-        return self.placing.poses(self.motion, self.track, steps, self.halted)
+        steps, stays = self.tick - self.placed_at, self.halted
+        if self._any_left:
+            stays = stays | ~self.present
+        return self.placing.poses(self.motion, self.track, steps, stays)
 
     def reset(self) -> None:
         """All agents back to the start."""
@@ -138,7 +141,7 @@ class World:
         held = (np.tan(angle), np.where(self.halted, -END_BRAKING, self.limited(acceleration)))
         self.placing = pose and Placing.of(self.poses, motion, pose[0], ~self.halted, pose[1])
         self.placed_at = self.tick
-        before, passed = (motion.along, motion.offset), []
+        before, passed = copy(motion), []
         below = self.verges.below(bodies, motion, self.table, self.present)
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, below, self.track, held, end - begin, self.dt)
@@ -148,10 +151,8 @@ class World:
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()
                 between._arrive(before, end)
-                between._leave()
                 passed.append(between)
         self._arrive(before, steps)
-        self._leave()
         return passed
 
     def limited(self, acceleration: Floats) -> Floats:
@@ -164,37 +165,43 @@ class World:
     def follow(self, pose: Floats, steering: Floats, poses: Poses, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `poses`: those so
         far; `passed`: whether a step has passed."""
-        before = (self.motion.along, self.motion.offset)
+        before = copy(self.motion)
         self.placing = Placing.of(poses, self.motion, pose, self.filled, 1)
         self.placed_at = self.tick - (0 if passed else 1)
         if passed:
             self._arrive(before, 1)
         elif self.placing is not None:
             self.placing.put(self.motion, self.track, 1, self.dt)
-            self._wrap()
-        self.motion.tangent = np.tan(steering)
-        self._leave()
+            self.track.wrap(self.motion)
+            self._leave()
+        self.motion.tangent = np.where(self.present, np.tan(steering), self.motion.tangent)
 
-    def _arrive(self, before: tuple[Floats, Floats], steps: int) -> None:
-        """The motion is `steps` steps on; `before`: along and offset then."""
-        if self.placing is not None:
-            self.placing.put(self.motion, self.track, steps, steps * self.dt)
-        moved = self.motion.along - before[0]
+    def _arrive(self, before: Motion, steps: int) -> None:
+        """The motion is `steps` steps on; `before`: what it was then."""
         seconds = steps * self.dt
-        self.pace = (moved / seconds, (self.motion.offset - before[1]) / seconds)
+        if self.placing is not None:
+            self.placing.put(self.motion, self.track, steps, seconds)
+        speed = self.motion.speed
+        if self._any_left:  # they stay as they were when they left, but for who comes back
+            gone = self.filled & ~self.present & self.at_end
+            self.motion.put(gone, before)
+            speed = np.where(gone, 0.0, speed)
+        moved = self.motion.along - before.along
+        self.pace = (moved / seconds, (self.motion.offset - before.offset) / seconds)
         self.traveled = self.traveled + moved
-        self.followed.advance(self.motion.speed, seconds)
+        self.followed.advance(speed, seconds)
         if not self.stop_lines.is_empty:
-            self._count_red_lights(before[0], moved, seconds)
-        self._wrap()
+            self._count_red_lights(before.along, moved, seconds)
+        self.track.wrap(self.motion)
         self.tick += steps
+        self._leave()
 
     def _leave(self) -> None:
         """Who has arrived is no longer there, unless it began where it would arrive."""
-        if self.at_end.any():
+        if self._any_left or self.at_end.any():
             arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
-            if arrived.any():
-                self.present = self.filled & ~arrived
+            self._any_left = bool(arrived.any())
+            self.present = self.filled & ~arrived
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
         front = before + 0.5 * self.bodies.length
@@ -284,14 +291,6 @@ class World:
             **{name: getattr(self, name).take(agents) for name in _PARTS},
             **{name: getattr(self, name)[agents] for name in _COLUMNS},
         )
-
-    def _wrap(self) -> None:
-        """On closed lines, arc length begins anew after a lap."""
-        if self.track.has_closed:
-            over = np.floor(self.motion.along / self.length) * self.closed
-            self.motion.along = self.motion.along - over * self.length
-            turn = self.track.lines.turn[self.track.row]
-            self.motion.line_heading = self.motion.line_heading - over * turn
 
 
 _PARTS = ("bodies", "verges", "table", "sweeps", "stop_lines", "start", "motion", "followed")

@@ -180,7 +180,7 @@ def options_in_list(place: ErrorPosition) -> Mistake | None:
     """`left: [drive { width: 3m }]`: a call with its options in braces."""
     if place.kind() != "LBRACE" or place.kind(-1) != "NAME" or place.kind(1) != "NAME":
         return None
-    if place.kind(-2) not in ("LSQB", "COMMA") or place.kind(2) != "COLON":
+    if place.in_block or place.kind(-2) not in ("LSQB", "COMMA") or place.kind(2) != "COLON":
         return None
     meant = f"{place.word(-1)}({place.word(1)}: {place.word(3)})"
     return _refused(place, f"in a list, options are written in parentheses: `{meant}`")
