@@ -164,3 +164,34 @@ def test_who_turned_back_changes_one_lane_only() -> None:
     of that is not where it wants to go."""
     for one in testing.sample(RAMP, 20, seed=3).run("builtin", duration=26.0):
         assert one.trace.agents["ego"].lane.max() == -2
+
+
+CUTTING_IN = """
+road main { draw with segments { pieces: [straight(900m)] }, lanes: 4, oneway: true }
+agent ego is car on main at 20m {
+  lane: -1, start_speed: 90km/h, drive with traffic { speed: 90km/h }
+}
+agent other is car on main at START {
+  lane: -2, start_speed: SPEED, drive with lane_follow { speed: SPEED }
+  drive with change_lane { to: left, force: true, duration: 3s, when: ego.station > 60m }
+}
+"""
+
+
+@pytest.mark.parametrize(("start", "speed"), [("30m", "90km/h"), ("28m", "94km/h")])
+def test_traffic_falls_back_gently_from_who_cuts_in_as_fast_as_it_is(
+    start: str, speed: str
+) -> None:
+    (trace,) = drive(CUTTING_IN.replace("START", start).replace("SPEED", speed), duration=25.0)
+    ego, other = trace.agents["ego"], trace.agents["other"]
+    assert trace.events == ()
+    assert -4.0 < ego.acceleration.min() < -1.0
+    gap = (other.station - ego.station - 4.5)[ego.present == 1.0]
+    assert gap[30] < 12.0
+    assert gap[-1] > 20.0
+
+
+def test_traffic_brakes_as_hard_as_it_must_for_who_cuts_in_slowly() -> None:
+    (trace,) = drive(CUTTING_IN.replace("START", "70m").replace("SPEED", "55km/h"), duration=15.0)
+    assert trace.events == ()
+    assert trace.agents["ego"].acceleration.min() < -4.0

@@ -1,5 +1,5 @@
 """The model by which cars keep their distance, against its formulas: M. Treiber and A. Kesting,
-Traffic Flow Dynamics (2013), section 11.3.7."""
+Traffic Flow Dynamics (2013), sections 11.3.7 and 11.3.8."""
 
 from __future__ import annotations
 
@@ -65,3 +65,42 @@ def test_a_stop_takes_at_least_the_even_deceleration_once_that_is_near_comfort(
     ]
     found = model(SPEEDS).to_stop(np.full(len(SPEEDS), distance), np.array(gentle))
     np.testing.assert_allclose(found, expected, atol=2e-3)
+
+
+def needed(speed: float, gap: float, ahead: float, leading: float) -> float:
+    """Deceleration without a contact if the vehicle ahead keeps its acceleration (11.24)."""
+    leading, gap = min(leading, MOST), max(gap, 0.1)
+    if ahead * (speed - ahead) < -2.0 * gap * leading:
+        return speed**2 * leading / (ahead**2 - 2.0 * gap * leading)
+    return leading - (speed - ahead) ** 2 * (speed > ahead) / (2.0 * gap)
+
+
+def calm(speed: float, gap: float, ahead: float, leading: float) -> float:
+    """Equation 11.26 with a coolness factor of 0.99; who is too fast brakes as it would alone."""
+    found, least = behind(speed, gap, ahead), needed(speed, gap, ahead, leading)
+    if found >= least:
+        return found
+    calmed = 0.01 * found + 0.99 * (least + BRAKING * math.tanh((found - least) / BRAKING))
+    return min(calmed, free(speed))
+
+
+@pytest.mark.parametrize(
+    ("gap", "ahead", "leading"),
+    [*product((0.0, 2.5, 8.0, 40.0), (0.0, 5.0, 20.0), (-8.0, -1.0, 0.0, 1.0, 3.0))],
+)
+def test_cars_trust_that_who_is_ahead_keeps_its_acceleration(
+    gap: float, ahead: float, leading: float
+) -> None:
+    gaps, paces, pulls = (np.full(len(SPEEDS), value) for value in (gap, ahead, leading))
+    follow = model(SPEEDS)
+    found = follow.calmly(follow.behind(gaps, paces), gaps, paces, pulls)
+    expected = [calm(v, gap, ahead, leading) for v in SPEEDS]
+    np.testing.assert_allclose(found, expected, atol=2e-3, rtol=1e-6)
+
+
+@pytest.mark.parametrize("leading", [-5.0, 0.0, 2.0])
+def test_with_nobody_ahead_nothing_changes(leading: float) -> None:
+    follow, nobody = model(SPEEDS), np.full(len(SPEEDS), np.inf)
+    zero = np.zeros(len(SPEEDS))
+    found = follow.calmly(follow.free, nobody, zero, zero + leading)
+    np.testing.assert_array_equal(found, follow.free)

@@ -25,8 +25,10 @@ LOOKAHEAD = 0.8
 weave, although a decision holds for `interval`."""
 FAST, FASTEST = 40.0, 45.0
 """m/s: up to the first, cars keep to the line exactly; from the second on they steer to a point."""
-NEAREST = 0.1
-"""Meters: gaps count as no smaller."""
+NEAREST, FARTHEST = 0.1, 1e6
+"""Meters: gaps count as no smaller and no larger."""
+COOLNESS = 0.99
+"""How far drivers trust that the vehicle ahead keeps its acceleration (1: wholly)."""
 CAR_BASE = 3.5
 """Meters between the axles, from which on a vehicle takes bends the slower, the longer it is."""
 FORESIGHT = 2.0
@@ -36,8 +38,8 @@ FORESIGHT = 2.0
 @dataclass(frozen=True)
 class Traffic(Controller):
     """Drive like traffic: along its route, obeying speed limits, signals, stop lines and right
-    of way, and keeping its distance to the vehicle ahead (improved intelligent driver model,
-    Treiber and Kesting)."""
+    of way, and keeping its distance to the vehicle ahead (enhanced intelligent driver model,
+    Kesting, Treiber and Helbing 2010)."""
 
     name: ClassVar[str] = "traffic"
     interval: ClassVar[float] = 0.1
@@ -71,9 +73,11 @@ class Traffic(Controller):
         target = self._target(seen, braking)
         follow = Following(seen.speed, target, most, braking, self.headway)
         gap, pace = seen.vehicle_ahead()
+        leading = seen.acceleration_ahead()
         stop, merging, speed = seen.right_of_way(self.politeness, self.aggression)
         gaps = np.stack((gap, merging, stop + STANDING_GAP))
         ahead, merges, gentle = follow.behind(gaps, np.stack((pace, speed, np.zeros_like(stop))))
+        ahead = follow.calmly(ahead, gap, pace, leading)
         ahead = np.minimum(ahead, np.maximum(merges, -MERGING * braking))
         ahead = np.minimum(ahead, follow.to_stop(stop, gentle))
         lateral = (2.0 + 3.0 * boldness) * np.minimum(1.0, CAR_BASE / seen.wheelbase)
@@ -150,6 +154,27 @@ class Following:
         far = np.where(free > 0.0, rises * (1.0 - np.exp(power * log)), free)
         over = self.speed > self.target
         return np.where(need >= 1.0, np.where(over, free + close, close), far)
+
+    def calmly(self, braking: Floats, gap: Floats, ahead: Floats, leading: Floats) -> Floats:
+        """(N,) what `behind` gives for somebody at a speed and acceleration, but where that is less
+        than is needed if both keep their accelerations (constant-acceleration heuristic), little
+        less than that: after somebody has changed into the lane, the gap may stay small for a while
+        (Kesting, Treiber and Helbing 2010, equations 2.5 and 2.8)."""
+        import numpy as np
+
+        leading = np.where(np.isfinite(gap), np.minimum(leading, self.most), 0.0)
+        gap = np.minimum(np.maximum(gap, NEAREST), FARTHEST)
+        ahead = np.maximum(ahead, 0.0)
+        closing = self.speed - ahead
+        stops = ahead * closing < -2.0 * gap * leading  # the other stands before they would meet
+        way = np.where(stops, ahead * ahead - 2.0 * gap * leading, 1.0)
+        both = self.speed * self.speed * leading / way
+        needed = leading - np.maximum(closing, 0.0) * closing / (2.0 * gap)
+        needed = np.where(stops, both, needed)
+        lack = self.braking * np.tanh((braking - needed) / self.braking)
+        calm = (1.0 - COOLNESS) * braking + COOLNESS * (needed + lack)
+        # Who is too fast for the road brakes as it would alone.
+        return np.where(braking >= needed, braking, np.minimum(calm, self.free))
 
     def to_stop(self, distance: Floats, gentle: Floats) -> Floats:
         """With a place ahead at which to stand, at a distance (infinite: none). `gentle`: with

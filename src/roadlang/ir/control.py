@@ -63,6 +63,8 @@ class Observation(Frozen):
     `b`"""
     vehicle_ahead: Callable[[], tuple[float, float]] = lambda: (math.inf, 0.0)
     """`vehicle_ahead()`: gap to the next agent ahead in the lane, and its speed along it"""
+    acceleration_ahead: Callable[[], float] = lambda: 0.0
+    """`acceleration_ahead()`: that of `vehicle_ahead()`, along the lane; 0 where there is none"""
     obstacle_ahead: Callable[[], float] = lambda: math.inf
     """`obstacle_ahead()`: gap to the next object that stands in the way"""
     lane_end: Callable[[], float] = lambda: math.inf
@@ -174,6 +176,7 @@ class ObservationBatch:
     """of each agent, a distance ahead: a number, or (N,)"""
     speed_for_bends: Callable[[Floats | float, Floats | float, Floats | float], Floats]
     vehicle_ahead: Callable[[], tuple[Floats, Floats]]
+    acceleration_ahead: Callable[[], Floats]
     obstacle_ahead: Callable[[], Floats]
     lane_end: Callable[[], Floats]
     length: Floats
@@ -249,6 +252,7 @@ class ObservationBatch:
             line_ahead=lambda distance: columns(seen.line_ahead(first(distance))),
             speed_for_bends=lambda *limits: column(seen.speed_for_bends(*map(first, limits))),
             vehicle_ahead=lambda: columns(seen.vehicle_ahead()),
+            acceleration_ahead=lambda: column(seen.acceleration_ahead()),
             obstacle_ahead=lambda: column(seen.obstacle_ahead()),
             lane_end=lambda: column(seen.lane_end()),
             lane_place=lambda: LanePlaces.of_single(seen.lane_place()),

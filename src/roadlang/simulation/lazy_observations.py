@@ -120,6 +120,7 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
         seen.view.surroundings.bends.at, seen.view.world, seen.rows
     ),
     "vehicle_ahead": lambda seen: partial(seen.view.vehicle_ahead, seen.rows),
+    "acceleration_ahead": lambda seen: partial(seen.view.acceleration_ahead, seen.rows),
     "obstacle_ahead": lambda seen: partial(seen.view.obstacle_ahead, seen.rows),
     "lane_end": lambda seen: partial(seen.view.lane_end, seen.chosen),
     "lane_place": lambda seen: partial(seen.view.lane_place, seen.chosen),

@@ -33,6 +33,8 @@ class Leaders:
     """(N,) to the next agent"""
     speed: Floats
     """(N,) of that one, along the lane"""
+    acceleration: Floats
+    """(N,) of that one, along the lane"""
 
 
 @dataclass(frozen=True)
@@ -84,9 +86,10 @@ def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
     first = gap.argmin(axis=2)
     scene, agent = pairing.scene, pairing.agent
     least, turn = gap[scene, agent, first], turned[scene, agent, first]
-    speed = world.motion.speed.reshape(shape)[scene, first]
-    along = np.where(np.isfinite(least), speed * np.cos(turn), 0.0)
-    return Leaders(gap, least.ravel(), along.ravel())
+    along = np.where(np.isfinite(least), np.cos(turn), 0.0)
+    speed = along * world.motion.speed.reshape(shape)[scene, first]
+    acceleration = along * world.motion.acceleration.reshape(shape)[scene, first]
+    return Leaders(gap, least.ravel(), speed.ravel(), acceleration.ravel())
 
 
 def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:

@@ -194,6 +194,10 @@ class View:
         ahead = self._leaders()
         return ahead.gap[rows], ahead.speed[rows]
 
+    def acceleration_ahead(self, rows: Any) -> Floats:
+        """(N,) that of `vehicle_ahead` along the lane, 0 where there is none."""
+        return self._leaders().acceleration[rows]
+
     def obstacle_ahead(self, rows: Any) -> Floats:
         """(N,) gap to the next object in the way, infinite for none."""
         gap: Floats = self.surroundings.obstacles(self.world).ahead(self.world)[rows]

@@ -95,6 +95,9 @@ class _SingleAgent:
         gap, speed = self._view.vehicle_ahead(self._rows)
         return float(gap[0]), float(speed[0])
 
+    def acceleration_ahead(self) -> float:
+        return float(self._view.acceleration_ahead(self._rows)[0])
+
     def obstacle_ahead(self) -> float:
         return float(self._seen.obstacle_ahead()[0])
 
@@ -153,6 +156,7 @@ def observations(
                 others=_NOBODY if others is None else others,
                 speed_for_bends=single.speed_for_bends,
                 vehicle_ahead=single.vehicle_ahead,
+                acceleration_ahead=single.acceleration_ahead,
                 obstacle_ahead=single.obstacle_ahead,
                 lane_end=single.lane_end,
                 lane_place=single.lane_place,
