@@ -196,7 +196,8 @@ class View:
 
     def acceleration_ahead(self, rows: Any) -> Floats:
         """(N,) that of `vehicle_ahead` along the lane, 0 where there is none."""
-        return self._leaders().acceleration[rows]
+        found: Floats = self._leaders().acceleration[rows]
+        return found
 
     def obstacle_ahead(self, rows: Any) -> Floats:
         """(N,) gap to the next object in the way, infinite for none."""
