@@ -64,7 +64,7 @@ class Observation(Frozen):
     vehicle_ahead: Callable[[], tuple[float, float]] = lambda: (math.inf, 0.0)
     """`vehicle_ahead()`: gap to the next agent ahead in the lane, and its speed along it"""
     acceleration_ahead: Callable[[], float] = lambda: 0.0
-    """`acceleration_ahead()`: that of `vehicle_ahead()`, along the lane; 0 where there is none"""
+    """of that one, along the lane"""
     obstacle_ahead: Callable[[], float] = lambda: math.inf
     """`obstacle_ahead()`: gap to the next object that stands in the way"""
     lane_end: Callable[[], float] = lambda: math.inf
@@ -84,21 +84,18 @@ class Observation(Frozen):
     """`offset_of_lane(-2)`, `offset_of_lane("left")`: how far left of the tabled line of the agent
     the middle of a lane is here; NaN where there is none"""
     direction_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
-    """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none; NaN where there is no
-    such lane"""
+    """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none; NaN for no lane"""
     speed_limit_ahead: Callable[[float, float], float] = lambda braking, on: math.inf
     """`speed_limit_ahead(b, d)`: the greatest speed, `d` meters on, from which the speed limits
     ahead can be obeyed by braking with `b`"""
     stop_ahead: Callable[[], float] = lambda: math.inf
-    """`stop_ahead()`: how far before the front right of way, a signal or an object demands a stop;
-    infinite: nowhere. Who asks obeys"""
+    """`stop_ahead()`: how far before the front it has to stop, infinite: nowhere. Who asks obeys"""
     right_of_way: Callable[[float, float], tuple[float, float, float]] = lambda polite, bold: _FREE
     """`right_of_way(p, a)`: what `stop_ahead` says, and where lanes merge the gap to who goes first
     there, infinite for nobody, and its speed; politeness and aggression are from 0 to 1"""
     junction_ahead: Callable[[], tuple[float, float, float]] = lambda: _NO_JUNCTION
-    """`junction_ahead()`: how far ahead of its front the next junction on its way begins, negative
-    inside, infinite for none; the length of its way there; and the seconds until the signal is red,
-    0 at red, infinite for none"""
+    """`junction_ahead()`: how far ahead of its front its next junction begins, negative inside,
+    infinite for none; the length of its way there; and the seconds until red, infinite for never"""
     nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
     """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
     sensors: Mapping[str, Reading] = field(default_factory=dict)
@@ -154,8 +151,7 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class ObservationBatch:
-    """The states of N agents: columns (N,) of what `Observation` says of one. They are of the time
-    of the call, and are read during it alone."""
+    """The states of N agents: columns (N,) of what `Observation` says of one, during the call."""
 
     time: Floats
     step: float
