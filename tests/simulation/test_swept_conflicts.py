@@ -51,3 +51,30 @@ def test_where_lines_cross_a_car_comes_there_with_its_front_and_leaves_with_its_
     (enters, leaves), _ = found
     assert enters == pytest.approx(10.0 - 0.9, abs=3.0 * SPACING)
     assert leaves == pytest.approx(10.0 + 0.9, abs=3.0 * SPACING)
+
+
+AROUND = ((8.0, 1.0 / 10.0), (16.0, -1.0 / 10.0), (16.0, -1.0 / 10.0), (20.0, 0.0))
+"""To the left, and then to the right across the straight line."""
+
+
+def test_ways_out_of_one_lane_that_part_may_cross_later() -> None:
+    along, around = (
+        SweptPath.of(connection((0.0, 0.0, 0.0), pieces), CAR)
+        for pieces in (((60.0, 0.0),), AROUND)
+    )
+    found, turned = along.meets_again(around), around.meets_again(along)
+    assert found is not None
+    assert turned == found[::-1]
+    (enters, leaves), (other_enters, _) = found
+    assert 15.0 < enters < leaves < 35.0
+    assert other_enters > 16.0
+    everywhere = along.meets(around)
+    assert everywhere is not None
+    assert everywhere[0][0] < -5.0
+
+
+def test_ways_out_of_one_lane_that_part_for_good_do_not_meet_again() -> None:
+    along = SweptPath.of(connection((0.0, 0.0, 0.0), ((30.0, 0.0),)), CAR)
+    away = SweptPath.of(connection((0.0, 0.0, 0.0), ((15.0, 1.0 / 10.0), (15.0, 0.0))), CAR)
+    assert along.meets_again(away) is None
+    assert along.meets_again(along) is None

@@ -119,9 +119,10 @@ class SweptConflicts:
         sizes = len(self._sizes)
         connections = self._plans[plan].connections
         first, second = connections[one // sizes], connections[two // sizes]
-        if first.source == second.source:
-            return 0, ()
-        found = self._path(plan, one).meets(self._path(plan, two))
+        paths = self._path(plan, one), self._path(plan, two)
+        # Out of one lane, who is behind follows who is ahead until their ways part.
+        parts = first.source == second.source
+        found = SweptPath.meets_again(*paths) if parts else SweptPath.meets(*paths)
         if found is None:
             return 0, ()
         kind = MERGE if first.target == second.target else CROSS

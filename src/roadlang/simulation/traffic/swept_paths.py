@@ -85,7 +85,21 @@ class SweptPath:
     def meets(self, other: SweptPath) -> tuple[tuple[float, float], tuple[float, float]] | None:
         """Where each of the two covers ground that the other covers too: meters from the stop line
         to its front as it comes there, and to its rear as it has left; None for nowhere."""
+        return self._where(other, _overlap(self, other))
+
+    def meets_again(
+        self, other: SweptPath
+    ) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """The same of two that come out of one lane, beyond the place where their ways part."""
         there = _overlap(self, other)
+        mine, its = (int(np.append(there.any(axis=axis), False).argmin()) for axis in (1, 0))
+        there[:mine] = False
+        there[:, :its] = False
+        return self._where(other, there)
+
+    def _where(
+        self, other: SweptPath, there: Booleans
+    ) -> tuple[tuple[float, float], tuple[float, float]] | None:
         if not there.any():
             return None
         mine, its = (np.flatnonzero(there.any(axis=axis)) for axis in (1, 0))
