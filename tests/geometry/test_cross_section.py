@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -241,3 +242,20 @@ def test_an_edge_keeps_its_lanes_when_the_network_is_turned_into_meters() -> Non
     same(meters.cross_section, avenue().mirrored())
     assert float(meters.width.at(0.0)) == pytest.approx(9.75)
     assert meters.road().lanes == 3
+
+
+def test_the_lane_that_is_entered_from_beside_the_road_is_the_nearest_for_the_direction() -> None:
+    kinds = [(2, "backward"), (1, "both"), (-1, "forward"), (-2, "forward")]
+    section = CrossSection(tuple(lane(id, "drive", 3.0, True) for id, _ in kinds))
+    section = replace(
+        section,
+        lanes=tuple(
+            replace(one, direction=way) for one, (_, way) in zip(section.lanes, kinds, strict=True)
+        ),
+    )
+    assert section.entered_from(-8.0, 0.0, backward=False) == -4.5
+    assert section.entered_from(8.0, 0.0, backward=False) == 1.5
+    assert section.entered_from(8.0, 0.0, backward=True) == 4.5
+    assert section.entered_from(-8.0, 0.0, backward=True) == 1.5
+    oneway = CrossSection((lane(-1, "drive", 3.0, True),))
+    assert oneway.entered_from(5.0, 0.0, backward=True) == 0.0

@@ -78,6 +78,19 @@ def test_an_agent_in_left_hand_traffic_follows_the_middle_of_its_lane(sample: Sa
     assert line_offset(ego, line_of(scene.roads[0])) == pytest.approx(2.0)
 
 
+def test_an_agent_from_beside_the_road_enters_the_lane_for_its_direction(sample: Sample) -> None:
+    text = "road main { left: [drive(3m)], right: [drive(4m), drive(3m)], " + DRAW + "}\n"
+    agents = "agent ego is car on main at 5m { side: right }\n"
+    agents += "agent other is car on main at 25m { side: left, facing: back }\n"
+    agents += "agent walker is pedestrian on main at 35m { side: right }\n"
+    (scene,) = sample(text + agents).scenes
+    line = line_of(scene.roads[0])
+    offsets = {agent.name: line_offset(agent, line) for agent in scene.agents}
+    section = scene.roads[0].cross_section()
+    middles = {lane: float(section.offset(lane, 5.0)) for lane in (1, -2)}
+    assert offsets == pytest.approx({"ego": middles[-2], "other": middles[1], "walker": 0.0})
+
+
 def test_a_stretch_of_another_surface_is_a_piece_of_its_own_lane(sample: Sample) -> None:
     patches = "surface_patches: [{ surface: ice, over: [30m, 50m], side: right }]"
     (scene,) = sample("road main {lanes: 2, " + patches + "\n" + DRAW + "}").scenes

@@ -129,3 +129,29 @@ def test_a_lane_ends_where_it_has_less_than_half_its_width(
     plain = replace(road, lane_list=(SceneLane(-1, "drive", "forward", (3.5,)),))
     assert has_lane_endings([plain, road]) is has_lane_endings([road, plain]) is ends
     assert not has_lane_endings([])
+
+
+FROM_THE_VERGE = """
+road main { draw with segments { pieces: [straight(400m)] }, lanes: 4, speed_limit: 50km/h }
+world { traffic: HAND }
+agent ego is car on main at 20m { side: HAND, drive with KIND }
+agent other is car on main at 380m { side: OTHER, facing: back, drive with KIND }
+expect untouched: always (ego.contacts == 0 and other.contacts == 0)
+"""
+
+
+@pytest.mark.parametrize("hand", ["right", "left"])
+@pytest.mark.parametrize("kind", ["traffic", "lane_follow", "pure_pursuit"])
+def test_who_stands_beside_the_road_enters_the_nearest_lane_for_its_direction(
+    hand: str, kind: str
+) -> None:
+    other = {"right": "left", "left": "right"}[hand]
+    text = FROM_THE_VERGE.replace("HAND", hand).replace("OTHER", other).replace("KIND", kind)
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=25.0)
+    side = -1.0 if hand == "right" else 1.0
+    for name, way in (("ego", 1.0), ("other", -1.0)):
+        agent = one.trace.agents[name]
+        assert abs(agent.y[0]) > 7.0
+        assert agent.y[120] == pytest.approx(side * way * 5.25, abs=0.05)
+        assert (side * way * agent.y).min() > 3.5
+    assert one.verdicts["untouched"].satisfied

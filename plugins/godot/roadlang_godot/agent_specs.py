@@ -107,12 +107,18 @@ def kept_start(
 def line_offset(actor: SceneActor, line: RoadSamples) -> float:
     """How far left of the center line the line lies that an agent should follow.
 
-    The middle of its lane where it has one, else where it stands; who crosses goes its own way.
+    The middle of its lane where it has one, else where it stands, or of the lane that it enters
+    from beside the road; who crosses goes its own way.
     """
     if actor.lane is not None and actor.lane in line.cross_section.ids:
         return float(line.cross_section.offset(actor.lane, actor.start or 0.0))
     offset = actor.offset or 0.0
-    return offset if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2 else 0.0
+    if abs(offset) < float(line.at(np.array([actor.start or 0.0]))[2][0]) / 2:
+        return offset
+    if is_walker(actor):
+        return 0.0
+    backward = actor.facing == "back"
+    return line.cross_section.entered_from(offset, actor.start or 0.0, backward=backward)
 
 
 def _line_offsets(actor: SceneActor, scene: Scene) -> list[list[float]]:

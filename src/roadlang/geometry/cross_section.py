@@ -205,6 +205,13 @@ class CrossSection:
         directions = beside if own.direction == "none" and beside else [own.direction]
         return all(direction == "backward" for direction in directions)
 
+    def entered_from(self, offset: float, s: float, *, backward: bool) -> float:
+        """The offset of the middle of the driving lane for a direction that is nearest to a place
+        beside the road; 0 where no lane is for that direction."""
+        ids = self.driving_ids("backward" if backward else "forward")
+        middles = [float(self.offset(id, s)) for id in ids]
+        return min(middles, key=lambda middle: abs(middle - offset), default=0.0)
+
     def lane_at(self, offset: ArrayLike, s: ArrayLike) -> Integers:
         """The id of the lane at each lateral offset, 0 beside the road. The two broadcast.
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..geometry.arrays import Booleans
+from ..ir.category import ON_FOOT
 from ..ir.scene import SceneActor, SceneRoad
 from ..ir.scene_route import RouteStep
 from .motion import Motion, Track
@@ -46,8 +47,8 @@ class LineOffsets:
 
     The guide is the middle of its lane, if it has one and lanes change their widths. Else it is the
     middle of its lane where it starts, or where it has none where it stands; from beside the road,
-    the middle of the road; with a route, that of its lanes. Cross-sections that many roads share
-    are built once.
+    that of the nearest lane for its direction, on foot the middle of the road; with a route, that
+    of its lanes. Cross-sections that many roads share are built once.
     """
 
     def __init__(self) -> None:
@@ -64,7 +65,12 @@ class LineOffsets:
             if center is not None:
                 return center
         offset = actor.offset or 0.0
-        return offset if abs(offset) < width / 2 else 0.0
+        if abs(offset) < width / 2:
+            return offset
+        if actor.category in ON_FOOT:
+            return 0.0
+        section, backward = road.cross_section(), actor.facing == "back"
+        return section.entered_from(offset, actor.start or 0.0, backward=backward)
 
     def _beside_route(
         self, lane: int | None, step: RouteStep, road: SceneRoad, station: float
