@@ -245,7 +245,7 @@ def test_an_edge_keeps_its_lanes_when_the_network_is_turned_into_meters() -> Non
 
 
 def test_the_lane_that_is_entered_from_beside_the_road_is_the_nearest_for_the_direction() -> None:
-    kinds = [(2, "backward"), (1, "both"), (-1, "forward"), (-2, "forward")]
+    kinds: Any = [(2, "backward"), (1, "both"), (-1, "forward"), (-2, "forward")]
     section = CrossSection(tuple(lane(id, "drive", 3.0, True) for id, _ in kinds))
     section = replace(
         section,
