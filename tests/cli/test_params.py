@@ -124,7 +124,9 @@ def test_a_run_without_scenes_does_not_end_the_others(folder: Path) -> None:
     write(folder, "- turns: 1\n- turns: 3\n")
     done = command("compile", "scene.rl", "--params", "night.yaml", "-o", "out", cwd=folder)
     assert (done.returncode, "RL600" in done.stderr) == (3, True)
-    assert [row["scenes"] for row in rows_of(folder / "out/runs.csv")] == ["0", "1"]
+    rows = rows_of(folder / "out/runs.csv")
+    counts = [(row["scenes"], row["candidates"], row["exit code"]) for row in rows]
+    assert counts == [("0", "0", "3"), ("1", "1", "0")]
     assert not (folder / "out/run-000").exists()
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang_formats.opendrive.carriageways import left_hand_carriageways
 from roadlang_formats.opendrive.road_parts import road_parts
 
 LOOP = """road main {
@@ -41,3 +43,23 @@ def test_no_piece_at_the_end_of_a_road_is_very_short(beyond: float) -> None:
     (part,) = road_parts(replace(scene, roads=(replace(road, trim=trims),)), 0.005, "rule")
     assert min(piece.length for piece in part.line.pieces) > 0.2
     assert part.line.length == pytest.approx(road.length - sum(trims), rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("directions", "count"),
+    [
+        (("forward", "forward", "backward", "backward"), 2),
+        (("forward", "backward", "backward", "backward"), 2),
+        (("forward", "forward", "forward", "forward"), 1),
+        (("forward", "forward", "backward", "forward"), 0),
+    ],
+)
+def test_roads_in_left_hand_traffic_are_a_carriageway_for_each_direction(
+    directions: tuple[Any, ...], count: int
+) -> None:
+    """None where lanes run against the traffic beside them."""
+    text = "world { traffic: left }\nroad main { draw with segments { pieces: [straight(60m)] }, "
+    (road,) = testing.sample(text + "lanes: 4 }")[0].record.roads
+    pairs = zip(road.lane_list, directions, strict=True)
+    lanes = tuple(replace(lane, direction=direction) for lane, direction in pairs)
+    assert len(left_hand_carriageways(replace(road, lane_list=lanes))) == count

@@ -345,3 +345,9 @@ def test_two_draws_of_one_distribution_have_bounds_of_their_own(
     )
     assert sample(text.replace("LIMIT", "5.1m")).impossible
     assert not sample(text.replace("LIMIT", "4.9m")).impossible
+
+
+@pytest.mark.parametrize("least", [0.04, 0.06, 0.2])
+def test_a_road_that_no_draw_moves_so_far_needs_no_geometry(sample: Sample, least: float) -> None:
+    text = swaying("1cm..5cm", f"require near: always (abs(deviation(bent, main)) < {least}m)")
+    assert (computed(sample(text, 8), "near") == 0) == (least > 0.05)

@@ -8,6 +8,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
+from roadlang import testing
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.ir.placed_batch import PlacedBatch
 from roadlang.judging.acceptance import Acceptance
@@ -52,3 +53,31 @@ def test_survivors_keep_their_own_places(acceptance: Callable[[str], Acceptance]
     before = placed(scenario.actors["things"], batch)
     after = placed(scenario.actors["things"], batch.take(np.array([7, 2, 2])))
     assert after.x.tolist() == before.x[[7, 2, 2]].tolist()
+
+
+def test_numbers_of_copies_are_found_for_every_candidate() -> None:
+    """Also where they are the same in all of them."""
+    text = STRAIGHT + (
+        "param gap = 5m..9m\n"
+        "agent cars is car on main at 10m { count: 2, spacing: 20m }\n"
+        "object cones is cone on main at cars.start + gap { count: 2 }\n"
+        "object posts is cone on main at cars.start + 3m { count: 2, side: left }\n"
+    )
+    for scene in testing.sample(text, 4):
+        starts = {thing.name: thing.start for thing in scene.record.objects}
+        gap = scene.draws["gap"]
+        assert starts["cones[0]"] == pytest.approx(10.0 + gap)
+        assert starts["cones[1]"] == pytest.approx(30.0 + gap)
+        assert (starts["posts[0]"], starts["posts[1]"]) == (13.0, 33.0)
+
+
+def test_what_was_drawn_once_for_all_copies_is_told_of_groups_that_have_some() -> None:
+    text = STRAIGHT + (
+        "param far = 1m..4m\n"
+        "object trees is tree on main at 20m..180m { count: integer(0, 1), offset: far }\n"
+    )
+    scenes = list(testing.sample(text, 30))
+    assert {len(scene.record.objects) for scene in scenes} == {0, 1}
+    for scene in scenes:
+        told = [place for place in scene.draws if place.startswith("trees/at")]
+        assert len(told) == len(scene.record.objects)
