@@ -227,7 +227,12 @@ class FalsifyOptions:
         1_000, minimum=1, maximum=100_000_000, help="stop after this many candidates"
     )
     failures: Integer = option(
-        None, minimum=1, help="stop after this many distinct failures", example="20"
+        None,
+        minimum=1,
+        help="stop after this many distinct failures: of different expectations or "
+        "partners, on roads whose curvature differs by more than 0.008/m (root mean square), or with first "
+        "violations 10 m/s or 100 m apart",
+        example="20",
     )
     seconds: Duration = option(
         None,
