@@ -230,8 +230,8 @@ class FalsifyOptions:
         None,
         minimum=1,
         help="stop after this many distinct failures: of different expectations or "
-        "partners, on roads whose curvature differs by more than 0.008/m (root mean square), or with first "
-        "violations 10 m/s or 100 m apart",
+        "partners, on roads whose curvature differs by more than 0.008/m (root mean "
+        "square), or with first violations 10 m/s or 100 m apart",
         example="20",
     )
     seconds: Duration = option(
