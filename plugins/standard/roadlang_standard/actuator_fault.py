@@ -21,12 +21,14 @@ class ActuatorFault(Controller):
 
     leaves_open: ClassVar[str] = "everything"
 
-    delay: Duration = option(0.0, minimum=0, maximum=10, help="how late it acts", example="200ms")
+    delay: Duration = option(
+        0.0, minimum=0, maximum=10, help="how late commands act", example="200ms"
+    )
     gain: Number = option(
-        1.0, minimum=-10, maximum=10, help="factor: 0.5 does half of what is wanted"
+        1.0, minimum=-10, maximum=10, help="factor: 0.5 does half of what is commanded"
     )
     stuck: Flag = option(
-        False, help="it stays as it is when the fault begins, for as long as the fault is there"
+        False, help="holds the command at which the fault began, for as long as it lasts"
     )
 
     def start(self, count: int) -> NDArray[np.object_]:

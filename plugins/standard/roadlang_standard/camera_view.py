@@ -16,7 +16,7 @@ class CameraView(MountedSensor):
 
     at: PointInSpace = option(
         (1.5, 0.0, 1.2),
-        help="where it is: ahead of the center of the vehicle, left of it, above the ground",
+        help="position: ahead of the center of the vehicle, to its left, above the ground",
         example="(1.5m, 0m, 1.2m)",
     )
     width: Pixels = option(320.0, minimum=16, maximum=4096, help="width of the picture")

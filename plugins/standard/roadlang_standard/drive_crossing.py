@@ -21,8 +21,8 @@ WITHOUT_ROAD = 10.0
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at a right angle and stop on the other side. Once it walks it does not yield
-    to anybody, but does not walk into the side of a vehicle, and goes round one that stands."""
+    """Cross the road at a right angle and stop on the other side. Once it walks, it yields to
+    nobody, but does not walk into the side of a vehicle, and goes around one that stands still."""
 
     name: ClassVar[str] = "crossing"
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")

@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmergencyBrake(Controller):
-    """Brake hard for what a `ranges` sensor sees straight ahead, as if it stood still; else leave
-    everything to the controller before. Once it brakes, it brakes to a stop."""
+    """Brake hard for what a `ranges` sensor sees straight ahead, as if it stood still; otherwise
+    the controller before it drives. Once it brakes, it brakes to a stop."""
 
     name: ClassVar[str] = "emergency_brake"
     leaves_open: ClassVar[str] = "steering and, while the way is free, acceleration"
 
     sensor: String = option("ranges", help="name of the sensor", example='"front"')
-    deceleration: Acceleration = option(8.0, above=0, maximum=50, help="braking")
+    deceleration: Acceleration = option(8.0, above=0, maximum=50, help="deceleration")
     reaction: Duration = option(
-        0.2, minimum=0, maximum=10, help="time driven at the present speed before braking acts"
+        0.2, minimum=0, maximum=10, help="time driven at the current speed before the brakes act"
     )
     gap: Length = option(
         2.0,
@@ -33,7 +33,7 @@ class EmergencyBrake(Controller):
         help="distance to stop at, from the sensor, which may be behind the front of the vehicle",
     )
     margin: Length = option(
-        0.2, minimum=-10, help="how far beside the vehicle things still are in the way"
+        0.2, minimum=-10, help="how far beside the vehicle things still count as in its way"
     )
 
     def start(self, count: int) -> NDArray[np.float64]:

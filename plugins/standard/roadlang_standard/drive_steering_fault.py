@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SteeringFault(ActuatorFault):
-    """A fault of the steering: what all controllers of the agent decide comes late, is
-    wrong or stuck. It drives nothing itself; `when:` and `while:` say when it is there."""
+    """A steering fault: the steering commands of the agent's controllers act late, wrong or not at
+    all. It does not drive itself; `when:` and `while:` say when it is active."""
 
     name: ClassVar[str] = "steering_fault"
 
     bias: Angle = option(0.0, minimum=-1.5, maximum=1.5, help="constant error", example="2deg")
     noise: Angle = option(
-        0.0, minimum=0, maximum=1.5, help="standard deviation of errors, anew at each step"
+        0.0, minimum=0, maximum=1.5, help="standard deviation of random errors, new at each step"
     )
 
     def altered(self, wanted: ActuationBatch, state: Any) -> Any:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ThrottleFault(ActuatorFault):
-    """A fault of throttle and brakes: what all controllers of the agent decide comes late, is
-    wrong or stuck. It drives nothing itself; `when:` and `while:` say when it is there."""
+    """A fault of throttle and brakes: the commands of the agent's controllers act late, wrong or
+    not at all. It does not drive itself; `when:` and `while:` say when it is active."""
 
     name: ClassVar[str] = "throttle_fault"
 
@@ -24,7 +24,7 @@ class ThrottleFault(ActuatorFault):
         0.0, minimum=-50, maximum=50, help="constant error", example="-0.5m/s^2"
     )
     noise: Acceleration = option(
-        0.0, minimum=0, maximum=50, help="standard deviation of errors, anew at each step"
+        0.0, minimum=0, maximum=50, help="standard deviation of random errors, new at each step"
     )
 
     def altered(self, wanted: ActuationBatch, state: Any) -> Any:

@@ -14,7 +14,7 @@ class MountedSensor(Sensor):
 
     at: PointInSpace = option(
         (0.0, 0.0, 0.5),
-        help="where it is: ahead of the center of the vehicle, left of it, above the ground",
+        help="position: ahead of the center of the vehicle, to its left, above the ground",
         example="(2.2m, 0m, 0.5m)",
     )
     yaw: Angle = option(0.0, help="to the left of straight ahead", example="180deg")

@@ -23,7 +23,10 @@ class Gps(Sensor):
     name: ClassVar[str] = "gps"
 
     noise: Length = option(
-        1.0, minimum=0, maximum=1000, help="standard deviation of x and of y, anew in each reading"
+        1.0,
+        minimum=0,
+        maximum=1000,
+        help="standard deviation of x and of y, drawn anew for each reading",
     )
     bias: Point = option(
         (0.0, 0.0),

@@ -79,20 +79,20 @@ class PlacementOptions:
         None,
         minimum=-10_000,
         maximum=10_000,
-        help="puts the copies of a `count` in a row, from middle to middle; `at` is the first, and "
-        "the others are ahead of it, or behind it with a spacing below 0; `at behind(...)` the "
-        "row goes on backward",
+        help="puts the copies of a `count` in a row, this far apart from center to center; the "
+        "first is at `at`, the others ahead of it, or behind it if the spacing is negative; with "
+        "`at behind(...)` the row extends backward",
         example="5m..9m",
     )
     apart: Length = option(
         None,
         minimum=0,
         maximum=1000,
-        help="least distance to all other agents and objects, from side to side; 0.5m where "
-        "neither of two says more",
+        help="minimum distance to all other agents and objects, between outlines; of two, the "
+        "larger counts, and at least 0.5m",
         example="2m",
     )
-    overlap: Flag = option(False, help="whether it may stand in other agents and objects")
+    overlap: Flag = option(False, help="whether it may overlap other agents and objects")
 
 
 @dataclass(init=False, repr=False, eq=False)
@@ -103,8 +103,8 @@ class AgentOptions(PlacementOptions):
         None,
         minimum=0,
         maximum=150,
-        help="speed at the start; by default what its first controller wants if the agent is in a "
-        "lane, else 0",
+        help="speed at the start; by default the target speed of its first controller if the "
+        "agent is in a lane, else 0",
         example="40km/h",
     )
     route: RoutePoints = option(
@@ -120,7 +120,7 @@ class AgentOptions(PlacementOptions):
         None,
         above=0,
         maximum=100_000,
-        help="how far a random route leads; by default 2km, or to where the roads end",
+        help="length of a random route; by default 2km, or to where the roads end",
         example="300m",
     )
 

@@ -83,5 +83,5 @@ class CrossSectionOptions:
         example="double",
     )
     speed_limit: Speed = option(
-        None, above=0, help="speed limit of all lanes that say none", example="50km/h"
+        None, above=0, help="speed limit of all lanes without one of their own", example="50km/h"
     )

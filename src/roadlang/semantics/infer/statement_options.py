@@ -187,7 +187,7 @@ class RoadOptions(SurfaceOptions, CrossSectionOptions):
         above=0,
         maximum=10000,
         help="where roads are joined: the length over which lanes begin, end and change their "
-        "width, 30m if nothing is said",
+        "width; by default 30m",
         example="60m",
     )
     station_spacing: Length = option(
