@@ -132,3 +132,20 @@ def test_an_observation_is_of_an_agent_on_a_straight_line_along_x() -> None:
     seen = testing.observation(station=10.0, cross_track_error=1.5, heading_error=0.1)
     assert (seen.x, seen.y, seen.heading, seen.speed) == (10.0, 1.5, 0.1, 0.0)
     assert seen.line_ahead(5.0) == (15.0, 0.0, 0.0, 0.0)
+
+
+def test_an_observation_that_nothing_is_said_of_is_at_rest_at_the_origin() -> None:
+    seen = testing.observation()
+    assert (seen.agent, seen.time, seen.step, seen.wheelbase) == ("ego", 0.0, 0.02, 2.7)
+    assert (seen.x, seen.y, seen.heading, seen.speed, seen.steering) == (0.0,) * 5
+    assert (seen.station, seen.cross_track_error, seen.heading_error) == (0.0,) * 3
+    assert testing.observation(x=4.0, station=1.0).x == 4.0
+
+
+def test_a_road_by_hand_has_a_station_every_meter_and_one_name() -> None:
+    road = testing.road_batch([(0, 0), (100, 0)])
+    assert (road.variants, road.name) == (1, "road")
+    assert np.diff(road.stations) == pytest.approx(1.0, rel=0.05)
+    np.testing.assert_array_equal(road.width, [[7.0]])
+    ring = testing.road_batch([(0, 0), (50, 50), (0, 100), (-50, 50)], closed=True, name="ring")
+    assert (ring.period is not None, ring.name) == (True, "ring")
