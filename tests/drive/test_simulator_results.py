@@ -14,7 +14,8 @@ from roadlang import DiagnosticError, testing
 from roadlang.api import Controller, Scene, Simulator, option
 from roadlang.drive.batches import DriveTask
 from roadlang.drive.simulators import drive_scenes, embedded_engine, engine_settings, simulator_call
-from roadlang.plugins.registry import Registry
+from roadlang.plugins.entry_points import Origin
+from roadlang.plugins.registry import BrokenPlugin, Registry
 
 SCENE = testing.sample("""
 road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] } }
@@ -47,9 +48,9 @@ class Faulty(Simulator):
 REGISTRY = testing.registry_with(Faulty)
 
 
-def without_simulators(*, hints: tuple[str, ...] = ()) -> Registry:
-    entries = tuple(entry for entry in REGISTRY.entries if entry.verb != "simulate")
-    return replace(REGISTRY, entries=entries, hints=hints)
+def with_simulators(*names: str, broken: tuple[BrokenPlugin, ...] = ()) -> Registry:
+    entries = (e for e in REGISTRY.entries if e.verb != "simulate" or e.name in names)
+    return Registry(tuple(entries), broken)
 
 
 def test_traces_come_in_the_order_of_their_scenes() -> None:
@@ -78,22 +79,20 @@ def test_anything_else_is_a_fault_of_the_simulator(gives: str, fault: str) -> No
 
 
 def test_without_any_simulator_the_error_says_what_may_have_left_them_out() -> None:
-    with pytest.raises(DiagnosticError) as caught:
-        simulator_call(SCENE, without_simulators(), None, {})
-    (found,) = caught.value.diagnostics
-    assert (found.code, found.help) == ("RL930", ("`--no-plugin` may have left it out",))
-    with pytest.raises(DiagnosticError) as caught:
-        simulator_call(SCENE, without_simulators(hints=("the reason",)), None, {})
-    assert caught.value.diagnostics[0].help == ("the reason",)
+    lame = BrokenPlugin(Origin("lame", "lame", "1.0"), "no wheels")
+    for broken, help_ in [
+        ((), ("`--no-plugin` may have left it out",)),
+        ((lame,), (str(lame),)),
+    ]:
+        with pytest.raises(DiagnosticError) as caught:
+            simulator_call(SCENE, with_simulators(broken=broken), None, {})
+        (found,) = caught.value.diagnostics
+        assert (found.code, found.help) == ("RL926", help_)
 
 
 def test_a_scene_that_names_no_engine_gets_a_shipped_one() -> None:
     assert simulator_call(SCENE, REGISTRY, None, {}).kind != "tested.faulty"
-    only = replace(
-        without_simulators(),
-        entries=tuple(e for e in REGISTRY.entries if (e.verb, e.name) == ("simulate", "faulty")),
-    )
-    assert simulator_call(SCENE, only, None, {}).kind == "tested.faulty"
+    assert simulator_call(SCENE, with_simulators("faulty"), None, {}).kind == "tested.faulty"
 
 
 def test_the_embedded_engine_is_found_by_its_settings() -> None:
@@ -101,8 +100,8 @@ def test_the_embedded_engine_is_found_by_its_settings() -> None:
     assert entry.name == "builtin"
     assert engine_settings(REGISTRY) == simulator.settings  # type: ignore[attr-defined]
     with pytest.raises(DiagnosticError) as caught:
-        engine_settings(without_simulators())
-    assert caught.value.diagnostics[0].code == "RL930"
+        engine_settings(with_simulators())
+    assert caught.value.diagnostics[0].code == "RL926"
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,8 @@ def simulator_call(
     """The simulator called `engine`, else the scene's, else the first there is, with its options.
 
     `options` (SI units) come before those of the scene's `simulate with`, which count where it
-    names the same engine. Raises `DiagnosticError` RL930.
+    names the same engine. Raises `DiagnosticError` RL930 for an engine that is not there, RL926
+    where there is none at all.
     """
     call = scene.simulate
     name = engine or (call.kind if call is not None else _first_engine(registry))
@@ -69,7 +70,7 @@ def _first_engine(registry: Registry) -> str:
 def engine_settings(registry: Registry) -> EngineSettings:
     """How the embedded engine drives, for who steps it.
 
-    Raises `DiagnosticError` RL930 where no installed simulator is the embedded engine."""
+    Raises `DiagnosticError` RL926 where no installed simulator is the embedded engine."""
     settings: EngineSettings = embedded_engine(registry)[1].settings  # type: ignore[attr-defined]
     return settings
 
