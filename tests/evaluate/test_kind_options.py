@@ -21,7 +21,7 @@ class Inner(Perturber):
     """Inside another."""
 
     name: ClassVar[str] = "inner"
-    by: Length = option(1.0, help="how far")
+    by: Any = option(1.0, help="how far")
 
 
 @dataclass(frozen=True)
