@@ -3,7 +3,7 @@ extends RefCounted
 
 const Protocol := preload("protocol.gd")
 const Frame := preload("frame.gd")
-const Channel := preload("channel.gd")
+const Channel := preload("reliable_channel.gd")
 const Reader := preload("reader.gd")
 const UdpLink := preload("udp_link.gd")
 

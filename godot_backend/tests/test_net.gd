@@ -3,7 +3,7 @@ extends RefCounted
 
 const Frame := preload("../net/frame.gd")
 const Reader := preload("../net/reader.gd")
-const Channel := preload("../net/channel.gd")
+const Channel := preload("../net/reliable_channel.gd")
 const Protocol := preload("../net/protocol.gd")
 const Server := preload("../net/server.gd")
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from . import engine
 from .drives import decided_in_python
 from .driving import LockStep
-from .framing import built_places, free_pose
 from .mounted_camera import cameras_of
+from .overview_camera import built_places, free_pose
 from .pictures import RATE, build, drive_for, followed
 from .protocol import Message
 

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .frame import SceneOrigin
-from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .scene_part import ScenePart
+from .protocol import Message
+from .scene_part import BULK_BODY, ScenePart
 
 if TYPE_CHECKING:
     from roadlang.commands import Handle
 
 _SORTS = {"waypoint": 0, "place": 1, "object": 2, "agent": 3, "junction": 4, "street": 5}
 _LONGEST_NAME = 64
-MOST_IN_A_PART = (BULK_DATAGRAM - HEADER_BYTES - 12 - 4 - _LONGEST_NAME) // 8
+MOST_IN_A_PART = (BULK_BODY - 4 - _LONGEST_NAME) // 8
 
 HandleGroups = dict[int, tuple["Handle", ...]]
 """The handles by the ids of the things that show them."""

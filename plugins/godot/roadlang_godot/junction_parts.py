@@ -14,13 +14,13 @@ from roadlang.geometry import Floats
 
 from .frame import SceneOrigin
 from .junctions import triangles_part
-from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .scene_part import ScenePart
+from .protocol import Message
+from .scene_part import BULK_BODY, ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneJunction
 
-_LARGEST = BULK_DATAGRAM - HEADER_BYTES - 16
+_LARGEST = BULK_BODY - 4
 _CORNER_BYTES, _TRIANGLE_BYTES = 12, 6
 
 

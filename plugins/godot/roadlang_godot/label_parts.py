@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 from roadlang_standard.semantic_classes import SemanticClass, class_of_category
 
 from .lane_strips import Surface
-from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .scene_part import Key, ScenePart
+from .protocol import Message
+from .scene_part import BULK_BODY, Key, ScenePart
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
 
 MOST_INSTANCES = 65535
 _RECORD = struct.Struct("<IBBH")
-_MOST = (BULK_DATAGRAM - HEADER_BYTES - 16) // _RECORD.size
+_MOST = (BULK_BODY - 4) // _RECORD.size
 _SCENERY = 0
 """Stands for the kind of what the engine adds by itself (`sensors/labels.gd`)."""
 _SCENERY_CLASSES = {0: SemanticClass.OTHER, 1: SemanticClass.TERRAIN, 2: SemanticClass.VEGETATION}

@@ -20,8 +20,8 @@ from .driving import LockStep
 from .eyes import Eyes
 from .faults import fault
 from .followed_scene import FollowedScene
-from .framing import FreePose, TopFrame, built_places, free_pose, top_frame
 from .layout import Layout, layout_of
+from .overview_camera import FreePose, TopFrame, built_places, free_pose, top_frame
 from .protocol import Message
 from .session import Session
 

@@ -15,14 +15,14 @@ from roadlang.api import Code
 from .faults import fault
 from .frame import SceneOrigin
 from .line import RoadSamples
-from .protocol import BULK_DATAGRAM, HEADER_BYTES, MAX_DATAGRAM, Message
-from .scene_part import ScenePart
+from .protocol import Message
+from .scene_part import BULK_BODY, LONGEST_BODY, ScenePart
 from .sky import world_settings
 from .surface_table import surface_table
 
 PATH_SPACING = 1.0
 _RECORD_BYTES = 28
-_POINTS_A_PIECE = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8) // 12
+_POINTS_A_PIECE = (BULK_BODY - 8) // 12
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ def object_parts(
     parts: list[Any] = []
     names = {}
     for (sort, color, solid, _), members in groups.items():
-        most = (BULK_DATAGRAM - HEADER_BYTES - 12 - 8 - len(sort) - len(color)) // _RECORD_BYTES
+        most = (BULK_BODY - 8 - len(sort) - len(color)) // _RECORD_BYTES
         for at in range(0, len(members), most):
             batch = members[at : at + most]
             names[first_id + len(parts)] = tuple(placed.name for placed in batch)
@@ -113,7 +113,6 @@ def _objects(
 
 def _json_part(kind: Message, id: int, value: Mapping[str, Any], label: str) -> ScenePart:
     body = json.dumps(value, allow_nan=False, separators=(",", ":"), sort_keys=True).encode()
-    limit = MAX_DATAGRAM - HEADER_BYTES - 12
-    if len(body) > limit:
-        raise fault(Code.MESSAGE_TOO_LARGE, what=label, size=len(body), limit=limit)
+    if len(body) > LONGEST_BODY:
+        raise fault(Code.MESSAGE_TOO_LARGE, what=label, size=len(body), limit=LONGEST_BODY)
     return ScenePart(kind, id, body, body, label)

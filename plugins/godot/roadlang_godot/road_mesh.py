@@ -18,8 +18,8 @@ from .dash_pattern import UNCUT, DashPattern, dashes_between
 from .frame import SceneOrigin
 from .lane_strips import LaneStrip, lane_strips
 from .line import RoadSamples
-from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .scene_part import ScenePart
+from .protocol import Message
+from .scene_part import BULK_BODY, ScenePart
 from .unfolded_border import unfolded
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ SHORTEST = 0.05
 """Meters of a stretch with a surface of its own, at least."""
 
 SEGMENT_HEAD = struct.Struct("<BBBBBHff")
-_MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - SEGMENT_HEAD.size) // 24
+_MOST = (BULK_BODY - SEGMENT_HEAD.size) // 24
 
 
 def stations(line: RoadSamples, start: float, end: float) -> Iterator[Floats]:

@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from roadlang_standard.extraction.cell_links import joined_at_corners
 
 from .frame import SceneOrigin
-from .protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from .scene_part import ScenePart
+from .protocol import Message
+from .scene_part import BULK_BODY, ScenePart
 
 NORTH, EAST, SOUTH, WEST = 1, 2, 4, 8
 NORTH_EAST, SOUTH_EAST, SOUTH_WEST, NORTH_WEST = 16, 32, 64, 128
 
 _HEAD = struct.Struct("<fffH")
-_MOST = (BULK_DATAGRAM - HEADER_BYTES - 12 - _HEAD.size) // 5
+_MOST = (BULK_BODY - _HEAD.size) // 5
 
 
 def neighbor_masks(road: NDArray[np.bool_]) -> NDArray[np.uint8]:

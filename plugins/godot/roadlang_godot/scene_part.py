@@ -7,11 +7,15 @@ import struct
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from .protocol import Message
+from .protocol import BULK_DATAGRAM, HEADER_BYTES, MAX_DATAGRAM, Message
 
 _PREFIX = struct.Struct("<HHII")
 _RECORD = struct.Struct("<BII16s")
 RECORD_BYTES = _RECORD.size
+BULK_BODY = BULK_DATAGRAM - HEADER_BYTES - _PREFIX.size
+"""Bytes of the longest body of a part that is one of many; longer things are several parts."""
+LONGEST_BODY = MAX_DATAGRAM - HEADER_BYTES - _PREFIX.size
+"""Bytes of the longest body that a datagram holds."""
 
 Key = tuple[int, int]
 

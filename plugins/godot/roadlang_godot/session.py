@@ -13,11 +13,11 @@ from typing import Any
 from roadlang.api import Code
 
 from . import protocol
-from .channel import Channel
 from .faults import fault, not_built
 from .link import DatagramLink
 from .messages import Proof, as_json, text_of
 from .protocol import Message
+from .reliable_channel import Channel
 from .scene_part import RECORD_BYTES, Key, ScenePart, part_digest, record_key, removal, unlike
 
 PATIENCE = 5.0

@@ -11,7 +11,7 @@ from ..geometry.arrays import Booleans, Floats
 from ..ir.scenario import ScenarioConstraint
 from ..ir.values import Condition
 from .cost import cost_of
-from .implied import (
+from .implied_requirements import (
     begins_on_road,
     does_not_fold,
     has_room,

@@ -1,7 +1,7 @@
 """Reliable delivery over datagrams that may be lost, doubled or out of order.
 
-The same rules as `godot_backend/net/channel.gd`: each side numbers its messages from 1, the
-other acknowledges "everything up to n" and a mask of the 64 that follow, and what is not
+The same rules as `godot_backend/net/reliable_channel.gd`: each side numbers its messages from 1,
+the other acknowledges "everything up to n" and a mask of the 64 that follow, and what is not
 acknowledged is sent again. Messages are handed on as they come, each exactly once.
 """
 
