@@ -238,3 +238,10 @@ def test_what_a_killed_process_gathered_is_nowhere_and_is_removed(
     fill(folder, "c")
     assert not list(base.glob(f"{STAGED}*"))
     assert {"c", MARKER} <= names_in(folder)
+
+
+@pytest.mark.parametrize("name", ["../out.txt", "a/b.txt", "", ".."])
+def test_names_that_lead_out_of_the_folder_are_refused(tmp_path: Path, name: str) -> None:
+    with pytest.raises(ValueError, match="is not the name of a file in a folder"):
+        fill(tmp_path / "set", name)
+    assert list(tmp_path.iterdir()) == []
