@@ -8,7 +8,7 @@ from dataclasses import replace
 from roadlang.api import EngineSettings, Scene, Trace, simulate_scenes
 from roadlang.drive.controllers import python_controllers
 from roadlang.plugins.discovery import load_registry
-from roadlang_godot.simulate import Settings, drive_scenes
+from roadlang_godot.drive.simulate import Settings, drive_scenes
 from roadlang_standard.engine_tables import BODIES
 
 DURATION = 30.0

@@ -18,13 +18,14 @@ from benchmarks.godot.drags import drags
 from benchmarks.godot.lockstep import lockstep
 from benchmarks.godot.window_drags import window_drags
 from roadlang.api import Scene
-from roadlang_godot import driving, engine
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import polyline
-from roadlang_godot.road_mesh import road_parts
-from roadlang_godot.session import Session
-from roadlang_godot.simulate import Settings, drive_in
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import polyline
+from roadlang_godot.build.road_mesh import road_parts
+from roadlang_godot.drive import driving
+from roadlang_godot.drive.simulate import Settings, drive_in
+from roadlang_godot.engines import engine
+from roadlang_godot.net.session import Session
 from tests.godot.godot_proxy import Proxy, Weather
 from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight
 from tests.godot.test_live_editing import raised

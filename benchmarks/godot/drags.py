@@ -10,9 +10,9 @@ from pathlib import Path
 import roadlang
 from benchmarks.godot.engine_time import engine_seconds
 from roadlang.commands import handles_of
-from roadlang_godot import engine
 from roadlang_godot.commands.watch import Watcher
-from roadlang_godot.live import HandEdit
+from roadlang_godot.editing.live import HandEdit
+from roadlang_godot.engines import engine
 
 MOVES = 60
 THINGS = """

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from roadlang_godot.engine import Engine
+from roadlang_godot.engines.engine import Engine
 
 
 def engine_seconds(running: Engine) -> float:

@@ -11,9 +11,9 @@ from benchmarks.godot.engine_time import engine_seconds
 from roadlang import testing
 from roadlang.api import Control, Controller, Observation, Speed, option
 from roadlang.drive.controllers import python_controllers
-from roadlang_godot import engine
-from roadlang_godot.session import Session
-from roadlang_godot.simulate import Settings, drive_in
+from roadlang_godot.drive.simulate import Settings, drive_in
+from roadlang_godot.engines import engine
+from roadlang_godot.net.session import Session
 
 SETTINGS, TURNS = Settings(duration=40.0, step=0.05), 3
 ROAD = """

@@ -14,11 +14,11 @@ import pytest
 import roadlang
 from benchmarks.godot.engine_time import engine_seconds
 from roadlang.commands import handles_of
-from roadlang_godot import engine
 from roadlang_godot.commands.watch import Watcher
-from roadlang_godot.live import HandEdit, LiveScene
-from roadlang_godot.protocol import Message
-from roadlang_godot.session import Session
+from roadlang_godot.editing.live import HandEdit, LiveScene
+from roadlang_godot.engines import engine
+from roadlang_godot.net.protocol import Message
+from roadlang_godot.net.session import Session
 from tests.godot.test_hands import METERS, PICTURE, SEGMENTS, THINGS, TOWN
 from tests.godot.virtual_screen import Hand, virtual_screen
 

@@ -96,7 +96,7 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     (rules.shipped_kinds_use_the_public_api, KIND, "from roadlang.ir.batch import RoadBatch"),
     (
         rules.shipped_kinds_use_the_public_api,
-        "plugins/godot/roadlang_godot/engine.py",
+        "plugins/godot/roadlang_godot/engines/engine.py",
         "def f():\n    import roadlang.world.roads",
     ),
     (rules.rooms_that_compute_read_no_files, "geometry/road.py", "open('road.csv').read()"),

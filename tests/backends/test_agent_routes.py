@@ -9,7 +9,7 @@ import numpy as np
 
 from roadlang.api import Scene, route_points
 from roadlang.scenes.sampling import SamplingResult
-from roadlang_godot.layout import layout_of
+from roadlang_godot.build.layout import layout_of
 from roadlang_standard.svg.drawing import Style, draw
 from tests.world.test_routes import DRIVES, agent, town
 

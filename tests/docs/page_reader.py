@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from roadlang_godot.engine import find
+from roadlang_godot.engines.engine import find
 from roadlang_godot.faults import EngineError
 
 ROOT = Path(__file__).parents[2]

@@ -15,7 +15,7 @@ from roadlang_formats.emit_opendrive import OpenDriveBackend
 from roadlang_formats.emit_openscenario import OpenScenarioBackend
 from roadlang_formats.emit_scenic import ScenicBackend
 from roadlang_formats.emit_sumo import SumoBackend
-from roadlang_godot.agent_looks import category_of
+from roadlang_godot.build.agent_looks import category_of
 from roadlang_standard.semantic_classes import class_of_category
 
 TEXT = """

@@ -12,7 +12,7 @@ import roadlang
 from roadlang import testing
 from roadlang.ir.scene import Scene
 from roadlang_formats.emit_gltf import GltfBackend
-from roadlang_godot import engine
+from roadlang_godot.engines import engine
 from tests.formats.test_gltf import STREET, TEXTS
 from tests.formats.tool_environments import run_tool, tool_folder
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from roadlang_godot import engine as engines
-from roadlang_godot import session as sessions
-from roadlang_godot.session import Session
+from roadlang_godot.engines import engine as engines
+from roadlang_godot.net import session as sessions
+from roadlang_godot.net.session import Session
 from tests.godot.godot_engines import started
 from tests.godot.virtual_screen import virtual_screen
 

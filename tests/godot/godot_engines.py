@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import pytest
 
-from roadlang_godot import engine as engines
+from roadlang_godot.engines import engine as engines
 from roadlang_godot.faults import EngineError
 
 

@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from roadlang_godot import driving, protocol
-from roadlang_godot import engine as engines
-from roadlang_godot.addon import install_addon
+from roadlang_godot.build.layout import layout_of
 from roadlang_godot.commands.godot import command
-from roadlang_godot.layout import layout_of
+from roadlang_godot.drive import driving
+from roadlang_godot.engines import engine as engines
+from roadlang_godot.engines.addon import install_addon
+from roadlang_godot.net import protocol
 from tests.godot.godot_engines import started, until
 from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight
 

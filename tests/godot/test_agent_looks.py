@@ -7,7 +7,7 @@ import dataclasses
 import pytest
 
 from roadlang.ir.category import category_by_size
-from roadlang_godot.agent_looks import EGO_COLOR, category_of, color_of, look_of
+from roadlang_godot.build.agent_looks import EGO_COLOR, category_of, color_of, look_of
 from tests.godot.godot_scenes import bend, car, pieces, road
 
 

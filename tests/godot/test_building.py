@@ -9,16 +9,16 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_godot.engine import Engine
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.lane_strips import lane_strips
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import polyline
+from roadlang_godot.build.road_mesh import road_parts, strip_part
+from roadlang_godot.engines.engine import Engine
 from roadlang_godot.faults import EngineError
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.lane_strips import lane_strips
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import polyline
-from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import road_parts, strip_part
-from roadlang_godot.scene_part import ScenePart
-from roadlang_godot.session import Session
+from roadlang_godot.net.protocol import Message
+from roadlang_godot.net.scene_part import ScenePart
+from roadlang_godot.net.session import Session
 from tests.godot.godot_engines import started
 from tests.godot.godot_scenes import bends, call, car, pieces, scene, straight, thing, town
 
@@ -157,7 +157,7 @@ def test_a_hundred_kilometers_are_proven_built(session: Session) -> None:
 
 
 def test_a_road_in_the_paper_drives_to_the_end(session: Session) -> None:
-    from roadlang_godot.simulate import Settings, drive_in
+    from roadlang_godot.drive.simulate import Settings, drive_in
 
     bent = bends()
     ego = car("ego", bent, 5.0, call("pure_pursuit", speed=14.0, lookahead=6.0))

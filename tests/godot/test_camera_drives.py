@@ -15,9 +15,9 @@ from roadlang.cli.main import run
 from roadlang.commands import python_controllers
 from roadlang.drive.sensors import sensor_recorders
 from roadlang.ir.readings import SensorRecord
-from roadlang_godot.engine import Engine
-from roadlang_godot.followed_scene import FollowedScene
-from roadlang_godot.simulate import Settings, drive_in
+from roadlang_godot.drive.followed_scene import FollowedScene
+from roadlang_godot.drive.simulate import Settings, drive_in
+from roadlang_godot.engines.engine import Engine
 
 TEXT = """
 road main { draw with waypoints { points: [(0m, 0m), (200m, 0m)] } }

@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene
-from roadlang_godot import boxes
-from roadlang_godot.boxes import SeenThing, seen_things
-from roadlang_godot.camera_frames import CameraFrame
-from roadlang_godot.camera_parts import camera_parts
-from roadlang_godot.engine import Engine
-from roadlang_godot.eyes import Eyes
+from roadlang_godot.build.camera_parts import camera_parts
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.mounted_camera import OUTPUTS, MountedCamera
+from roadlang_godot.engines.engine import Engine
 from roadlang_godot.faults import EngineError
-from roadlang_godot.layout import layout_of
-from roadlang_godot.mounted_camera import OUTPUTS, MountedCamera
-from roadlang_godot.session import Session
+from roadlang_godot.net.session import Session
+from roadlang_godot.sensors import boxes
+from roadlang_godot.sensors.boxes import SeenThing, seen_things
+from roadlang_godot.sensors.camera_frames import CameraFrame
+from roadlang_godot.sensors.eyes import Eyes
 from roadlang_standard.semantic_classes import SemanticClass
 from tests.godot.godot_scenes import car, pieces, road, scene, straight, thing
 

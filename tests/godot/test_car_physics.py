@@ -13,10 +13,10 @@ from roadlang import testing
 from roadlang.api import CURB_HEIGHT, Scene, vehicle_parameters
 from roadlang.ir.scene_surface import SurfaceName, SurfacePatch
 from roadlang.simulation.surfaces import SURFACES
-from roadlang_godot import driving
-from roadlang_godot.layout import layout_of
-from roadlang_godot.session import Session
-from roadlang_godot.telemetry import Records
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.drive import driving
+from roadlang_godot.net.session import Session
+from roadlang_godot.net.telemetry import Records
 from roadlang_standard.engine_tables import BODIES
 from tests.godot.godot_scenes import bend, call, car, pieces, road, scene, straight, thing
 

@@ -8,7 +8,7 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang_godot.conditions import FOREVER, engine_formula, is_known
+from roadlang_godot.build.conditions import FOREVER, engine_formula, is_known
 
 SENT: dict[str, Any] = {
     "x < 3": ["<", "x", 3.0],

@@ -21,7 +21,7 @@ from roadlang.simulation.controllers import Driver
 from roadlang.simulation.leaders import Leaders
 from roadlang.simulation.observing import Surroundings, View
 from roadlang.simulation.world_building import world_of
-from roadlang_godot import engine
+from roadlang_godot.engines import engine
 
 TABLE = engine.project() / "tests" / "controller_cases.json"
 CALLS: tuple[tuple[str, dict[str, float]], ...] = (

@@ -15,9 +15,9 @@ import pytest
 from roadlang.api import Dataset, FrameLabels, Scene
 from roadlang.cli.main import run
 from roadlang.ir.schema import schema_of_dataclass
-from roadlang_godot.dataset_files import write_dataset
-from roadlang_godot.engine import Engine
-from roadlang_godot.labeled_frames import Moment, Sampling, moments_of
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.rendering.dataset_files import write_dataset
+from roadlang_godot.rendering.labeled_frames import Moment, Sampling, moments_of
 from roadlang_standard.camera_pictures import depth_numbers
 from roadlang_standard.semantic_classes import class_table
 from tests.godot.godot_scenes import bend, call, car, pieces, road, scene, straight, thing

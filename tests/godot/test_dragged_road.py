@@ -10,7 +10,7 @@ import pytest
 import roadlang
 from roadlang.commands import Handle, dragged, handles_of
 from roadlang.ir.scene import Scene
-from roadlang_godot.dragged_road import with_dragged_road
+from roadlang_godot.editing.dragged_road import with_dragged_road
 
 OPEN = """road main { draw with segments { pieces: [straight(60m), arc(80m, 40deg)] }
   perturb with sine { amplitude: 2m, wavelength: 70m } }

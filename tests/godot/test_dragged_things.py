@@ -10,7 +10,7 @@ import pytest
 import roadlang
 from roadlang.commands import dragged, handles_of
 from roadlang.ir.scene import Scene
-from roadlang_godot.dragged_scene import dragged_scene
+from roadlang_godot.editing.dragged_scene import dragged_scene
 
 
 def random_text(rng: np.random.Generator) -> str:

@@ -11,10 +11,10 @@ import pytest
 
 from roadlang.api import Control, Observation, Scene, SceneActor, SceneRoad, Trace
 from roadlang.ir.scene import Call
-from roadlang_godot import driving
-from roadlang_godot.layout import layout_of
-from roadlang_godot.session import Session
-from roadlang_godot.simulate import Settings, drive_batch, drive_in
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.drive import driving
+from roadlang_godot.drive.simulate import Settings, drive_batch, drive_in
+from roadlang_godot.net.session import Session
 from tests.godot.godot_scenes import bend, bends, call, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot

@@ -6,8 +6,8 @@ import pytest
 
 import roadlang
 from roadlang.commands import handles_of
-from roadlang_godot.edited_text import EditedText
-from roadlang_godot.live import HandEdit
+from roadlang_godot.editing.edited_text import EditedText
+from roadlang_godot.editing.live import HandEdit
 
 TEXT = """road main { draw with segments { pieces: [straight(200m)] } }
 agent ego is car on main at 10m..190m { drive with stanley }

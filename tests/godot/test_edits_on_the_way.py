@@ -11,9 +11,9 @@ import pytest
 
 import roadlang
 from roadlang_godot.commands.watch import Watcher
-from roadlang_godot.engine import Engine
-from roadlang_godot.live import LiveScene
-from roadlang_godot.session import Session
+from roadlang_godot.editing.live import LiveScene
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.net.session import Session
 from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot

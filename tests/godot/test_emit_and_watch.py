@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli import main as cli
-from roadlang_godot.engine import Engine
+from roadlang_godot.engines.engine import Engine
 from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot

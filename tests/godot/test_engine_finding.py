@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli import main as cli
-from roadlang_godot import engine, engine_places
+from roadlang_godot.engines import engine, engine_places
 from roadlang_godot.faults import EngineError
 
 SCENE = """road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] }, width: 8m }

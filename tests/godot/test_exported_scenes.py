@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene
-from roadlang_godot import engine as engines
-from roadlang_godot.exported_scenes import exported
+from roadlang_godot.engines import engine as engines
 from roadlang_godot.faults import EngineError
-from roadlang_godot.pictures import build
-from roadlang_godot.session import Session
+from roadlang_godot.net.session import Session
+from roadlang_godot.rendering.exported_scenes import exported
+from roadlang_godot.rendering.pictures import build
 from tests.godot.godot_scenes import call, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_godot.engine import Engine, connect
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.line import polyline
-from roadlang_godot.road_mesh import road_parts
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.line import polyline
+from roadlang_godot.build.road_mesh import road_parts
+from roadlang_godot.engines.engine import Engine, connect
 from tests.godot.godot_proxy import Proxy, Weather
 from tests.godot.godot_scenes import bend, pieces, straight
 
@@ -32,7 +32,7 @@ def test_a_stormy_network_delivers_the_scene_whole_and_once(fast_engine: Engine,
 
 
 def test_a_drive_over_a_stormy_network_has_every_record(fast_engine: Engine) -> None:
-    from roadlang_godot.simulate import Settings, drive_in
+    from roadlang_godot.drive.simulate import Settings, drive_in
     from tests.godot.godot_scenes import call, car, road, scene
 
     main = road("main", pieces(straight(150)))

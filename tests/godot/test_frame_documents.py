@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from roadlang_godot.camera_frames import CameraFrame, Pose
-from roadlang_godot.frame_documents import labels_of
-from roadlang_godot.mounted_camera import MountedCamera
+from roadlang_godot.build.mounted_camera import MountedCamera
+from roadlang_godot.sensors.camera_frames import CameraFrame, Pose
+from roadlang_godot.sensors.frame_documents import labels_of
 from tests.backends.handmade_scenes import bend
 
 

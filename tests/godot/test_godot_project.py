@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from roadlang_godot import engine as engines
+from roadlang_godot.engines import engine as engines
 from tests.godot.godot_engines import started
 
 PROJECT = engines.project()

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from collections import deque
 
-from roadlang_godot import protocol
-from roadlang_godot.protocol import Message
-from roadlang_godot.session import Session
+from roadlang_godot.net import protocol
+from roadlang_godot.net.protocol import Message
+from roadlang_godot.net.session import Session
 
 
 class TalkativeEngine:

@@ -13,10 +13,10 @@ import roadlang
 from roadlang.commands import Handle, handles_of
 from roadlang.ir.scene import Scene
 from roadlang_godot.commands.watch import Watcher
-from roadlang_godot.engine import Engine
-from roadlang_godot.live import HandEdit
-from roadlang_godot.protocol import Message
-from roadlang_godot.session import Session
+from roadlang_godot.editing.live import HandEdit
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.net.protocol import Message
+from roadlang_godot.net.session import Session
 from tests.godot.godot_engines import started, until
 from tests.godot.virtual_screen import Hand
 

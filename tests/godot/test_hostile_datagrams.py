@@ -13,11 +13,11 @@ from typing import Any
 
 import pytest
 
-from roadlang_godot import protocol
-from roadlang_godot.engine import Engine
-from roadlang_godot.layout import layout_of
-from roadlang_godot.mounted_camera import MountedCamera
-from roadlang_godot.protocol import Message
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.mounted_camera import MountedCamera
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.net import protocol
+from roadlang_godot.net.protocol import Message
 from tests.godot.godot_scenes import car, pieces, road, scene, straight
 from tests.godot.test_building import begin, everything
 

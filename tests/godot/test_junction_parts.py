@@ -7,9 +7,9 @@ from collections.abc import Callable
 import pytest
 
 from roadlang.scenes.sampling import SamplingResult
-from roadlang_godot.layout import layout_of
-from roadlang_godot.protocol import BULK_DATAGRAM, HEADER_BYTES, Message
-from roadlang_godot.session import Session
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.net.protocol import BULK_DATAGRAM, HEADER_BYTES, Message
+from roadlang_godot.net.session import Session
 from tests.scenes.test_junction_paint import SIDEWALKS, crossing
 
 pytestmark = pytest.mark.godot

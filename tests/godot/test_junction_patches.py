@@ -10,12 +10,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.junctions import MARGIN, RoadArm, cuts, order, patch
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import line_of, polyline
-from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import road_parts
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.junctions import MARGIN, RoadArm, cuts, order, patch
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import line_of, polyline
+from roadlang_godot.build.road_mesh import road_parts
+from roadlang_godot.net.protocol import Message
 from tests.godot.godot_scenes import pieces, road, scene, straight, town
 from tests.godot.test_road_mesh import strip
 

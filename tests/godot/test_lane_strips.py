@@ -11,12 +11,12 @@ import pytest
 from roadlang.api import CURB_HEIGHT
 from roadlang.geometry import CrossSection, WidthProfile
 from roadlang.scenes.sampling import SamplingResult
-from roadlang_godot.agent_specs import line_offset
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.lane_strips import BorderLine, LaneStrip, Surface, lane_strips
-from roadlang_godot.line import line_of
-from roadlang_godot.road_mesh import road_parts
-from roadlang_godot.surface_table import surface_number
+from roadlang_godot.build.agent_specs import line_offset
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.lane_strips import BorderLine, LaneStrip, Surface, lane_strips
+from roadlang_godot.build.line import line_of
+from roadlang_godot.build.road_mesh import road_parts
+from roadlang_godot.build.surface_table import surface_number
 
 Sample = Callable[..., SamplingResult]
 DRAW = "draw with waypoints { points: [(0m, 0m), (90m, 0m)] }\n"

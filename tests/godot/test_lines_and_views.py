@@ -13,12 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roadlang.api import Scene
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import line_of, polyline
 from roadlang_godot.commands.render import _numbers, _size
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import line_of, polyline
-from roadlang_godot.messages import as_json, text_of
-from roadlang_godot.overview_camera import FIELD, built_places, free_pose
-from roadlang_godot.pictures import Shot, meters_a_pixel, view_of
+from roadlang_godot.net.messages import as_json, text_of
+from roadlang_godot.rendering.overview_camera import FIELD, built_places, free_pose
+from roadlang_godot.rendering.pictures import Shot, meters_a_pixel, view_of
 from tests.godot.godot_scenes import bends, car, pieces, road, scene, straight, thing
 
 

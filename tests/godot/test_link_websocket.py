@@ -12,9 +12,9 @@ import pytest
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import Server, ServerConnection, serve
 
-from roadlang_godot import engine
+from roadlang_godot.engines import engine
 from roadlang_godot.faults import EngineError
-from roadlang_godot.link_websocket import WebSocketLink
+from roadlang_godot.net.link_websocket import WebSocketLink
 
 
 @contextmanager
@@ -88,7 +88,7 @@ def test_a_connection_that_the_other_side_closes_is_an_os_error() -> None:
 def test_without_the_package_the_diagnostic_names_the_extra(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.delitem(sys.modules, "roadlang_godot.link_websocket", raising=False)
+    monkeypatch.delitem(sys.modules, "roadlang_godot.net.link_websocket", raising=False)
     monkeypatch.setitem(sys.modules, "websockets.sync.client", None)
     with pytest.raises(EngineError, match="RL516") as caught:
         engine.connect("127.0.0.1", 9, "websocket")

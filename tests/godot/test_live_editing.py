@@ -10,15 +10,15 @@ import pytest
 
 from roadlang.commands import Handle
 from roadlang.ir.scene import Scene
-from roadlang_godot.engine import Engine
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.lane_strips import lane_strips
-from roadlang_godot.line import polyline
-from roadlang_godot.live import LiveScene
-from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import strip_part
-from roadlang_godot.scene_part import ScenePart
-from roadlang_godot.session import Session
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.lane_strips import lane_strips
+from roadlang_godot.build.line import polyline
+from roadlang_godot.build.road_mesh import strip_part
+from roadlang_godot.editing.live import LiveScene
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.net.protocol import Message
+from roadlang_godot.net.scene_part import ScenePart
+from roadlang_godot.net.session import Session
 from tests.godot.godot_engines import until
 from tests.godot.godot_scenes import call, car, pieces, road, scene, straight, thing
 

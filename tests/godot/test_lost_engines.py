@@ -14,10 +14,11 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene, Trace
-from roadlang_godot import driving, restarted_engine, simulate
-from roadlang_godot import engine as engines
+from roadlang_godot.drive import driving, simulate
+from roadlang_godot.engines import engine as engines
+from roadlang_godot.engines import restarted_engine
 from roadlang_godot.faults import EngineError
-from roadlang_godot.session import Session
+from roadlang_godot.net.session import Session
 from tests.godot.godot_engines import started, until
 from tests.godot.godot_scenes import call, car, pieces, road, scene, straight
 

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from roadlang_godot import one_core
-from roadlang_godot.one_core import on_one_core
+from roadlang_godot.engines import one_core
+from roadlang_godot.engines.one_core import on_one_core
 
 pytestmark = pytest.mark.skipif(
     not hasattr(os, "sched_setaffinity"), reason="the system does not keep threads on cores"

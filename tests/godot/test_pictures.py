@@ -12,11 +12,11 @@ import pytest
 
 from roadlang.api import Scene, SceneActor
 from roadlang.cli import main as cli
-from roadlang_godot import pictures as drawing
-from roadlang_godot.engine import Engine
+from roadlang_godot.build.line import line_of
+from roadlang_godot.engines.engine import Engine
 from roadlang_godot.faults import EngineError, fault
-from roadlang_godot.line import line_of
-from roadlang_godot.pictures import Shot, build, meters_a_pixel, take, view_of
+from roadlang_godot.rendering import pictures as drawing
+from roadlang_godot.rendering.pictures import Shot, build, meters_a_pixel, take, view_of
 from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot

@@ -11,12 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from roadlang_godot import protocol
-from roadlang_godot.faults import EngineError
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.layout import layout_of
-from roadlang_godot.protocol import Message
-from roadlang_godot.road_tiles import (
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.road_tiles import (
     EAST,
     NORTH,
     NORTH_EAST,
@@ -29,6 +26,9 @@ from roadlang_godot.road_tiles import (
     tile_parts,
     with_corners_joined,
 )
+from roadlang_godot.faults import EngineError
+from roadlang_godot.net import protocol
+from roadlang_godot.net.protocol import Message
 from tests.godot.godot_scenes import pieces, road, scene, straight, town
 
 maps = arrays(bool, (12, 17))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from roadlang_godot import engine as engines
-from roadlang_godot import protocol
-from roadlang_godot.link_websocket import WebSocketLink
+from roadlang_godot.engines import engine as engines
+from roadlang_godot.net import protocol
+from roadlang_godot.net.link_websocket import WebSocketLink
 from roadlang_godot.usual_port import USUAL_PORT
 
 _CONSTANT = re.compile(r"^const (\w+) := (\S+)$", re.MULTILINE)

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from roadlang.api import Observation, SceneRoad
-from roadlang_godot.followed_scene import FollowedScene
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import line_of
-from roadlang_godot.telemetry import CONTACT, POSE, DriveState
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import line_of
+from roadlang_godot.drive.followed_scene import FollowedScene
+from roadlang_godot.net.telemetry import CONTACT, POSE, DriveState
 from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight
 
 LANE = 1.75

@@ -11,8 +11,8 @@ from roadlang import testing
 from roadlang.api import Trace
 from roadlang.drive.controllers import python_controllers
 from roadlang.plugins.discovery import load_registry
-from roadlang_godot.session import Session
-from roadlang_godot.simulate import Settings, drive_in
+from roadlang_godot.drive.simulate import Settings, drive_in
+from roadlang_godot.net.session import Session
 
 pytestmark = pytest.mark.godot
 

@@ -6,10 +6,10 @@ from typing import Any, cast
 
 import numpy as np
 
-from roadlang_godot.driving import GodotDrive
-from roadlang_godot.followed_scene import FollowedScene
-from roadlang_godot.simulate import _record
-from roadlang_godot.telemetry import CONTACT, RECORD, Records
+from roadlang_godot.drive.driving import GodotDrive
+from roadlang_godot.drive.followed_scene import FollowedScene
+from roadlang_godot.drive.simulate import _record
+from roadlang_godot.net.telemetry import CONTACT, RECORD, Records
 
 
 class Seen:

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang_godot.reliable_channel import FIRST_RESEND, LAST_RESEND, Channel
+from roadlang_godot.net.reliable_channel import FIRST_RESEND, LAST_RESEND, Channel
 
 STEP = 0.005
 

@@ -11,13 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roadlang.scenes.sampling import SamplingResult
-from roadlang_godot.dash_pattern import PERIOD, dashes_between
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import line_of
-from roadlang_godot.protocol import Message
-from roadlang_godot.road_mesh import road_parts
-from roadlang_godot.unfolded_border import unfolded
+from roadlang_godot.build.dash_pattern import PERIOD, dashes_between
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import line_of
+from roadlang_godot.build.road_mesh import road_parts
+from roadlang_godot.build.unfolded_border import unfolded
+from roadlang_godot.net.protocol import Message
 from tests.godot.godot_scenes import bend, pieces, road, scene, straight
 from tests.scenes.test_junction_paint import SIDEWALKS, crossing
 

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang_godot import protocol
-from roadlang_godot.frame import SceneOrigin
-from roadlang_godot.line import RoadSamples, line_of
-from roadlang_godot.road_mesh import SAG, TURN, road_parts, stations
-from roadlang_godot.scene_part import ScenePart
+from roadlang_godot.build.frame import SceneOrigin
+from roadlang_godot.build.line import RoadSamples, line_of
+from roadlang_godot.build.road_mesh import SAG, TURN, road_parts, stations
+from roadlang_godot.net import protocol
+from roadlang_godot.net.scene_part import ScenePart
 from tests.godot.godot_scenes import bend, bends, pieces, road, straight
 
 radii = st.floats(8, 400) | st.floats(-400, -8)

@@ -11,9 +11,9 @@ from scipy.spatial import cKDTree
 from roadlang import load
 from roadlang.api import SceneRoad
 from roadlang_formats.surfaces.built import built_roads
-from roadlang_godot.engine import Engine
-from roadlang_godot.line import line_of
-from roadlang_godot.pictures import Shot, build, take
+from roadlang_godot.build.line import line_of
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.rendering.pictures import Shot, build, take
 from tests.godot.godot_scenes import bend, pieces, road, scene, straight
 
 pytestmark = pytest.mark.godot

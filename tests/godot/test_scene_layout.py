@@ -12,14 +12,14 @@ import pytest
 
 from roadlang import testing
 from roadlang.api import Scene, lane_guide
-from roadlang_godot.agent_specs import MOST_OFFSETS
-from roadlang_godot.engine import project
+from roadlang_godot.build.agent_specs import MOST_OFFSETS
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.sky import sun_at, world_settings
+from roadlang_godot.build.surface_table import surface_number, surface_table
+from roadlang_godot.drive.simulate import Settings
+from roadlang_godot.engines.engine import project
 from roadlang_godot.faults import EngineError
-from roadlang_godot.layout import layout_of
-from roadlang_godot.protocol import Message
-from roadlang_godot.simulate import Settings
-from roadlang_godot.sky import sun_at, world_settings
-from roadlang_godot.surface_table import surface_number, surface_table
+from roadlang_godot.net.protocol import Message
 from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight, thing, town
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from roadlang_godot.sky import sun_at, world_settings
+from roadlang_godot.build.sky import sun_at, world_settings
 
 CLEAR = {"cloud": 0.0, "rain": 0.0, "snow": 0.0, "visibility": 20000.0}
 

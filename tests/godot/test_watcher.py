@@ -14,9 +14,9 @@ from roadlang.cli.main import run
 from roadlang.commands import Handle, handles_of
 from roadlang_godot.commands import watch
 from roadlang_godot.commands.watch import Watcher, _lines
-from roadlang_godot.engine import Engine
-from roadlang_godot.live import HandEdit
-from roadlang_godot.protocol import Message
+from roadlang_godot.editing.live import HandEdit
+from roadlang_godot.engines.engine import Engine
+from roadlang_godot.net.protocol import Message
 from tests.godot.godot_engines import started, until
 
 pytestmark = pytest.mark.godot

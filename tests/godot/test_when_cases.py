@@ -12,8 +12,8 @@ import pytest
 
 from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
-from roadlang_godot import engine
-from roadlang_godot.conditions import engine_formula
+from roadlang_godot.build.conditions import engine_formula
+from roadlang_godot.engines import engine
 
 TABLE = engine.project() / "tests" / "when_cases.json"
 CASES = json.loads(TABLE.read_text(encoding="utf-8"))

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang_godot import protocol
-from roadlang_godot.protocol import OpenedDatagram, pack, unpack
+from roadlang_godot.net import protocol
+from roadlang_godot.net.protocol import OpenedDatagram, pack, unpack
 
 numbers = st.integers(0, 2**32 - 1)
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from roadlang.cli.main import run
-from roadlang_godot.frame import frame_around
-from roadlang_godot.layout import layout_of
-from roadlang_godot.line import line_of
-from roadlang_godot.names import plain_name
-from roadlang_godot.pictures import Shot, meters_a_pixel
-from roadlang_godot.sky import world_settings
+from roadlang_godot.build.frame import frame_around
+from roadlang_godot.build.layout import layout_of
+from roadlang_godot.build.line import line_of
+from roadlang_godot.build.names import plain_name
+from roadlang_godot.build.sky import world_settings
+from roadlang_godot.rendering.pictures import Shot, meters_a_pixel
 from tests.godot.godot_scenes import pieces, road, scene, straight
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"

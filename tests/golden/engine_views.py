@@ -8,9 +8,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from roadlang import Scene
-from roadlang_godot.layout import Layout, layout_of
-from roadlang_godot.protocol import Message
-from roadlang_godot.scene_part import ScenePart
+from roadlang_godot.build.layout import Layout, layout_of
+from roadlang_godot.net.protocol import Message
+from roadlang_godot.net.scene_part import ScenePart
 from tests.golden.summaries import array, of_json
 
 _HEAD_BYTES = 8

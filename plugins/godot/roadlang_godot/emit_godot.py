@@ -30,8 +30,8 @@ class GodotBackend(Backend):
 
     def send(self, scene: Scene) -> None:
         """Build, and compare what the engine holds with what was sent."""
-        from .engine import connect
-        from .layout import layout_of
+        from .build.layout import layout_of
+        from .engines.engine import connect
 
         layout = layout_of(scene, self.road)
         with connect(self.host, self.port, self.transport, scene.name) as session:

@@ -38,7 +38,7 @@ class GodotSimulator(Simulator):
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
     ) -> Iterable[Trace]:
         """Drive the scenes with one engine, each in a world without a past."""
-        from .simulate import Settings, drive_scenes
+        from .drive.simulate import Settings, drive_scenes
 
         settings = Settings(self.duration, self.step, self.headless, self.road)
         yield from drive_scenes(scenes, settings, controllers)

@@ -47,7 +47,7 @@ def command(
     """
     from pathlib import Path
 
-    from roadlang_godot import engine
+    from roadlang_godot.engines import engine
 
     if addon is not None:
         _install(Path(addon))
@@ -69,7 +69,7 @@ def command(
 
 def _install(folder: Path) -> None:
     from roadlang.commands import Code, DiagnosticError, diagnose
-    from roadlang_godot import addon
+    from roadlang_godot.engines import addon
 
     if not addon.is_project(folder):
         reason = f"`{folder}` is no Godot project: it has no file `project.godot`"

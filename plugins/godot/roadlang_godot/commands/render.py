@@ -134,7 +134,7 @@ def _render_dataset(loaded: LoadedScenario, folder: str, options: Mapping[str, A
     from pathlib import Path
 
     from roadlang_godot.commands.render_dataset import write_labeled
-    from roadlang_godot.labeled_frames import Sampling
+    from roadlang_godot.rendering.labeled_frames import Sampling
 
     size = _size(options["size"] or "640x360")
     sampling = Sampling(options["time"] or 0.0, options["every"], size, options["road"])
@@ -149,8 +149,8 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
     from pathlib import Path
 
     from roadlang.commands import python_controllers, write_file
-    from roadlang_godot.exported_scenes import export_scene
-    from roadlang_godot.pictures import Shot, render_clip, render_picture
+    from roadlang_godot.rendering.exported_scenes import export_scene
+    from roadlang_godot.rendering.pictures import Shot, render_clip, render_picture
 
     path, suffix = Path(output).absolute(), _suffix(output)
     scenes = loaded.sample(options["index"] + 1, seed=options["seed"])

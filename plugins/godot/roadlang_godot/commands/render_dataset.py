@@ -11,7 +11,7 @@ from roadlang.commands import ProgressBar, python_controllers, report
 
 if TYPE_CHECKING:
     from roadlang.api import Dataset
-    from roadlang_godot.labeled_frames import Moment, Sampling
+    from roadlang_godot.rendering.labeled_frames import Moment, Sampling
 
 
 def write_labeled(
@@ -25,8 +25,8 @@ def write_labeled(
 ) -> tuple[int, int]:
     """Write `count` moments to a folder, at least from so many scenes; returns the numbers of
     moments and pictures. Scenes whose drives end early are followed by more."""
-    from roadlang_godot.dataset_files import write_dataset
-    from roadlang_godot.labeled_frames import labeled_moments
+    from roadlang_godot.rendering.dataset_files import write_dataset
+    from roadlang_godot.rendering.labeled_frames import labeled_moments
 
     pictures = 0
 

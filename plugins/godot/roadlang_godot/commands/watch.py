@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from roadlang import LoadedScenario, SceneSet
     from roadlang.api import Scene as SceneRecord
     from roadlang.commands import DiagnosticError
-    from roadlang_godot.compiled_edit import CompiledEdit
-    from roadlang_godot.live import HandEdit, LiveScene
-    from roadlang_godot.session import Session
+    from roadlang_godot.editing.compiled_edit import CompiledEdit
+    from roadlang_godot.editing.live import HandEdit, LiveScene
+    from roadlang_godot.net.session import Session
 
 LISTEN, BRIEFLY = 0.05, 0.005
 """Seconds between checks of the file, and of what is being compiled."""
@@ -70,7 +70,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     """
     from roadlang import load
     from roadlang.commands import parse_overrides
-    from roadlang_godot import engine
+    from roadlang_godot.engines import engine
 
     loaded = load(file).with_params(parse_overrides(settings))
     scenes = loaded.sample(1, seed=seed)
@@ -96,8 +96,8 @@ class Watcher:
     def __init__(self, loaded: LoadedScenario, seed: int, road: str, save: bool) -> None:
         from concurrent.futures import ThreadPoolExecutor
 
-        from roadlang_godot.edited_text import EditedText
-        from roadlang_godot.held_agent import NOBODY
+        from roadlang_godot.editing.edited_text import EditedText
+        from roadlang_godot.editing.held_agent import NOBODY
 
         self._loaded = loaded
         self._file = str(loaded.path)
@@ -129,7 +129,7 @@ class Watcher:
     def start(self, session: Session, scene: SceneRecord) -> LiveScene:
         """Build the scene, and start to drive in it."""
         from roadlang.commands import handles_of, python_controllers
-        from roadlang_godot.live import LiveScene
+        from roadlang_godot.editing.live import LiveScene
 
         controllers = python_controllers(scene, self._loaded.registry)
         handles = handles_of(self._loaded.text, scene)
@@ -151,7 +151,7 @@ class Watcher:
     def look(self, live: LiveScene, at_rest: bool = False) -> None:
         """See whether the file has changed, and change the scene once that is compiled. `at_rest`:
         whether what is dragged is known to rest."""
-        from roadlang_godot.compiled_edit import compiled
+        from roadlang_godot.editing.compiled_edit import compiled
 
         if self._compiling is not None and self._compiling.done():
             compiling, self._compiling = self._compiling, None
@@ -178,7 +178,7 @@ class Watcher:
 
     def take(self, live: LiveScene, edit: HandEdit) -> None:
         """Apply changes made in the window to the text."""
-        from roadlang_godot.held_agent import held_agent
+        from roadlang_godot.editing.held_agent import held_agent
 
         self._moved_at = time.monotonic()
         self._held = held_agent(self._held, edit, live, self._edited.text)

@@ -1,0 +1,1 @@
+"""What a scene is built from in the engine, as parts to send."""

@@ -1,0 +1,1 @@
+"""Godot engines as processes: found, started, watched, restarted."""

@@ -1,0 +1,1 @@
+"""Pictures, clips, data sets and files of scenes."""
