@@ -148,7 +148,7 @@ def test_engines_that_never_start_are_no_fault_of_a_scene(
 def test_an_engine_ends_with_whoever_started_it() -> None:
     started().stop()
     program = (
-        "from roadlang_godot import engine\n"
+        "from roadlang_godot.engines import engine\n"
         "print(engine.start().process.pid, flush=True)\n"
         "input()\n"
     )
