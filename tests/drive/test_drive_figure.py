@@ -175,3 +175,14 @@ def figure_of(ego: AgentTrace) -> ElementTree.Element:
     text = drive_figure(scene, Trace(ego.time, {"ego": ego}), "ego", None, "a < b", None)
     root = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
     return root.findall("polyline")[0]
+
+
+def test_places_that_are_half_known_are_not_drawn() -> None:
+    lost = replace(moving("ego"), y=np.array([0.0, 0.0, np.nan, 0.0, np.nan]))
+    assert line(figure_of(lost)) == [(24 + 200 * i, 58) for i in (0, 1, 3)]
+
+
+def test_of_a_road_that_lies_within_junctions_nothing_is_drawn() -> None:
+    """Between them there is at most one of its stations."""
+    inside = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400, trim=(42.6, 42.5))
+    assert figure(roads=(inside,)).findall("polygon") == []

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import roadlang
+from roadlang import stl
 from roadlang.diagnostics import Diagnostic
+from roadlang.judging.window_warnings import JudgedAxis, window_warnings
 from roadlang.session.scene_set import NoSceneError
+from roadlang.stl.formula.evaluation_options import EvaluationOptions
 
 ROAD = """
 road main { draw with segments { pieces: [straight(100m)] } }
@@ -90,3 +94,34 @@ def test_a_search_for_failures_warns_of_windows_over_roads_and_drives(tmp_path: 
         # Where every drive fails, each may have ended before a window of another expectation.
         file.write_text(ROAD + text + "\n".join(expectations[:count]))
         assert set(told(roadlang.load(file).falsify(evaluations=3).diagnostics)) == warned
+
+
+@pytest.mark.parametrize(
+    ("ends", "said"),
+    [
+        ([5.0], "drive 0"),
+        ([5.0, 6.0], "drive 0 and 1 more"),
+        ([5.0, 6.0, 7.0], "drive 0 and 2 more"),
+    ],
+)
+def test_windows_beyond_the_end_of_all_drives_are_warned_of_once(
+    ends: list[float], said: str
+) -> None:
+    formula = stl.parse("always[10, 20] (x > 0)")
+    axes = [JudgedAxis(f"drive {n}", np.arange(end + 1.0)) for n, end in enumerate(ends)]
+    (found,) = window_warnings(formula, EvaluationOptions(), axes)
+    assert found.code == "RL313"
+    assert f"{said}" in found.message
+    longer = JudgedAxis("a long one", np.arange(12.0))
+    assert not list(window_warnings(formula, EvaluationOptions(), [*axes, longer]))
+    assert not list(window_warnings(formula, EvaluationOptions(), []))
+
+
+def test_windows_between_samples_are_warned_of_for_each_axis_unless_they_are_filled() -> None:
+    formula = stl.parse("always[1.2, 1.8] (x > 0)")
+    axes = [JudgedAxis("coarse", np.arange(9.0)), JudgedAxis("fine", np.arange(0.0, 9.0, 0.5))]
+    (found,) = window_warnings(formula, EvaluationOptions(), axes)
+    assert found.code == "RL308"
+    assert "coarse" in found.message
+    held = EvaluationOptions(semantics="held")
+    assert not list(window_warnings(formula, held, axes))
