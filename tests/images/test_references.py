@@ -171,3 +171,40 @@ def test_the_scale_of_a_world_file_is_the_root_of_the_area_of_a_pixel(
     assert (found.meters, [file for file, _ in found.files]) == (6.0, [name, "a.prj"])
     assert found.reference is not None
     assert found.reference.grid == "EPSG:4326"
+
+
+@pytest.mark.parametrize(
+    ("scale", "pairs", "meters"),
+    [
+        ((2.0, 8.0), (), 4.0),
+        ((2.0, -8.0, 5.0), ((1024, 1),), 4.0),
+        ((2.0,), (), None),
+        ((2.0, 8.0), ((1024, 2),), None),
+        ((2.0, 8.0), ((3076, 9001),), 4.0),
+        ((2.0, 8.0), ((3076, 9002),), 4.0 * 0.3048),
+        ((2.0, 8.0), ((3076, 9003),), 4.0 * 1200.0 / 3937.0),
+        ((2.0, 8.0), ((3076, 9036),), None),
+        ((1e-3, 1e-3), (), None),
+        ((1.001e-3, 1.001e-3), (), 1.001e-3),
+    ],
+)
+def test_the_scale_of_a_geotiff_is_in_meters(
+    tmp_path: Path,
+    scale: tuple[float, ...],
+    pairs: tuple[tuple[int, int], ...],
+    meters: float | None,
+) -> None:
+    """Of a grid in meters, feet or survey feet; kilometers and degrees say none."""
+    content = tiff("<", {SCALE: ("d", scale), KEYS: keys(*pairs)})
+    found = scale_in_file(tmp_path / "a.tif", content, "TIFF")
+    assert (None if found is None else found.meters) == (
+        None if meters is None else pytest.approx(meters)
+    )
+
+
+def test_a_geotiff_that_says_nothing_has_the_scale_of_its_world_file(tmp_path: Path) -> None:
+    (tmp_path / "a.tfw").write_text("3\n0\n0\n-3\n100\n200\n")
+    content = tiff("<", {256: ("H", (640,))})
+    found = scale_in_file(tmp_path / "a.tif", content, "TIFF")
+    assert found is not None
+    assert found.meters == 3.0
