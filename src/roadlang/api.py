@@ -168,7 +168,7 @@ if TYPE_CHECKING:
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
     from .scenes.junction_curbs import CurbCorner, beside_curb, junction_curbs
-    from .scenes.junction_paint import PaintedShape, junction_paint
+    from .scenes.junction_paint import PaintedShape, crosswalk_paint, junction_paint
     from .scenes.paint_rings import paint_rings
     from .scenes.signal_heads import SignalHead, signal_heads
     from .scenes.surface_heights import CURB_HEIGHT, PAINT_HEIGHT
@@ -218,7 +218,7 @@ _LATER = {
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
     ".scenes.junction_curbs": "CurbCorner beside_curb junction_curbs",
-    ".scenes.junction_paint": "PaintedShape junction_paint",
+    ".scenes.junction_paint": "PaintedShape crosswalk_paint junction_paint",
     ".scenes.paint_rings": "paint_rings",
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".scenes.surface_heights": "CURB_HEIGHT PAINT_HEIGHT",
@@ -260,8 +260,8 @@ __all__ = [
     "SensedBatch", "Sensor", "SensorRecord", "Signal", "SignalHead", "SignalPhase", "Simulator",
     "SolidThings", "Source", "Span", "Speed", "Standing", "String", "SurfaceName",
     "SurfacePatch", "SurfaceStretch", "Trace", "Verdict", "ViolatedSegment", "Word",
-    "beside_curb", "body_of", "call_of", "diagnose", "did_you_mean", "geometry", "hookimpl",
-    "junction_curbs", "junction_paint", "junction_surface", "kind_of", "lane_guide",
+    "beside_curb", "body_of", "call_of", "crosswalk_paint", "diagnose", "did_you_mean", "geometry",
+    "hookimpl", "junction_curbs", "junction_paint", "junction_surface", "kind_of", "lane_guide",
     "line_steering", "list_of", "map_of", "one_of", "option", "paint_rings", "pair_of", "quantity",
     "read_image", "read_input", "record_of", "road_surface", "route_points", "scene_from_json",
     "signal_heads", "simulate_scenes", "surface_names", "surface_stretches", "to_json",

@@ -230,6 +230,15 @@ def test_a_lane_that_no_road_of_the_network_has(sample: Sample) -> None:
     assert (code, message) == ("RL613", "`town` has no lane -4")
 
 
+def test_a_network_that_is_all_junction_has_no_lanes(sample: Sample) -> None:
+    text = town("left: [drive], right: [drive]", scale=1)
+    with pytest.raises(DiagnosticError) as caught:
+        sample(text + "agent ego is car on town at random")
+    (found,) = caught.value.diagnostics
+    assert found.message == "`town` has no lane for vehicles outside its junctions"
+    assert "`scale`" in found.help[0]
+
+
 def test_drawn_points_without_a_way_are_drawn_again(sample: Sample) -> None:
     """Half of the points lie far from the town: their candidates are rejected."""
     text = "agent ego is car on town { route: [(10m, 45m), (125m, 15m..200m)] }"

@@ -192,6 +192,7 @@ _KINDS = {
     "object pallet": "street_objects:Pallet",
     "object tire": "street_objects:Tire",
     "object stroller": "street_objects:Stroller",
+    "object crosswalk": "markings:Crosswalk",
 }
 
 

@@ -12,7 +12,7 @@ from ..ir.trace import AgentTrace, Trace
 
 def without_objects(trace: Trace, scene: Scene) -> Trace:
     """The trace without the objects of the scene that stand in one place throughout."""
-    objects = {object_.name for object_ in scene.objects}
+    objects = {object_.name for object_ in scene.standing}
     moving = {
         name: agent
         for name, agent in trace.agents.items()
@@ -25,7 +25,7 @@ def with_objects(trace: Trace, scene: Scene) -> Trace:
     """The trace with all objects of the scene: those that it lacks stand where they were placed."""
     missing = {
         object_.name: AgentTrace.standing(object_, trace.time)
-        for object_ in scene.objects
+        for object_ in scene.standing
         if object_.name not in trace.agents
     }
     return replace(trace, agents={**trace.agents, **missing})

@@ -53,7 +53,7 @@ def dragged(text: str, scene: Scene, handle: Handle, to: Place, kind: str) -> st
         return with_moved_places(text, handle.name, moved, kind)
     if handle.sort in ("junction", "street"):
         return network_dragged(text, handle, to)
-    actor = next((a for a in (*scene.agents, *scene.objects) if a.name == handle.name), None)
+    actor = next((a for a in (*scene.agents, *scene.standing) if a.name == handle.name), None)
     road = None if actor is None else _road(scene, actor.road)
     if actor is None or road is None or is_at_point(text, handle.name):
         return thing_moved(text, handle.name, to)
@@ -149,7 +149,7 @@ def _place_handles(text: str, road: SceneRoad) -> Iterator[Handle]:
 
 def _of_things(text: str, scene: Scene) -> Iterator[Handle]:
     sorts: tuple[tuple[Sort, tuple[SceneActor, ...]], ...]
-    sorts = ("object", scene.objects), ("agent", scene.agents)
+    sorts = ("object", scene.standing), ("agent", scene.agents)
     for sort, actors in sorts:
         for actor in actors:
             if actor.name == actor.group and _can_be_moved(text, scene, actor):

@@ -9,8 +9,10 @@ AGENTS = (*(name for name in VEHICLES if name != "trailer"), *ON_FOOT)
 OBJECTS = (
     *VEHICLES, "tree", "bush", "hedge", "building", "shelter", "wall", "fence", "guardrail",
     "barrier", "cone", "pole", "lamp", "sign", "traffic_light", "water",
-    "obstacle",
+    "obstacle", "crosswalk",
 )  # fmt: skip
+MARKINGS = ("crosswalk",)
+"""Objects that are paint on the road: nothing hits them, stops for them or keeps clear of them."""
 ROLES = ("", "taxi", "police", "ambulance", "fire")
 """Of vehicles that others have to know: formats that have no such vehicle go by the category."""
 

@@ -174,6 +174,8 @@ class Scene(Frozen):
     """what moves"""
     objects: tuple[SceneActor, ...] = ()
     """what stands still"""
+    markings: tuple[SceneActor, ...] = ()
+    """crosswalks: paint on the road, that nothing hits or keeps clear of"""
     world: Mapping[str, Any] = field(default_factory=dict)
     """light, weather and grip; a key is absent where the scene file says nothing of it"""
     signals: tuple[SceneSignal, ...] = ()
@@ -186,6 +188,11 @@ class Scene(Frozen):
     """where the scene is to be driven, with every option"""
     schema: str = SCENE_SCHEMA
     """version of this format"""
+
+    @property
+    def standing(self) -> tuple[SceneActor, ...]:
+        """All that formulas can name and that does not move: objects, then markings."""
+        return (*self.objects, *self.markings)
 
     @property
     def stem(self) -> str:

@@ -88,7 +88,7 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
     series = [judged.series for judged in view.judged if judged.series is not None]
     at = [view.moment.sample] if view.moment is not None else []
     indices = samples_of(len(trace.time), samples, series, at)
-    objects = {object_.name for object_ in drive.scene.objects}
+    objects = {object_.name for object_ in drive.scene.standing}
     moving = [agent for agent in trace.agents.values() if agent.name not in objects]
     ego = trace.agents.get(view.agent)
     return {

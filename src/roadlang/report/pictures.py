@@ -53,7 +53,7 @@ def box_of(view: DriveView) -> Floats:
     """(2, 2) the least and the greatest x and y of what matters: a road or few with all that moves
     there; of many roads what is near the paths."""
     scene, trace = view.drive.scene, view.drive.trace
-    objects = {object_.name for object_ in scene.objects}
+    objects = {object_.name for object_ in scene.standing}
     paths = [_path(agent) for name, agent in trace.agents.items() if name not in objects]
     roads = [road for road in scene.roads if road.derived] or list(scene.roads)
     lines = [path for path in paths if len(path)]
@@ -92,7 +92,7 @@ def _roads(view: DriveView, place: Place, tall: float) -> Iterator[str]:
 
 
 def _paths(view: DriveView, place: Place) -> Iterator[str]:
-    objects = {object_.name for object_ in view.drive.scene.objects}
+    objects = {object_.name for object_ in view.drive.scene.standing}
     series = None if view.worst is None else view.worst.series
     for name, agent in view.drive.trace.agents.items():
         line = _path(agent)

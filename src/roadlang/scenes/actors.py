@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Booleans
-from ..ir.category import category_by_size
+from ..ir.category import MARKINGS, category_by_size
 from ..ir.placed_batch import PlacedBatch
 from ..ir.read_only import frozen
 from ..ir.record_columns import records_of
@@ -52,6 +52,19 @@ def scene_actors(
     if len(columns) == 1:
         return columns[0]
     return [sum(parts, ()) for parts in zip(*columns, strict=True)] if columns else rows.same(())
+
+
+def objects_and_markings(
+    placed: Sequence[tuple[SceneActor, ...]],
+) -> tuple[list[tuple[SceneActor, ...]], list[tuple[SceneActor, ...]]]:
+    """What `object` statements have placed in each scene: what stands there, and what is paint."""
+    objects, markings = [], []
+    for found in placed:
+        paint = tuple(thing for thing in found if thing.category in MARKINGS)
+        is_solid = (thing for thing in found if thing.category not in MARKINGS)
+        objects.append(tuple(is_solid) if paint else found)
+        markings.append(paint)
+    return objects, markings
 
 
 def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
@@ -185,7 +198,8 @@ def _shown(instances: Sequence[KindInstance]) -> Kinds:
     shown = {}
     for key, found in distinct.items():
         options = _concrete_options(found)
-        height = float(options.get("height") or _DEFAULT_HEIGHT)
+        flat = found.kind.category in MARKINGS
+        height = 0.0 if flat else float(options.get("height") or _DEFAULT_HEIGHT)
         role = getattr(found.kind, "role", "")
         shown[key] = found.entry.name, height, options, found.kind.category, role
     return [shown[id(found)] for found in instances]

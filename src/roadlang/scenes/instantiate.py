@@ -30,7 +30,7 @@ from ..world.aliasing import aliasing_remarks, has_silent_passes
 from ..world.copies import is_group
 from ..world.networks import network_root
 from ..world.roads import road_root
-from .actors import legend_objects, scene_actors
+from .actors import legend_objects, objects_and_markings, scene_actors
 from .bend_warnings import bend_warnings
 from .network_warnings import network_warnings
 from .roads import scene_networks, scene_roads
@@ -144,7 +144,7 @@ def _driven(
     world = {name: rows.plain(evaluate(value, candidates)) for name, value in source.world.items()}
     if "time_of_day" in world:
         world["time_of_day"] = [TIMES_OF_DAY.get(time, time) for time in world["time_of_day"]]
-    objects = scene_actors(source.objects, rows)
+    objects, markings = objects_and_markings(scene_actors(source.objects, rows))
     legend = legend_objects(candidates)
     if legend:
         objects = [(*found, *legend) for found in objects]
@@ -162,6 +162,7 @@ def _driven(
         "roads": roads,
         "agents": [*map(slowed_behind, agents, objects, free, networks)],
         "objects": objects,
+        "markings": markings,
         "world": _maps(world, rows),
         "simulate": rows.same(None) if simulate is None else _calls(simulate, rows),
     }

@@ -1,4 +1,5 @@
-"""What is painted at the junctions of a scene: for every backend the same shapes, in meters."""
+"""What is painted at the junctions of a scene, and its crosswalks: for every backend the same
+shapes, in meters."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ from ..ir.scene_road import SceneRoad
 from .junction_curbs import edge_lines
 from .lines_through import lines_through
 from .turn_arrows import arrow
-from .zebra_crossings import crossings
+from .zebra_crossings import crossings, crosswalk_stripes
 
 STOP_LINE = 0.4
 """Meters: the width of a stop line and of a line to yield at."""
@@ -65,6 +66,13 @@ def junction_paint(scene: Scene, junctions: Iterable[SceneJunction]) -> Iterator
             beside = sum(key[:2] == (road, end) for key in lanes)
             if beside > 1 and roads[road].length - sum(roads[road].trim) > _ARROW_ROOM:
                 yield from _arrow(roads[road], connections)
+
+
+def crosswalk_paint(scene: Scene) -> Iterator[PaintedShape]:
+    """The stripes of the crosswalks of a scene."""
+    for marking in scene.markings:
+        for stripe in crosswalk_stripes(marking):
+            yield PaintedShape("crossing", stripe)
 
 
 def connections_by_lane(

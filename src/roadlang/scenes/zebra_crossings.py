@@ -1,7 +1,9 @@
-"""Zebra crossings: where a road with sidewalks on both sides enters a junction."""
+"""Zebra crossings: those that a scene file places, and where a road with sidewalks on both sides
+enters a junction."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 import numpy as np
@@ -9,6 +11,7 @@ import numpy as np
 from ..geometry.arrays import Floats
 from ..geometry.footprints import Footprints, separation
 from ..geometry.rings import outside_ring
+from ..ir.scene_actor import SceneActor
 from ..ir.scene_junctions import SceneArm, SceneJunction
 from ..ir.scene_road import SceneRoad
 
@@ -33,6 +36,16 @@ def crossings(junction: SceneJunction, roads: Mapping[str, SceneRoad]) -> Iterat
             continue
         found.append(crossing)
         yield from _stripes(crossing)
+
+
+def crosswalk_stripes(marking: SceneActor) -> Iterator[Floats]:
+    """The stripes (4, 2) of a crosswalk, along its heading."""
+    cosine, sine = math.cos(marking.heading), math.sin(marking.heading)
+    along = 0.5 * marking.length * np.array([cosine, sine])
+    across = 0.5 * marking.width * np.array([-sine, cosine])
+    middle = np.array([marking.x, marking.y])
+    near, far = middle - along, middle + along
+    yield from _stripes(np.array([near + across, near - across, far - across, far + across]))
 
 
 def _crossing(arm: SceneArm, ring: Floats, road: SceneRoad) -> Floats | None:

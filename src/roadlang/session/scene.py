@@ -194,8 +194,8 @@ class Scene:
 
     @cached_property
     def objects(self) -> Mapping[str, SceneActor]:
-        """By name, as `agents`."""
-        return MappingProxyType({actor.name: actor for actor in self.record.objects})
+        """By name, as `agents`; crosswalks too."""
+        return MappingProxyType({actor.name: actor for actor in self.record.standing})
 
     @cached_property
     def requirements(self) -> Mapping[str, Verdict]:

@@ -105,8 +105,7 @@ class Recorder:
         for slot, actor in enumerate(scene.agents):
             columns = tuple((part, first + slot) for part, first in parts)
             agents[actor.name] = AgentTrace.recorded(actor, time, RecordedAgent(time, columns))
-        if scene.objects:
-            agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.objects}
+        agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.standing}
         events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
         events.sort(key=lambda event: (event["time"], event["agent"]))
         return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))

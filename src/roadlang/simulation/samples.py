@@ -110,7 +110,7 @@ class Samples:
                 )
                 for slot, actor in enumerate(record.agents)
             }
-            agents |= {actor.name: AgentTrace.standing(actor, time) for actor in record.objects}
+            agents |= {actor.name: AgentTrace.standing(actor, time) for actor in record.standing}
             self._traces[scene] = Trace(time, agents, "the embedded engine")
         return self._traces[scene]
 

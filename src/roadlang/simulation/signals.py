@@ -117,7 +117,7 @@ class SignalCall:
             objects = {
                 place: tuple(
                     AgentTrace.standing(
-                        world.scenes[scene].objects[place - self._slots], np.zeros(1)
+                        world.scenes[scene].standing[place - self._slots], np.zeros(1)
                     )
                     for scene in within
                 )
@@ -195,7 +195,7 @@ class SignalCall:
         is_member = drive_signal_kind(self._entry).member
         out = {}
         for option, name in named_entities(self._entry, call.get("options", {})).items():
-            actors = [*enumerate(scene.agents), *enumerate(scene.objects, self._slots)]
+            actors = [*enumerate(scene.agents), *enumerate(scene.standing, self._slots)]
             places = tuple(at for at, actor in actors if name in (actor.name, actor.group))
             if not places:
                 raise unsupported(str(call["kind"]))

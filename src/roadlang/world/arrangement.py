@@ -81,7 +81,7 @@ class Arrangement:
     def _found(self, actor: ScenarioActor) -> dict[str, NDArray[Any]]:
         count, most = self.candidates.count, most_copies(actor, self.candidates)
         if most == 0:
-            names = ("present", *POSE, "length", "width", "apart", "missing", "blocker")
+            names = ("present", *POSE, "length", "apart", "missing", "blocker")
             return {
                 **dict.fromkeys(names, np.empty((count, 0))),
                 "tries": np.empty((count, 0), int),
@@ -139,6 +139,7 @@ class _Turn:
         tries = np.array(copies.tries)
         nothing, nobody = np.zeros(copies.count), np.full(copies.count, -1)
         apart = _apart(actor, CopyBatch.every(candidates, most))
+        apart[kinds.are_markings] = -np.inf
         return cls(actor, candidates, copies, kinds, present, apart, tries, poses, nothing, nobody,
             others)  # fmt: skip
 
@@ -252,8 +253,8 @@ class _Turn:
         return self._boxes_at(poses, index)
 
     def _boxes_at(self, poses: RoadPoses, index: Integers) -> Footprints:
-        lengths, widths = self.kinds.lengths[index], self.kinds.widths[index]
-        return Footprints(poses.x, poses.y, poses.heading, lengths, widths)
+        lengths = self.kinds.lengths[index]
+        return Footprints(poses.x, poses.y, poses.heading, lengths, poses.width)
 
     @property
     def _most(self) -> int:
@@ -271,8 +272,7 @@ class _Turn:
     def columns(self) -> dict[str, NDArray[Any]]:
         """All arrays (R,) by name."""
         pose = {name: getattr(self.poses, name) for name in POSE}
-        sizes = {"length": self.kinds.lengths, "width": self.kinds.widths}
-        return {**pose, **sizes, "apart": self.apart, "tries": self.tries,
+        return {**pose, "length": self.kinds.lengths, "apart": self.apart, "tries": self.tries,
                 "missing": self.missing, "blocker": self.blocker}  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -17,6 +18,7 @@ from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build, converted, evaluate
 from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
 from ..geometry.arrays import Booleans, Floats
+from ..ir.category import MARKINGS
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, Measure, PassCall, RandomValue
@@ -93,8 +95,14 @@ class CopyKinds:
 
     @cached_property
     def widths(self) -> Floats:
-        """(R,) meters across the heading."""
+        """(R,) meters across the heading; NaN of paint that is as wide as the road where it
+        lies."""
         return self._sizes("width")
+
+    @cached_property
+    def are_markings(self) -> Booleans:
+        """(R,) which of them are paint."""
+        return np.array([found.kind.category in MARKINGS for found in self.instances], dtype=bool)
 
     def _sizes(self, name: str) -> Floats:
         distinct = {id(found): found for found in self.instances}
@@ -171,7 +179,10 @@ def _rows(value: Any, count: int) -> list[Any]:
 
 
 def _size(kind: Any, name: str) -> float:
-    return float(getattr(kind, name, None) or _UNUSUAL_SIZE)
+    size = getattr(kind, name, None)
+    if size is None and name == "width" and kind.category in MARKINGS:
+        return math.nan
+    return float(size or _UNUSUAL_SIZE)
 
 
 def kinds_of(actor: ScenarioActor, candidates: CandidateBatch) -> CopyKinds:

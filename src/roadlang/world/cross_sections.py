@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, diagnose
-from ..geometry import CrossSection, GeometryError, OffsetProfile, WidthProfile
+from ..geometry import CrossSection, GeometryError, Lane, OffsetProfile, WidthProfile
 from ..geometry.arrays import Floats
 from ..geometry.cross_section import border_offsets, drivable_borders, scaled_widths
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
@@ -68,6 +69,15 @@ class LaneBatch:
         first, last = drivable_borders(self._drivable)
         return np.asarray(widths[first:last].sum(axis=0))
 
+    @cached_property
+    def roadway_borders(self) -> tuple[int, int]:
+        """The borders, counted from the left, to the left and to the right of what who crosses the
+        road on foot crosses: up to the curb, or where there is none to the outermost lane that
+        vehicles or riders use."""
+        lanes = self.pattern.lanes
+        first, last = drivable_borders(self._drivable)
+        return first - _beyond(lanes[:first][::-1]), last + _beyond(lanes[last:])
+
     def cross_section(self, width: WidthProfile, s: Floats) -> CrossSection:
         """Of a single candidate: `s` (n,) is arc length of the root at the stations of `width`."""
         widths = self.lane_widths(width.widths[None, :], s)[:, 0]
@@ -112,3 +122,11 @@ class LaneBatch:
 
 def _rows(column: Floats, rows: NDArray[np.intp]) -> NDArray[np.intp] | slice:
     return rows if len(column) > 1 else slice(None)
+
+
+def _beyond(outward: Sequence[Lane]) -> int:
+    """How many lanes beside the drivable ones, from these outward, belong to the roadway."""
+    for number, lane in enumerate(outward):
+        if lane.raised:
+            return number
+    return max((number for number, lane in enumerate(outward, 1) if lane.users), default=0)

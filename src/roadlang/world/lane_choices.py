@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.copies import CopyBatch
 from ..geometry.routes.lane_graph import LaneGraph
 from ..ir.scenario import ScenarioActor
@@ -66,14 +66,23 @@ def allowed_lanes(
     if facing is not None:
         found = frozenset(lane for lane in found if lanes.lanes[lane].backward == facing)
     if not found:
-        known = sorted({lane.lane for lane in lanes.lanes}, key=lambda id: (abs(id), id))
-        help_ = f"its lanes for vehicles are {', '.join(map(str, known))}"
-        lane = f"`{choice[0]}`" if isinstance(choice[0], str) else choice[0]
-        span = actor.span_of("lane")
-        raise DiagnosticError(
-            diagnose(Code.UNKNOWN_LANE, span, road=actor.on, lane=lane, help=help_)
-        )
+        raise DiagnosticError(_missing_lane(actor, lanes, choice))
     return found
+
+
+def _missing_lane(actor: ScenarioActor, lanes: LaneGraph, choice: LaneChoice) -> Diagnostic:
+    """RL613, of a network without a lane that a choice allows."""
+    known = sorted({lane.lane for lane in lanes.lanes}, key=lambda id: (abs(id), id))
+    help_ = f"its lanes for vehicles are {', '.join(map(str, known))}"
+    lane = f"`{choice[0]}`" if isinstance(choice[0], str) else str(choice[0])
+    if not known:
+        lane = "for vehicles outside its junctions"
+        help_ = (
+            "its roads are too short for the width of their lanes: look at its `scale`"
+        )
+    elif choice[0] == "any":
+        lane = f"for vehicles that runs {'against' if choice[1] == 'back' else 'along'} its roads"
+    return diagnose(Code.UNKNOWN_LANE, actor.span_of("lane"), road=actor.on, lane=lane, help=help_)
 
 
 def _of_choice(lanes: LaneGraph, choice: Hashable, default_kind: str) -> list[int]:

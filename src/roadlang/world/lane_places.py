@@ -31,6 +31,10 @@ class LaneOffsets:
     """the middle of the lane of each copy; 0 for lane 0"""
     backward: NDArray[np.bool_]
     """whether traffic in that lane runs against the road"""
+    roadway_middle: Floats
+    """the middle of the roadway"""
+    width: Floats
+    """of the lane of each copy; for lane 0 of the roadway, from curb to curb"""
 
 
 def lane_places(
@@ -44,7 +48,7 @@ def lane_places(
     """The lanes of a road at the places (R,) of copies of the candidates at `which` (R,) that are
     in `lane` (R,), 0 of none. Raises RL613."""
     count = len(which)
-    left, right, middle = np.zeros((3, count))
+    left, right, middle, roadway_middle, across = np.zeros((5, count))
     backward = np.zeros(count, dtype=bool)
     for rows, lanes in named_lanes(name, candidates):
         chosen = np.flatnonzero(np.isin(which, rows))
@@ -52,13 +56,17 @@ def lane_places(
         width, station = place.width[chosen, None], place.station[chosen, None]
         borders = part.border_offsets(width, station)[..., 0]
         left[chosen], right[chosen] = borders[0], borders[-1]
+        first, last = part.roadway_borders
+        roadway_middle[chosen] = (borders[first] + borders[last]) / 2.0
+        across[chosen] = borders[first] - borders[last]
         for id in np.unique(lane[chosen]).tolist():
             if id != 0:
                 within = lane[chosen] == id
                 index = _place_of(actor, lanes, id)
                 middle[chosen[within]] = (borders[index] + borders[index + 1])[within] / 2.0
+                across[chosen[within]] = (borders[index] - borders[index + 1])[within]
                 backward[chosen[within]] = lanes.pattern.runs_backward(id)
-    return LaneOffsets(left, right, middle, backward)
+    return LaneOffsets(left, right, middle, backward, roadway_middle, across)
 
 
 def lanes_by_word(

@@ -58,6 +58,7 @@ class LaneWalks:
             elif said:  # the lane of oncoming traffic: toward where it comes from
                 number, away = numbers.get(TravelLane(road, lane, not backward)), -away
             if number is None:
+                target += rows[row][-1] * (-1.0 if target < start else 1.0)
                 into.stand(row, road, target, lane, float(standing.offset[row, 0]), backward)
                 into.is_directed[row] = not (said and lane)
                 into.lacking[row] = self._beyond(row, road, target)

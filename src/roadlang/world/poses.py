@@ -27,6 +27,9 @@ from .road_poses import (
     poses_on_road,
 )
 
+WIDTH_WITHOUT_ROAD = 7.0
+"""Meters, of a crosswalk that is on no road and does not say how wide it is"""
+
 
 def poses_of(
     actor: ScenarioActor, copies: CopyBatch, lengths: Floats, widths: Floats, others: Others
@@ -34,7 +37,7 @@ def poses_of(
     """Where each copy stands; `lengths` and `widths` (R,) of the copies, in meters. Raises
     RL613."""
     if actor.on is None:
-        return _in_the_world(actor, copies)
+        return _in_the_world(actor, copies, widths)
     written, sizes = WrittenPlace.of(actor, copies), (lengths, widths)
     if actor.on in copies.scenario.networks:
         return _in_network(actor, copies, written, sizes, others)
@@ -42,14 +45,16 @@ def poses_of(
     return poses_on_road(actor.on, actor, copies.candidates, copies.rows, begin, written, sizes)
 
 
-def _in_the_world(actor: ScenarioActor, copies: CopyBatch) -> RoadPoses:
+def _in_the_world(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> RoadPoses:
     x, y = (column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
     nothing = np.full(copies.count, np.nan)
     none = np.zeros(copies.count, np.int64)
     heading = number_option(actor, "heading", copies)
     road = np.full(copies.count, NO_ROAD)
     no = none.astype(bool)
-    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, np.zeros(copies.count))
+    width = np.where(np.isnan(widths), WIDTH_WITHOUT_ROAD, widths)
+    lacking = np.zeros(copies.count)
+    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, lacking, width)
 
 
 def _in_network(
@@ -61,7 +66,7 @@ def _in_network(
 ) -> RoadPoses:
     """Road by road."""
     road, begin, lacking = begins_in_network(actor, copies, written, sizes[0], others)
-    found = [np.zeros(copies.count) for _ in range(5)]
+    found = [np.zeros(copies.count) for _ in range(6)]
     lane, backward = np.zeros(copies.count, np.int64), np.zeros(copies.count, dtype=bool)
     columns = [*found, lane, backward]
     for edge in np.unique(road).tolist():
@@ -75,11 +80,11 @@ def _in_network(
             written.take(index),
             (sizes[0][index], sizes[1][index]),
         )
-        names = ("x", "y", "heading", "start", "offset", "lane", "backward")
+        names = ("x", "y", "heading", "start", "offset", "width", "lane", "backward")
         for into, name in zip(columns, names, strict=True):
             into[index] = getattr(part, name)
-    x, y, heading, start, offset = found
-    return RoadPoses(x, y, heading, start, offset, lane, backward, road, lacking)
+    x, y, heading, start, offset, width = found
+    return RoadPoses(x, y, heading, start, offset, lane, backward, road, lacking, width)
 
 
 def _begin(

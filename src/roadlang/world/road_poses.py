@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -39,6 +39,8 @@ class RoadPoses:
     """number of the road in its network, or `NO_ROAD`"""
     lacking: Floats
     """of an agent in a network: meters, 0 where a lane is near and a way leads on"""
+    width: Floats
+    """meters across its heading"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +59,11 @@ class LaneStart:
     def take(self, index: NDArray[np.intp]) -> LaneStart:
         """That of some copies."""
         return LaneStart(*(getattr(self, field.name)[index] for field in fields(self)))
+
+    def in_no_lane(self, which: Booleans) -> LaneStart:
+        """With some of them (R,) in no lane, on the center line."""
+        lane, offset = np.where(which, 0, self.lane), np.where(which, 0.0, self.offset)
+        return replace(self, lane=lane, offset=offset)
 
     @classmethod
     def of(cls, start: Floats, lane: Integers) -> LaneStart:
@@ -118,10 +125,19 @@ def poses_on_road(
     sizes: tuple[Floats, Floats],
 ) -> RoadPoses:
     """Where copies (R,) stand on a road, those at `rows` (R,) of the candidates; `sizes` are their
-    lengths and widths, in meters. Raises RL613."""
+    lengths and widths, in meters; a width of NaN is that of the lane, or of the roadway.
+    Raises RL613."""
+    lengths, widths = sizes
+    spans = np.isnan(widths)
+    in_middle = spans & (written.side == "") & ("lane" not in actor.options)
+    if in_middle.any():
+        begin = begin.in_no_lane(in_middle)
     place = places_along(name, candidates, rows, begin.start)
     lanes = lane_places(name, actor, candidates, rows, place, begin.lane)
-    across = _across(written.heading, *sizes)
+    if spans.any():
+        widths = np.where(spans, lanes.width, widths)
+        lanes = replace(lanes, middle=np.where(in_middle, lanes.roadway_middle, lanes.middle))
+    across = _across(written.heading, lengths, widths)
     offset = _offsets(lanes, begin, written, across)
     backward = np.where(begin.is_directed, begin.backward, lanes.backward)
     backward = np.where(written.facing == "", backward, written.facing == "back")
@@ -139,6 +155,7 @@ def poses_on_road(
         backward,
         np.full(len(rows), NO_ROAD),
         np.zeros(len(rows)),
+        widths,
     )
 
 
@@ -154,9 +171,8 @@ def _offsets(lanes: LaneOffsets, begin: LaneStart, written: WrittenPlace, across
 
     Beside the road it is the near side of the thing that stands `offset` from the edge.
     """
-    in_lane, beside = lanes.middle + written.offset, begin.lane == 0
-    outward = written.offset + across / 2
-    found = np.where(beside, written.offset, in_lane)
+    beside, outward = begin.lane == 0, written.offset + across / 2
+    found = lanes.middle + written.offset
     found = np.where(beside & (written.side == "left"), lanes.left + outward, found)
     found = np.where(beside & (written.side == "right"), lanes.right - outward, found)
     return found + np.where(beside, begin.offset, 0.0)

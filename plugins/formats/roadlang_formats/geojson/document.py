@@ -28,6 +28,7 @@ def _features(scene: Scene, lanes: bool) -> Iterator[Feature]:
     if lanes:
         yield from junction_features(scene)
         yield from lane_features(scene)
+    yield from standing_features(scene.markings, "marking")
     yield from standing_features(scene.objects, "object")
     yield from standing_features(scene.agents, "agent")
 

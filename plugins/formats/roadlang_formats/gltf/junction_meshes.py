@@ -1,4 +1,4 @@
-"""The areas of junctions, what is painted there, and their signals."""
+"""The areas of junctions, what is painted there and at crosswalks, and signals."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.api import PAINT_HEIGHT, junction_paint, paint_rings
+from roadlang.api import PAINT_HEIGHT, crosswalk_paint, junction_paint, paint_rings
 from roadlang.geometry import Floats
 
+from ..surfaces.heights import SceneHeights
 from ..surfaces.junction_surface import JunctionSurface
 from .meshes import Faces, strip
 from .solids import box
@@ -46,11 +47,20 @@ def edge_parts(surface: JunctionSurface, ground: float) -> Iterator[Faces | None
 def paint_parts(scene: Scene, surface: JunctionSurface) -> Iterator[Faces]:
     """Stop lines, arrows and zebra crossings."""
     for ring in paint_rings(junction_paint(scene, [surface.junction])):
-        heights = _heights(surface, ring) + PAINT_HEIGHT
-        points = np.column_stack((ring, heights))
-        last = np.arange(2, len(ring))
-        fan = np.column_stack((np.zeros(len(last), int), last - 1, last))
-        yield Faces("paint", points, np.tile(_UP, (len(ring), 1)), fan)
+        yield _painted(ring, _heights(surface, ring))
+
+
+def crosswalk_parts(scene: Scene, heights: SceneHeights) -> Iterator[Faces]:
+    """The stripes of crosswalks."""
+    for ring in paint_rings(crosswalk_paint(scene)):
+        yield _painted(ring, heights.at(ring))
+
+
+def _painted(ring: Floats, heights: Floats) -> Faces:
+    points = np.column_stack((ring, heights + PAINT_HEIGHT))
+    last = np.arange(2, len(ring))
+    fan = np.column_stack((np.zeros(len(last), int), last - 1, last))
+    return Faces("paint", points, np.tile(_UP, (len(ring), 1)), fan)
 
 
 def signal_parts() -> Iterator[Faces]:

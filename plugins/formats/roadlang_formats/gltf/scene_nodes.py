@@ -17,7 +17,7 @@ from ..surfaces.prisms import junction_prisms, road_prisms
 from ..surfaces.road_surface import RoadSurface, road_surfaces
 from .convex_meshes import put_box, put_prisms
 from .glb import GlbWriter
-from .junction_meshes import area_part, edge_parts, paint_parts, signal_parts
+from .junction_meshes import area_part, crosswalk_parts, edge_parts, paint_parts, signal_parts
 from .materials import MATERIALS, Material, painted
 from .meshes import Faces, joined, moved
 from .road_meshes import curb_parts, embankment_parts, lane_parts, marking_parts
@@ -60,6 +60,7 @@ class SceneNodes:
             self._ground(points, ground),
             self._group("roads", [self._road(surface, ground) for surface in roads]),
             self._group("junctions", [self._junction(place, ground) for place in junctions]),
+            self._group("crosswalks", self._crosswalks(heights)),
             self._group("objects", [self._actor(thing, heights) for thing in self.scene.objects]),
             self._group("agents", self._moving(heights)),
         ]
@@ -68,6 +69,14 @@ class SceneNodes:
         title = self.scene.name
         children = [name for name in names if name is not None]
         self.writer.root(self.writer.node(title, children=children))
+
+    def _crosswalks(self, heights: SceneHeights) -> list[int]:
+        parts = list(crosswalk_parts(self.scene, heights))
+        if not parts:
+            return []
+        first = self.scene.markings[0]
+        at = np.array([first.x, first.y, heights.at_actor(first)])
+        return self._extra("crosswalks", "markings", joined(parts), at, False)
 
     def _moving(self, heights: SceneHeights) -> list[int]:
         for agent in self.scene.agents:

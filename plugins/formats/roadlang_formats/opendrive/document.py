@@ -40,7 +40,7 @@ def document(
     junctions = numbered_junctions(scene, parts, rule)
     lights = signals(junctions)
     ends = end_roads(junctions)
-    things = objects_by_part(scene.objects, [part for part in parts if part.reverse_of is None])
+    things = objects_by_part(scene.standing, [part for part in parts if part.reverse_of is None])
     root = Element("OpenDRIVE")
     _put_header(root, scene, parts, version, geo_reference)
     for part in parts:

@@ -29,6 +29,7 @@ _TYPES = {
     "pole": "pole",
     "sign": "pole",
     "traffic_light": "pole",
+    "crosswalk": "crosswalk",
 }
 _BEYOND = 0.01
 """Meters past the end of its road from which on an object is given by its corners."""
@@ -83,7 +84,7 @@ def put_objects(
             width=thing.width,
             height=thing.height,
         )
-        if abs(past) > _BEYOND:
+        if abs(past) > _BEYOND or thing.category == "crosswalk":
             _put_corners(element, thing, heading, past)
 
 

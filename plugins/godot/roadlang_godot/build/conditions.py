@@ -123,7 +123,7 @@ def _signal(name: str, call: Mapping[str, Any], scene: Scene, frame: SceneOrigin
 
 
 def _outline(wanted: str, name: str, scene: Scene, frame: SceneOrigin) -> list[float]:
-    found = [actor for actor in scene.objects if wanted in (actor.name, actor.group)]
+    found = [actor for actor in scene.standing if wanted in (actor.name, actor.group)]
     if len(found) != 1:
         raise fault(Code.UNSUPPORTED_CONDITION, engine=ENGINE, what=name)
     signal = found[0]

@@ -9,7 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.api import PAINT_HEIGHT, junction_paint, paint_rings, signal_heads
+from roadlang.api import (
+    PAINT_HEIGHT,
+    crosswalk_paint,
+    junction_paint,
+    paint_rings,
+    signal_heads,
+)
 from roadlang.geometry import Floats
 
 from ..net.protocol import Message
@@ -27,10 +33,10 @@ _CORNER_BYTES, _TRIANGLE_BYTES = 12, 6
 def paint_parts(
     scene: Scene, junctions: Sequence[SceneJunction], frame: SceneOrigin
 ) -> list[ScenePart]:
-    """The paint of all junctions, as much in one thing as a datagram holds."""
+    """The paint of all junctions and crosswalks, as much in one thing as a datagram holds."""
     parts: list[ScenePart] = []
     batch: list[Floats] = []
-    for ring in paint_rings(junction_paint(scene, junctions)):
+    for ring in paint_rings((*junction_paint(scene, junctions), *crosswalk_paint(scene))):
         if batch and sum(map(_size, (*batch, ring))) > _LARGEST:
             parts.append(_paint(batch, len(parts) + 1, frame))
             batch = []

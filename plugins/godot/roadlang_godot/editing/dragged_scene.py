@@ -40,7 +40,7 @@ def dragged_scene(
     tells."""
     text = texts[0]
     if handle.sort in ("agent", "object"):
-        known = _named(handle.name, (*taken.agents, *taken.objects))
+        known = _named(handle.name, (*taken.agents, *taken.standing))
         return None if known is None else _with_thing(scene, _moved(taken, texts, known, to))
     road: SceneRoad | None = None
     if handle.sort == "waypoint":
@@ -83,11 +83,11 @@ def _through_moved_waypoint(taken: Scene, text: str, handle: Handle, to: Place) 
 
 
 def _with_thing(scene: Scene, moved: SceneActor) -> Scene:
-    agents, objects = (
+    agents, objects, markings = (
         tuple(moved if actor.name == moved.name else actor for actor in actors)
-        for actors in (scene.agents, scene.objects)
+        for actors in (scene.agents, scene.objects, scene.markings)
     )
-    return replace(scene, agents=agents, objects=objects)
+    return replace(scene, agents=agents, objects=objects, markings=markings)
 
 
 def _moved(taken: Scene, texts: tuple[str, str], actor: SceneActor, to: Place) -> SceneActor:

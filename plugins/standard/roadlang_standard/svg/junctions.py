@@ -68,11 +68,12 @@ def _inward(ring: Floats) -> Floats:
 
 
 def paint(scene: Scene, junctions: Sequence[SceneJunction], viewport: Viewport) -> Iterator[str]:
-    """Stop lines, lines to yield at, turn arrows, zebra crossings and lines that go on."""
-    from roadlang.api import junction_paint
+    """Stop lines, lines to yield at, turn arrows, zebra crossings and lines that go on; and the
+    crosswalks between junctions."""
+    from roadlang.api import crosswalk_paint, junction_paint
 
     scale = viewport.pixels_per_meter
-    for shape in junction_paint(scene, junctions):
+    for shape in (*junction_paint(scene, junctions), *crosswalk_paint(scene)):
         small = scale < _SMALLEST_ARROW
         if shape.kind == "arrow" and small:
             continue

@@ -80,4 +80,5 @@ class ObjectKind(Kind):
     category: ClassVar[str] = "obstacle"
     """what outputs and engines show it as: `tree`, `bush`, `hedge`, `building`, `shelter`, `wall`,
     `fence`, `guardrail`, `barrier`, `cone`, `pole`, `lamp`, `sign`, `traffic_light`, `water`,
-    `obstacle`, or, of a parked vehicle, that of the vehicle or `trailer`"""
+    `obstacle`, `crosswalk` (paint on the road), or, of a parked vehicle, that of the vehicle or
+    `trailer`"""

@@ -9,7 +9,9 @@ from ...diagnostics import Fix, nearest
 from ...plugins.common_options import common_options
 from ...syntax.tree import nodes as ast
 from ...syntax.words import PASS_VERBS
+from ..checker import ResolvedKind
 from ..types.expression_types import DeclaredType, TypedExpression
+from .kinds import loaded
 
 if TYPE_CHECKING:
     from ..checker import Checker
@@ -60,6 +62,7 @@ _MEMBERS = {
 _READINGS = "what a sensor reads goes to controllers; formulas measure: `gap(ego, lead) > 2m`"
 _MEMBERS |= {"lidar": _READINGS, "radar": _READINGS}
 _SENSOR = "a sensor is written in the block of the agent: `sense with KIND { ... }`"
+_CROSSWALK = "write `object zebra is crosswalk on ROAD at 150m`"
 _SPEED = "it is an option of the controller: `drive with pure_pursuit { speed: 10m/s }`"
 _OPTIONS = {
     "speed": _SPEED,
@@ -68,6 +71,10 @@ _OPTIONS = {
     "position": "the position is written before the block: `at 20m`",
     "at": "the position is written before the block: `at 20m`",
     "on": "the road is written before the block: `on main at 20m`",
+    "crosswalk": _CROSSWALK,
+    "crosswalks": _CROSSWALK,
+    "crossings": _CROSSWALK,
+    "zebra": _CROSSWALK,
     "lidar": _SENSOR,
     "radar": _SENSOR,
     "sensor": _SENSOR,
@@ -165,9 +172,13 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
         return (f"`{name}` is an option of the agent: write it beside `drive with`",)
     if _SETTINGS.get((verb, name)) in known:
         return (f"it is called `{_SETTINGS[verb, name]}`",)
-    positions = checker.registry.of("position") if verb in ("agent", "object") else ()
+    positions = tuple(checker.registry.of("position")) if verb in ("agent", "object") else ()
     if any(entry.name == name for entry in positions):
         return (f"the position is written before the block: `at {name}(...)`",)
+    for kind in map(loaded, positions):
+        if isinstance(kind, ResolvedKind) and any(option.name == name for option in kind.schema):
+            where = f"{kind.entry.name}(..., {name}: VALUE)"
+            return (f"`{name}` is an option of the position: write it in `at {where}`",)
     if name in _PLACES and verb not in ("agent", "object"):
         return ()
     return (_OPTIONS[name],) if name in _OPTIONS else ()

@@ -180,7 +180,8 @@ def _described(checker: Checker, verb: str, word: str) -> list[str]:
         for kind in kinds
         if isinstance(kind, ResolvedKind)
     }
-    is_named = re.compile(rf"\ban? {re.escape(word)}\b", re.IGNORECASE).search
+    words = re.escape(word.replace("_", " "))
+    is_named = re.compile(rf"\ban? {words}\b", re.IGNORECASE).search
     return [
         f"`{display_name(verb, name)}`: {line[0].lower()}{line[1:]}"
         for name, line in lines.items()

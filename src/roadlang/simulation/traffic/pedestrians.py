@@ -15,6 +15,7 @@ from ..crossings import Crossings
 from ..poses import Poses
 from ..world import World
 from .approaches import braking_to_stop
+from .crosswalks import Crosswalks
 from .junction_tables import SIGNALS, JunctionTables
 
 MARGIN = 0.5
@@ -72,6 +73,8 @@ class _Seen:
     """the same where it enters the lane: other than now where the car turns"""
     faces: Booleans
     is_standing: Booleans
+    at_crosswalk: Booleans
+    """who is at a crosswalk over which the line leads"""
     alongside: Booleans
     """who rides beside the lane, and is let pass when it is beside the car already"""
 
@@ -91,6 +94,7 @@ class Pedestrians:
             free[:, :, None], np.stack([crossings.stop, crossings.exit], axis=2), math.inf
         )
         self._junctions = crossings.stop, crossings.exit
+        self._scenes, self._crosswalks = world.scenes, Crosswalks.of(world.scenes)
         self._waited = np.zeros(len(world.present))
         self._time = np.full(len(world.present), -math.inf)
         self._rides_beside = _rides_beside(world)
@@ -112,7 +116,10 @@ class Pedestrians:
         backs = _backs(world)
         exist = self._any_watched or bool(backs.any())
         watched = self._watched & world.present | backs
-        seen = _seen(world, poses, rows, watched, self._rides_beside) if exist else None
+        if self._scenes is not world.scenes:
+            self._scenes, self._crosswalks = world.scenes, Crosswalks.of(world.scenes)
+        beside = self._rides_beside
+        seen = _seen(world, poses, rows, watched, beside, self._crosswalks) if exist else None
         if seen is None:
             return out
         car = rows[seen.agent]
@@ -146,8 +153,8 @@ class Pedestrians:
         beyond = along - self._places[car, :, 0]
         before = self._places[car, :, 1] - along
         there = (beyond > first) & (beyond < last) | (before > first) & (before < last)
-        close = (seen.outside > 0.0) & (seen.outside < AT_CURB)
-        return np.asarray(seen.is_standing & seen.faces & close & there.any(axis=1))
+        there = (seen.outside < AT_CURB) & there.any(axis=1) | seen.at_crosswalk
+        return np.asarray(seen.is_standing & seen.faces & (seen.outside > 0.0) & there)
 
     def _patient(
         self, world: World, rows: Integers, car: Integers, speed: Floats, waiting: Booleans
@@ -187,10 +194,55 @@ def _rides_beside(world: World) -> Booleans:
 
 
 def _seen(
-    world: World, poses: Poses, rows: Integers, watched: Booleans, rides_beside: Booleans
+    world: World,
+    poses: Poses,
+    rows: Integers,
+    watched: Booleans,
+    rides_beside: Booleans,
+    crosswalks: Crosswalks,
 ) -> _Seen | None:
     """Those who are watched near the lines of some agents, if there are any. Who rides beside the
     lanes is watched by those in the lanes who go its way: of others the right of way decides."""
+    place, walker = _near(world, poses, rows, watched, rides_beside)
+    if not len(place):
+        return None
+    agents, column = np.unique(rows[place], return_inverse=True)
+    window = Window.of(world, agents)
+    bodies, speed = world.bodies, world.motion.speed[walker]
+    half_extent = 0.5 * np.maximum(bodies.length[walker], bodies.width[walker])
+    half = 0.5 * bodies.width[rows[place]] + half_extent + MARGIN
+    square = _squares(window, column, poses.x[walker], poses.y[walker])
+    crossed = crosswalks.at(walker // world.slots, poses.x[walker], poses.y[walker])
+    curb = AT_CURB + crosswalks.width(crossed)
+    reach = half + np.maximum(curb, SOON * np.abs(speed)) + np.maximum(*window.swept).max()
+    close = np.flatnonzero(square.min(axis=0) < (reach + SAMPLE_SPACING) ** 2)
+    if not len(close):
+        return None
+    place, column, walker, speed = place[close], column[close], walker[close], speed[close]
+    half, half_extent, crossed = half[close], half_extent[close], crossed[close]
+    starts = rides_beside[walker] & (speed > STEPS)
+    speed = np.where(starts, np.maximum(speed, RIDES), speed)
+    pace = speed * np.cos(poses.heading[walker]), speed * np.sin(poses.heading[walker])
+    x = poses.x[walker] + TIMES[:, None] * pace[0]
+    y = poses.y[walker] + TIMES[:, None] * pace[1]
+    ahead, left, outside, line = _on_lines(window, column, x, y, half)
+    line_x, line_y = x[0] + left[0] * np.sin(line[0]), y[0] - left[0] * np.cos(line[0])
+    side = np.where(left[0] > 0.0, -1.0, 1.0)
+    turned = side * np.sin(poses.heading[walker] - line)
+    enters, leaves, first, nearest = _stay(outside, ahead)
+    later = turned[first, np.arange(len(walker))]
+    return _Seen(
+        place, ahead[0], outside[0], enters, leaves, ahead[first, np.arange(len(walker))], nearest,
+        half_extent, speed * turned[0], speed * later, turned[0] > FACES, np.abs(speed) < STEPS,
+        crosswalks.covers(crossed, line_x, line_y), rides_beside[walker],
+    )  # fmt: skip
+
+
+def _near(
+    world: World, poses: Poses, rows: Integers, watched: Booleans, rides_beside: Booleans
+) -> tuple[Integers, Integers]:
+    """Pairs of one of some agents, by its place in `rows`, and one who is watched and that it may
+    see."""
     walkers = np.flatnonzero(watched)
     same = (rows // world.slots)[:, None] == (walkers // world.slots)[None, :]
     view = looks_ahead(world)[rows][:, None]
@@ -202,35 +254,7 @@ def _seen(
     near &= ~rides_beside[walkers] | same_way & ~rides_beside[rows][:, None]
     near &= off_x * off_x + off_y * off_y < view * view
     place, number = np.nonzero(near)
-    if not len(place):
-        return None
-    agents, column = np.unique(rows[place], return_inverse=True)
-    window, walker = Window.of(world, agents), walkers[number]
-    bodies, speed = world.bodies, world.motion.speed[walker]
-    half_extent = 0.5 * np.maximum(bodies.length[walker], bodies.width[walker])
-    half = 0.5 * bodies.width[rows[place]] + half_extent + MARGIN
-    square = _squares(window, column, poses.x[walker], poses.y[walker])
-    reach = half + np.maximum(AT_CURB, SOON * np.abs(speed)) + np.maximum(*window.swept).max()
-    close = np.flatnonzero(square.min(axis=0) < (reach + SAMPLE_SPACING) ** 2)
-    if not len(close):
-        return None
-    place, column, walker, speed = place[close], column[close], walker[close], speed[close]
-    half, half_extent = half[close], half_extent[close]
-    starts = rides_beside[walker] & (speed > STEPS)
-    speed = np.where(starts, np.maximum(speed, RIDES), speed)
-    pace = speed * np.cos(poses.heading[walker]), speed * np.sin(poses.heading[walker])
-    x = poses.x[walker] + TIMES[:, None] * pace[0]
-    y = poses.y[walker] + TIMES[:, None] * pace[1]
-    ahead, left, outside, line = _on_lines(window, column, x, y, half)
-    side = np.where(left[0] > 0.0, -1.0, 1.0)
-    turned = side * np.sin(poses.heading[walker] - line)
-    enters, leaves, first, nearest = _stay(outside, ahead)
-    later = turned[first, np.arange(len(walker))]
-    return _Seen(
-        place, ahead[0], outside[0], enters, leaves, ahead[first, np.arange(len(walker))], nearest,
-        half_extent, speed * turned[0], speed * later, turned[0] > FACES, np.abs(speed) < STEPS,
-        rides_beside[walker],
-    )  # fmt: skip
+    return place, walkers[number]
 
 
 def _squares(window: Window, column: Integers, x: Floats, y: Floats) -> Floats:
