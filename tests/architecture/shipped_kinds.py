@@ -28,8 +28,8 @@ tell the two apart; a name that is in no file any more has to go."""
 DEFAULT_KINDS = {
     "src/roadlang/ir/category.py": frozenset({
         "ambulance", "animal", "barrier", "bicycle", "building", "bus", "bush", "car",
-        "cone", "fence", "guardrail", "hedge", "lamp", "motorcycle", "pole", "sign", "taxi",
-        "tractor", "traffic_light", "trailer", "tree", "truck", "van", "wall",
+        "cone", "crosswalk", "fence", "guardrail", "hedge", "lamp", "motorcycle", "pole", "sign",
+        "taxi", "tractor", "traffic_light", "trailer", "tree", "truck", "van", "wall",
     }),
     "src/roadlang/semantics/lower/statements.py": frozenset({"builtin"}),
     "src/roadlang/session/emitting.py": frozenset({"json", "svg"}),

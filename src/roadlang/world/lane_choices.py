@@ -77,9 +77,7 @@ def _missing_lane(actor: ScenarioActor, lanes: LaneGraph, choice: LaneChoice) ->
     lane = f"`{choice[0]}`" if isinstance(choice[0], str) else str(choice[0])
     if not known:
         lane = "for vehicles outside its junctions"
-        help_ = (
-            "its roads are too short for the width of their lanes: look at its `scale`"
-        )
+        help_ = "its roads are too short for the width of their lanes: look at its `scale`"
     elif choice[0] == "any":
         lane = f"for vehicles that runs {'against' if choice[1] == 'back' else 'along'} its roads"
     return diagnose(Code.UNKNOWN_LANE, actor.span_of("lane"), road=actor.on, lane=lane, help=help_)

@@ -71,7 +71,6 @@ _OPTIONS = {
     "position": "the position is written before the block: `at 20m`",
     "at": "the position is written before the block: `at 20m`",
     "on": "the road is written before the block: `on main at 20m`",
-    "crosswalk": _CROSSWALK,
     "crosswalks": _CROSSWALK,
     "crossings": _CROSSWALK,
     "zebra": _CROSSWALK,
@@ -179,6 +178,8 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
         if isinstance(kind, ResolvedKind) and any(option.name == name for option in kind.schema):
             where = f"{kind.entry.name}(..., {name}: VALUE)"
             return (f"`{name}` is an option of the position: write it in `at {where}`",)
+    if verb in ("road", "network") and checker.registry.has("object", name):
+        return (f"`{name}` is a kind of object: write `object NAME is {name} on ROAD at 20m`",)
     if name in _PLACES and verb not in ("agent", "object"):
         return ()
     return (_OPTIONS[name],) if name in _OPTIONS else ()
