@@ -17,7 +17,7 @@ from roadlang_formats.emit_geojson import GeoJsonBackend
 from roadlang_formats.emit_gltf import GltfBackend
 from roadlang_formats.emit_mujoco import MujocoBackend
 from roadlang_formats.emit_opendrive import OpenDriveBackend
-from roadlang_godot.layout import layout_of
+from roadlang_godot.build.layout import layout_of
 from roadlang_standard.emit_svg import Svg
 from tests.formats.glb_reader import ReadGlb
 
