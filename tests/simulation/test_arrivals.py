@@ -158,9 +158,10 @@ def test_what_is_known_of_who_has_left_stays_as_it_was() -> None:
 
 def test_who_has_left_has_not_stopped() -> None:
     ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0)
-    assert one.verdicts["comes_to_rest"].robustness < -5.0
-    assert one.verdicts["moves"].robustness > 0.0
-    assert one.verdicts["calm"].robustness > 0.0
+    margins = {name: verdict.robustness or 0.0 for name, verdict in one.verdicts.items()}
+    assert margins["comes_to_rest"] < -5.0
+    assert margins["moves"] > 0.0
+    assert margins["calm"] > 0.0
     assert one.trace.agents["witness"].speed.max() == 0.0
 
 
