@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.ir.scene import SceneRoad
+from roadlang.simulation.lane_columns import LaneSection
 from roadlang.simulation.surfaces import SURFACES, TireSurface
 from roadlang.simulation.vehicle_dynamics import GRAVITY
 from roadlang.simulation.world import World
@@ -83,3 +85,23 @@ def test_scenes_side_by_side_have_their_own_ground() -> None:
     together = slowed(worlds(*texts), -12.0)
     alone = [slowed(worlds(text), -12.0)[0] for text in texts]
     assert together.tolist() == alone
+
+
+def test_edges_of_roads_with_the_same_lanes_are_worked_out_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As of all scenes that bend one road."""
+    looked_at: list[SceneRoad] = []
+    of = LaneSection.of
+
+    def counted(road: SceneRoad) -> LaneSection:
+        looked_at.append(road)
+        return of(road)
+
+    wide = ROAD % ("width: 14m, lanes: 1", 6.5)
+    world = worlds(*[ROAD % (ONE_LANE, offset) for offset in (4.0, 7.0, -4.0)], wide)
+    monkeypatch.setattr(LaneSection, "of", counted)
+    rolling = np.array([HALF.rolling, GRASS.rolling, HALF.rolling, HALF.rolling])
+    expected = (ROLLING + rolling) * GRAVITY + DRAG * 19.7**2
+    np.testing.assert_allclose(slowed(world, 0.0), expected, rtol=0.01, atol=0.01)
+    assert len(looked_at) == 2

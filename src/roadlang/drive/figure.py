@@ -109,7 +109,7 @@ def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats] | None:
 
 
 def _area(ring: Floats) -> str:
-    points = " ".join(f"{x:.1f},{y:.1f}" for x, y in ring.tolist())
+    points = ("%.1f,%.1f " * len(ring) % tuple(ring.ravel().tolist()))[:-1]
     return f'<polygon points="{points}" fill="{_ROAD}" stroke="{_ROAD}" stroke-width="2"/>'
 
 

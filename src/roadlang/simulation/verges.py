@@ -139,12 +139,26 @@ class Verges:
         """Those of a road, left of the middle of a lane or (None) of its center line."""
         key = id(road), lane
         if key not in self.known:
-            section = LaneSection.of(road)
-            self.known[key] = section
-            if section.is_constant:
-                self.known[key] = _edges_of(section, lane, 0.0)
+            self.known[key] = self._edges_or_section(road, lane)
         found = self.known[key]
         return found if isinstance(found, tuple) else _edges_of(found, lane, station)
+
+    def _edges_or_section(
+        self, road: SceneRoad, lane: int | None
+    ) -> tuple[float, float] | LaneSection:
+        """The edges of a road that is equally wide all along, else its lanes. Most roads that are
+        driven together have the same lanes, as they are one road that was bent in many ways."""
+        alike = road.lane_list, road.center_offset, lane
+        if road.lane_list and alike in self.known:
+            found: tuple[float, float] = self.known[alike]
+            return found
+        section = LaneSection.of(road)
+        if not section.is_constant:
+            return section
+        edges = _edges_of(section, lane, 0.0)
+        if road.lane_list:
+            self.known[alike] = edges
+        return edges
 
 
 def _edges_of(lanes: LaneSection, lane: int | None, station: float) -> tuple[float, float]:
