@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import signal
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -198,3 +199,33 @@ def test_a_plugin_that_exits_is_still_named(site: Path) -> None:
     assert process.returncode == 5
     assert "`perturb slow.busy` failed (slow-plugin 1.2): SystemExit: 143" in err
     assert "roadlang_slow.py:" in err
+
+
+THREE = """
+import os, signal
+from roadlang.plugins.termination import Terminated, end_on_sigterm, raise_if_terminated
+
+def send():
+    try:
+        os.kill(os.getpid(), signal.SIGTERM)
+    except Terminated:
+        print("raised", flush=True)
+    else:
+        print("quiet", flush=True)
+
+raise_if_terminated()
+end_on_sigterm()
+for _ in range(3):
+    send()
+    try:
+        raise_if_terminated()
+    except Terminated:
+        print("raised again", flush=True)
+print("never reached")
+"""
+
+
+def test_a_second_signal_lets_the_process_clean_up_and_a_third_ends_it() -> None:
+    found = subprocess.run([sys.executable, "-c", THREE], capture_output=True, text=True)
+    assert found.stdout.split("\n") == ["raised", "raised again", "quiet", "raised again", ""]
+    assert found.returncode == -signal.SIGTERM
