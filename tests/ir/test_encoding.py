@@ -43,3 +43,31 @@ def test_finite_records_read_back_and_end_with_a_line_break() -> None:
         "name": "r", "width": 1.0, "rows": [[1.5, 2.0]], "options": {"a": None, "b": True},
     }  # fmt: skip
     assert text.index('"a"') < text.index('"b"')
+
+
+def test_a_plain_map_is_sorted_and_has_two_blanks_for_each_level() -> None:
+    record = {"b": [1, 2.5], "schema": "x/1", "a": {"y": [{"z": 1}], "x": None}, "empty": {}}
+    lines = """{
+  "a": {
+    "x": null,
+    "y": [
+      {
+        "z": 1
+      }
+    ]
+  },
+  "b": [1, 2.5],
+  "empty": {},
+  "schema": "x/1"
+}
+"""
+    assert to_json(record) == lines
+
+
+def test_a_record_has_its_schema_first() -> None:
+    @dataclass(frozen=True)
+    class Versioned:
+        name: str = "r"
+        schema: str = "x/1"
+
+    assert to_json(Versioned()) == '{\n  "schema": "x/1",\n  "name": "r"\n}\n'

@@ -52,13 +52,10 @@ class _Writer:
         """The identities of the parts in `texts`."""
 
     def top(self, value: Any) -> str:
-        """With `schema` first, so that a reader sees at once what it has."""
+        """A record with `schema` first, so that a reader sees at once what it has."""
         kind: Any = type(value)
         if not hasattr(kind, "__dataclass_fields__"):
-            value = plain(value)
-            if isinstance(value, dict) and "schema" in value:
-                value = {"schema": value["schema"], **value}
-            return self.written(value, 0)
+            return self.written(plain(value), 0)
         names, _, members = _form(kind, 0)
         values = dict(zip(names, members(value), strict=True))
         if "schema" in values:
