@@ -48,14 +48,18 @@ DARK = MapStyle(
     (14, 14, 14), (44, 44, 44), (11, 11, 11), (67, 67, 67), (44, 53, 60),
     (20, 40, 20), (24, 24, 24), (138, 138, 138), (14, 14, 14),
 )  # fmt: skip
+INK = MapStyle(
+    (255, 255, 255), (0, 0, 0), (255, 255, 255), (0, 0, 0), (0, 0, 0),
+    (232, 232, 232), (222, 222, 222), (0, 0, 0), (255, 255, 255),
+)  # fmt: skip
 
 
-def drawn_map(style: MapStyle, names: bool = True) -> np.ndarray:
+def drawn_map(style: MapStyle, names: bool = True, river: int = 20) -> np.ndarray:
     """A map (360, 480, 3) BGR of `STREETS`, 8 pixels wide, the main road 14."""
     canvas = np.full((360 * _FINER, 480 * _FINER, 3), style.land, np.uint8)
     cv2.circle(canvas, _at((60, 190)), 45 * _FINER, style.park, -1)
     _stroke(
-        canvas, ((230.0, -10.0), (250.0, 150.0), (210.0, 200.0), (230.0, 370.0)), 20, style.water
+        canvas, ((230.0, -10.0), (250.0, 150.0), (210.0, 200.0), (230.0, 370.0)), river, style.water
     )
     for x, y in ((190, 130), (410, 150), (400, 220), (170, 320), (60, 320), (440, 40), (60, 40)):
         cv2.rectangle(canvas, _at((x, y)), _at((x + 22, y + 15)), style.building, -1)

@@ -11,10 +11,12 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.map_letters import letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import MapTone, flat_colors, map_tones
+from roadlang_standard.extraction.map_tones import MapTone, flat_colors, map_tone, map_tones
+from roadlang_standard.extraction.map_water import without_water
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import (
     DARK,
+    INK,
     LIGHT,
     PALE,
     MapStyle,
@@ -52,6 +54,23 @@ def test_roads_are_the_colors_of_streets_not_of_water_buildings_or_land(style: M
     found = road_tones(map_tones(image, flat_colors(image)), 360)
     colors = {tuple(int(x) for x in tone.color[::-1]) for tone in found}
     assert colors == {style.street, style.main}
+
+
+@pytest.mark.parametrize("river", [30, 40, 60])
+def test_a_river_in_the_color_of_the_roads_is_no_road(river: int) -> None:
+    found = roads_of_map(drawn_map(INK, river=river))
+    assert found is not None
+    assert on_streets(points(found)).mean() > 0.95
+    assert found_streets(points(found)).mean() > 0.95
+
+
+def test_a_wide_road_that_casings_part_from_the_others_is_no_water() -> None:
+    mask = np.zeros((200, 300), bool)
+    mask[60:66] = mask[140:146] = mask[:, 80:86] = mask[:, 220:226] = True
+    mask[98:108], mask[96:98], mask[108:110] = True, False, False
+    land = MapTone(np.full(3, 255.0), ~mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+    (_, roads) = without_water([land, map_tone(np.zeros(3), mask)])
+    assert (roads.mask == mask).all()
 
 
 def test_buildings_are_no_roads_where_there_are_more_of_them_than_of_streets() -> None:

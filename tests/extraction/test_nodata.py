@@ -66,6 +66,14 @@ def test_a_dim_or_soft_photo_stays_a_photo(gain: float) -> None:
     assert picture_kind(dim).name == PHOTO
 
 
+def test_white_land_at_the_rim_of_a_map_is_no_margin_of_a_photo() -> None:
+    plan = np.full((300, 400, 3), 255, np.uint8)
+    y, x = np.mgrid[:180, :240]
+    plan[60:240, 80:320][(x + y) % 6 == 0] = 150  # a park, hatched
+    plan[:, 150:157] = plan[140:147] = 0
+    assert picture_kind(plan).name != PHOTO
+
+
 @pytest.mark.parametrize(("side", "is_margin"), [(10, False), (40, True)])
 def test_a_dark_corner_is_a_margin_only_where_it_is_large(side: int, is_margin: bool) -> None:
     """A thousandth of the picture may be a shadow; a fortieth is a cut-off corner."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drafting import typical_width_of
+from roadlang_standard.extraction.drafting import Draft, draft, typical_width_of
 from roadlang_standard.extraction.edges import (
     Sides,
     normals,
@@ -207,3 +207,13 @@ def test_ends_stay_unless_they_are_free() -> None:
     assert held[0].tolist() == [0, 8]
     assert 0 < free[0, 1] < 4
     assert held[-1].tolist() == free[-1].tolist() == [100, 0]
+
+
+def test_a_ring_with_no_room_for_a_bend_stays_a_ring() -> None:
+    """Smoothed and made fair, it would shrink to a point."""
+    ring = ((200.0, 111.0), (197.0, 111.0), (197.0, 115.0), (200.0, 115.0), (200.0, 111.0))
+    graph = graph_of(((20.0, 40.0), (180.0, 40.0)), ring)
+    found = draft(graph, band(37, 44), band(37, 44), Draft(7.0), "test")
+    (tiny,) = [road for road in found.roads if road.closed]
+    assert np.isfinite(tiny.points).all()
+    assert tiny.length > 8

@@ -100,8 +100,9 @@ def fitted(
     traced = resample(np.vstack([pieces[0], *[piece[1:] for piece in pieces[1:]]]))
     inner = [piece[0] for piece in pieces[1:]]
     shares = np.cumsum([0.0, *[line.length for line, _ in chain.parts]])
-    curve = _without_waves(traced, inner, chain.closed, free, fit)
-    if fit.fair:
+    tiny = _is_tiny(traced, chain.closed, fit)
+    curve = traced if tiny else _without_waves(traced, inner, chain.closed, free, fit)
+    if fit.fair and not tiny:
         curve = even_points(curve, chain.closed)
         ends = [free[0] and not chain.closed, *[False] * len(inner), free[1] or chain.closed]
         places = [nodes[node] for node, end in zip(chain.nodes, ends, strict=True) if not end]
@@ -113,6 +114,11 @@ def fitted(
         seen = Traced(traced, np.zeros((0, 2)))
     reached = shares / shares[-1] * stations(curve)[-1]
     return Run(chain, curve, seen, tuple(reached[:-1] if chain.closed else reached))
+
+
+def _is_tiny(traced: Floats, closed: bool, fit: Fit) -> bool:
+    """Whether a ring has no room for the tightest bend: smoothed, it would shrink to a point."""
+    return closed and bool(stations(traced)[-1] < 2 * np.pi * fit.tightest)
 
 
 def _without_waves(
@@ -183,7 +189,7 @@ def through(run: Run, placed: dict[int, Floats], free: tuple[bool, bool], surfac
     pins = tuple(
         (i, float((place - curve[i]) @ normal[i])) for i, place in zip(index, places, strict=True)
     )
-    if fit.fair:
+    if fit.fair and not _is_tiny(run.traced.line, run.chain.closed, fit):
         curve = _fitted_again(curve, run.traced, pins, surface, fit, run.chain.closed)
     else:
         curve = curve + _faded(pins, len(curve))[:, None] * normal

@@ -13,8 +13,9 @@ from roadlang.geometry import Booleans
 from .found_network import FoundNetwork
 from .map_letters import letters_of_map
 from .map_tones import flat_colors, map_tones
+from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
-from .road_tones import road_tones
+from .road_tones import MOST_SPREAD, road_tones
 from .tones import Image, Layer
 
 _COLORS, _FEW, _LETTERED = 3, 3, 0.003
@@ -43,7 +44,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     colors = flat_colors(image)
     if len(colors) < _COLORS:
         return None
-    tones = map_tones(image, colors)
+    tones = without_water(map_tones(image, colors))
     roads = road_tones(tones, min(image.shape[:2]))
     if not roads:
         return None
@@ -53,7 +54,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
         return None
     mask = np.logical_or.reduce([tone.mask for tone in roads])
     others = [tone.mask for tone in tones if all(tone is not road for road in roads)]
-    widest = max(tone.width for tone in roads)
+    widest = max(tone.width * max(1.0, tone.spread / MOST_SPREAD) for tone in roads)
     surface, hidden = _uncovered(mask, others, letters, usual, widest)
     found = roads_of_surface(
         surface.astype(np.float32),

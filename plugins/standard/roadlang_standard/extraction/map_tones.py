@@ -83,10 +83,11 @@ def map_tones(image: Image, colors: list[NDArray[np.float64]]) -> list[MapTone]:
         away = away_from(image, color).astype(np.int16)
         closer = away < best
         best[closer], label[closer] = away[closer], index
-    return [_tone(color, label == index) for index, color in enumerate(colors)]
+    return [map_tone(color, label == index) for index, color in enumerate(colors)]
 
 
-def _tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
+def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
+    """What shapes a color has where it is (h, w)."""
     clean = without_specks(mask, _SPECK)
     inner = cv2.distanceTransform(clean.astype(np.uint8), cv2.DIST_L2, 5)
     parts = _parts(clean, inner)

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Booleans
+
 from .drawing import has_edge_lines
 from .map_tones import flat_colors
 from .nodata import nodata
@@ -64,23 +66,25 @@ def picture_kind(image: Image) -> PictureKind:
     return PictureKind(MAP if len(pure) > 3 else FILLED, flat)
 
 
-def _is_shaded(image: Image) -> bool:
-    """Whether most of a picture has none of a few exact colors."""
-    small = np.ascontiguousarray(thinned(image, 250_000))
+def _is_shaded(image: Image, within: Booleans | None = None) -> bool:
+    """Whether most of a picture, or of what is `within` (h, w), has none of a few exact colors."""
+    small = image if within is not None else np.ascontiguousarray(thinned(image, 250_000))
     off = np.full(small.shape[:2], 255, np.uint8)
     for color in flat_colors(small)[:_COLORS]:
         off = np.minimum(off, away_from(small, color))
+    off = off if within is None else off[within]
     near = off <= _SAME
     return bool(near.mean() < _EXACT or off[near].mean() > _OFF)
 
 
 def _photo_with_margins(image: Image) -> bool:
-    """Whether what lies within margins of pure black or white has the texture of a photo."""
+    """Whether what lies within margins of pure black or white has the texture and the shades of a
+    photo: blocks at the rim of a map in black and white are pure as well."""
     small = np.ascontiguousarray(thinned(image, 250_000))
     margins = nodata(small)
     if margins is None or margins.mean() > 0.75:
         return False
-    return flatness(small, ~margins) < _FLAT
+    return flatness(small, ~margins) < _FLAT and _is_shaded(small, ~margins)
 
 
 def _unmixed(colors: NDArray[np.float64]) -> list[NDArray[np.float64]]:
