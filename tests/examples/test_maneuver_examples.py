@@ -38,6 +38,7 @@ def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
         "roundabout",
         "on_ramp",
         "emergency_brake",
+        "zebra_crossing",
     ],
 )
 def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
@@ -57,6 +58,10 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
         ("on_ramp", {"drive__with__merge": "drive with change_lane { to: left, force: true }#"}),
         ("emergency_brake", {"delay:__80ms": "delay: 800ms"}),
         ("parked_row", {"deceleration:__6m/s^2": "deceleration: 1m/s^2"}),
+        (
+            "zebra_crossing",
+            {"street__at__20m__{__drive__with__traffic": "street at 20m { drive with lane_follow"},
+        ),
     ],
 )
 def test_its_expectations_fail_where_it_goes_wrong(
