@@ -59,5 +59,5 @@ Photos, where given, were looked at for validation only.
 
 **Limits.** Made for photos from straight above in visible light, 0.25 to 1.5 m a pixel. Drives, car
 parks, railways and beaches are sometimes taken for roads; roads under closed crowns are missed.
-Confidence is the mean evidence along a road, not a probability of being right.
+Confidence is fitted to the evidence along roads of the shipped net: fit it again for this one.
 """

@@ -8,7 +8,6 @@ import numpy as np
 from roadlang_standard.extraction.classical import roads_by_ribbons
 from roadlang_standard.extraction.drawn_confidence import with_doubts
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.lone_roads import with_doubts_of_lone
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
 
@@ -114,24 +113,3 @@ def test_a_blot_is_no_sure_road() -> None:
     assert _sure(_road(0, 1, (20, 80), wide=40)) == [0.5]
     # The rule is for what hangs together: the blot beside a road does not make the road doubtful.
     assert _sure(_road(0, 1, (20, 80), wide=40), _road(2, 3, (20, 80), 10)) == [0.5, 1.0]
-
-
-def _seen(side: int, *roads: tuple[int, int, float]) -> FoundNetwork:
-    """Roads (start, end, evidence) of 300 pixels each."""
-    line = np.array([[0.0, 10.0], [300.0, 10.0]])
-    found = tuple(FoundRoad(a, b, line, np.full(2, 8.0), 0.0, sure) for a, b, sure in roads)
-    return FoundNetwork(np.zeros((8, 2)), found, np.zeros((side, side), bool))
-
-
-def test_a_faint_road_of_a_photo_that_joins_no_other_is_not_sure() -> None:
-    (alone,) = with_doubts_of_lone(_seen(320, (0, 1, 0.62))).roads
-    assert 0.4 < alone.confidence < 0.5
-    network = _seen(320, (0, 1, 0.62), (1, 2, 0.62))
-    assert with_doubts_of_lone(network) == network
-    clear = _seen(320, (0, 1, 0.9))
-    assert with_doubts_of_lone(clear) == clear
-    believed = [
-        with_doubts_of_lone(_seen(320, (0, 1, sure))).roads[0].confidence
-        for sure in np.linspace(0.05, 1.0, 40).tolist()
-    ]
-    assert believed == sorted(believed)

@@ -30,10 +30,10 @@ _COARSE = 0.35
 """Share of the half-size view in the evidence."""
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
-_RELAXED = (0.7, 0.45, 0.25)
+_RELAXED = (0.64, 0.36)
 _CARRIED = 0.45
 """Share of the cutoffs that counts where a road may go on."""
-_FAINTER, _FEW = (0.8, 0.6, 0.45), 12
+_FAINTER, _FEW = (0.85, 0.64), 12
 """Shares of the cutoffs that are tried for the whole picture, and up to how many roads in it."""
 _GAP = 6.0
 """Gaps of so many widths are bridged where the evidence lets them."""
@@ -86,17 +86,17 @@ class Seen:
 class Cutoffs:
     """Where evidence counts: strong starts a road, weak carries it on; lengths in pixels."""
 
-    strong: float = 0.87
-    weak: float = 0.52
+    strong: float = 0.61
+    weak: float = 0.365
     shortest_branch: float = 36.0
     """a dead end is worth more, in pixels of certain evidence, or is cut"""
     smallest_fragment: float = 60.0
     """a part that nothing joins is worth more, or is dropped"""
-    floor: float = 0.5
+    floor: float = 0.35
     """evidence that is worth nothing"""
     link_distance: float = 50.0
     """dead ends this close may be linked"""
-    link_cost: float = 0.8
+    link_cost: float = 1.14
     """of a link, for each of its pixels, at most"""
 
     def stricter(self, shown: float) -> Cutoffs:

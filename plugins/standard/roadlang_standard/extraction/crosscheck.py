@@ -10,7 +10,7 @@ from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
 from .evidence import Net
 from .found_network import FoundNetwork, FoundRoad
-from .lone_roads import with_doubts_of_lone
+from .photo_confidence import calibrated
 from .scale import resized
 from .tones import Image
 
@@ -34,14 +34,14 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     hinted = request != Request(meters_per_pixel=request.meters_per_pixel)
     side = max(image.shape[:2])
     if hinted:
-        return found
+        return calibrated(found, doubt_alone=False)
     if _length(found.roads) >= _LITTLE * side and found.confidence >= _DOUBTED:
-        return with_doubts_of_lone(found)
+        return calibrated(found, doubt_alone=True)
     ribbons = _ribbons(image)
     believed = tuple(road for road in ribbons.roads if road.confidence >= _SURE)
     clear = len(ribbons.roads) <= _FEW and _length(believed) >= _LONG * side
     if not clear:
-        return with_doubts_of_lone(found)
+        return calibrated(found, doubt_alone=True)
     remark = "the net saw little: a ribbon unlike both its sides was taken for the road"
     node_ids = {road.start for road in believed} | {road.end for road in believed}
     order = {node: index for index, node in enumerate(sorted(node_ids))}

@@ -1,0 +1,68 @@
+"""Confidence of roads of photos: about the share of their length that is right."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photo_confidence import calibrated
+
+
+def _seen(
+    side: int, *roads: tuple[int, int, float], width: float = 8.0, fading: bool = False
+) -> FoundNetwork:
+    """Roads (start, end, evidence) of 300 pixels each."""
+    line = np.column_stack([np.linspace(0.0, 300.0, 151), np.full(151, 10.0)])
+    found = []
+    for start, end, sure in roads:
+        along = np.linspace(sure, 0.1, 151) if fading else np.full(151, sure)
+        mean = float(along.mean())
+        found.append(FoundRoad(start, end, line, np.full(151, width), 0.0, mean, 0.0, along))
+    return FoundNetwork(np.zeros((8, 2)), tuple(found), np.zeros((side, side), bool))
+
+
+def _sure(found: FoundNetwork, doubt_alone: bool = True) -> list[float]:
+    return [road.confidence for road in calibrated(found, doubt_alone).roads]
+
+
+def test_a_faint_road_that_joins_no_other_is_not_sure() -> None:
+    (alone,) = _sure(_seen(320, (0, 1, 0.62)))
+    joined = _sure(_seen(320, (0, 1, 0.62), (1, 2, 0.62)))
+    assert alone < 0.5
+    assert joined == [pytest.approx(0.68, abs=0.02)] * 2
+    assert _sure(_seen(320, (0, 1, 0.62)), doubt_alone=False) == joined[:1]
+
+
+def test_a_clear_road_is_as_sure_alone_as_in_a_network() -> None:
+    (alone,) = _sure(_seen(320, (0, 1, 0.9)))
+    assert [alone, alone] == _sure(_seen(320, (0, 1, 0.9), (1, 2, 0.9)))
+    assert alone > 0.8
+
+
+def test_more_evidence_never_makes_a_road_less_sure() -> None:
+    for roads in (((0, 1),), ((0, 1), (1, 2))):
+        believed = [
+            _sure(_seen(320, *((a, b, seen) for a, b in roads)))[0]
+            for seen in np.linspace(0.0, 1.0, 40).tolist()
+        ]
+        assert believed == sorted(believed)
+        assert 0 < believed[0] < 0.2
+        assert 0.9 < believed[-1] < 1
+
+
+def test_the_middle_of_wide_roads_is_less_sure() -> None:
+    narrow, usual, wide = (
+        _sure(_seen(320, (0, 1, 0.95), width=width))[0] for width in (4.0, 12.0, 32.0)
+    )
+    assert narrow == usual
+    assert wide < usual - 0.1
+
+
+def test_confidence_falls_along_a_road_that_fades() -> None:
+    (road,) = calibrated(_seen(320, (0, 1, 0.9), fading=True), doubt_alone=False).roads
+    assert road.confidences is not None
+    assert (np.diff(road.confidences) <= 1e-12).all()
+    assert road.confidences[0] > 0.8
+    assert road.confidences[-1] < 0.4
+    assert road.confidence == pytest.approx(road.confidences.mean(), abs=1e-4)
