@@ -117,11 +117,12 @@ TEXTS = {
 }  # fmt: skip
 
 
+@pytest.mark.parametrize("count", [2, 8])
 @pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS)
-def test_a_scene_made_to_be_driven_is_the_scene_made_alone(text: str) -> None:
+def test_a_scene_made_to_be_driven_is_the_scene_made_alone(text: str, count: int) -> None:
     loaded = scenario(text)
     indexed = index_scenario(loaded.scenario, loaded.registry)
-    numbers = np.arange(8)
+    numbers = np.arange(count)
     first = np.zeros_like(numbers)
     batch = CandidateBatch(indexed, 5, first, numbers, None, DrawRecord())
     for number, made in enumerate(driven_scenes_or_faults(batch, numbers.tolist(), {})):
