@@ -4,8 +4,11 @@ extends RefCounted
 const Agent := preload("agent.gd")
 const Outline := preload("outline.gd")
 
-## Beside each other rather than behind one another, from here on.
+## Meters: cars are beside each other rather than behind one another, from here on.
 const SAME_LANE := 2.0
+## Meters to each side between two that pass each other, and seconds of the speed that are more.
+const MARGIN := 0.15
+const CLEARANCE := 0.03
 
 
 ## Free road ahead, and how fast goes whoever is next.
@@ -99,10 +102,16 @@ func _ahead(agent: Agent) -> Ahead:
 			between = fposmod(between, agent.path.length)
 		var beside := place.y - agent.line_offset(place.x)
 		var gap := between - 0.5 * (agent.size().x + other.size().x)
-		if between > 0.0 and absf(beside) < SAME_LANE and gap < out.gap:
+		if between > 0.0 and absf(beside) < _in_the_way(agent, other) and gap < out.gap:
 			out.gap = gap
 			out.speed = other.speed * cos(other.heading - agent.heading)
 	return out
+
+
+## How far beside the line of an agent the middle of another is in its way: who crawls passes closer.
+func _in_the_way(agent: Agent, other: Agent) -> float:
+	var between := 0.5 * (agent.size().z + other.size().z) + MARGIN
+	return maxf(minf(between + CLEARANCE * agent.speed, SAME_LANE), between)
 
 
 ## Station and offset of another agent on the path of this one.

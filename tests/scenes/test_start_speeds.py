@@ -168,7 +168,7 @@ def test_who_follows_begins_so_slowly_that_it_can_keep_its_distance() -> None:
     agent ego is car on main at behind(slow, 10m) { DRIVE }
     """
     for drive, most in (
-        ("drive with car_follow", 10.0),
+        ("drive with car_follow", 7.0),
         ("drive with car_follow { speed: 6m/s }", 6.0),
         ("drive with car_follow, start_speed: 20m/s", 20.0),
     ):

@@ -37,7 +37,7 @@ from .roads import scene_networks, scene_roads
 from .scene_rows import SceneRows
 from .start_gaps import slowed_behind
 from .start_meetings import slowed_before_meetings
-from .start_speeds import keep_distance
+from .start_speeds import headways_kept
 
 
 @dataclass(frozen=True)
@@ -151,8 +151,8 @@ def _driven(
     networks = scene_networks(rows)
     agents = scene_actors(source.agents, rows)
     roads = scene_roads(rows)
-    free = [keep_distance(source.agents, placed, rows.scenario) for placed in agents]
-    agents = [*map(slowed_before_meetings, agents, free, roads)]
+    headways = [headways_kept(source.agents, placed, rows.scenario) for placed in agents]
+    agents = [*map(slowed_before_meetings, agents, headways, roads)]
     simulate = source.simulate
     return {
         "index": numbers,
@@ -160,7 +160,7 @@ def _driven(
         "values": _maps(values, rows),
         "networks": networks,
         "roads": roads,
-        "agents": [*map(slowed_behind, agents, objects, free, networks)],
+        "agents": [*map(slowed_behind, agents, objects, headways, networks)],
         "objects": objects,
         "markings": markings,
         "world": _maps(world, rows),

@@ -1,4 +1,4 @@
-"""Agents that keep their distance begin so slowly that they can, behind who is ahead."""
+"""Agents that keep their distance begin so slowly that they have it, behind who is ahead."""
 
 from __future__ import annotations
 
@@ -10,8 +10,12 @@ from ..ir.scene import SceneNetwork
 from ..ir.scene_actor import SceneActor
 from ..plugins.kinds import STANDING_GAP
 
-BRAKING = 3.0
-"""m/s^2 with which an agent can brake as long as it has that gap."""
+SHORTER = 1.2
+"""The gap that a driver wants over that which an agent may begin with: who follows by the intelligent
+driver model brakes with about 1 m/s^2 then, and so do those behind."""
+APPROACH = 5.6
+"""m/s^2: by how much over this the speed of an agent times what it is faster is more gap wanted: as
+in the intelligent driver model, twice the root of the usual acceleration and comfortable braking."""
 FARTHEST = 150.0
 """Meters ahead that decide how fast an agent may begin."""
 BESIDE = 0.2
@@ -31,12 +35,12 @@ class _Leader:
 def slowed_behind(
     agents: Sequence[SceneActor],
     objects: Sequence[SceneActor],
-    free: Sequence[bool],
+    headways: Sequence[float | None],
     networks: Sequence[SceneNetwork],
 ) -> tuple[SceneActor, ...]:
-    """The agents of a scene. Those that are `free` begin no faster than from where they can brake,
-    with `BRAKING`, behind everything ahead in their lanes as that begins to brake the same way."""
-    if not any(free):
+    """The agents of a scene. Those with a time gap that they keep, seconds, begin no faster than
+    they would soon be behind everything ahead in their lanes, so that nobody brakes hard."""
+    if not any(headway is not None for headway in headways):
         return tuple(agents)
     actors = (*agents, *objects)
     places: dict[str, list[int]] = {}
@@ -47,14 +51,15 @@ def slowed_behind(
     ahead = {
         number: list(_leaders(number, actors, places, turns))
         for number, agent in enumerate(agents)
-        if free[number] and (agent.start_speed or 0.0) > 0.0
+        if headways[number] is not None and (agent.start_speed or 0.0) > 0.0
     }
     speeds = [actor.start_speed or 0.0 for actor in actors]
     changed = True
     while changed:
         changed = False
         for number, leaders in ahead.items():
-            most = min((_most(leader, speeds) for leader in leaders), default=math.inf)
+            headway = headways[number] or 0.0
+            most = min((_most(leader, speeds, headway) for leader in leaders), default=math.inf)
             if most < speeds[number]:
                 speeds[number], changed = most, True
     return tuple(
@@ -63,11 +68,13 @@ def slowed_behind(
     )
 
 
-def _most(leader: _Leader, speeds: Sequence[float]) -> float:
-    """m/s from which an agent can stop, or slow down, behind another: v^2 = u^2 + 2 b g."""
+def _most(leader: _Leader, speeds: Sequence[float], headway: float) -> float:
+    """m/s at which the gap that a driver wants is `SHORTER` times the one that there is: the root
+    of `v^2 / APPROACH + (headway - u / APPROACH) v = rest`, behind one that drives at `u`."""
     speed = speeds[leader.number] if leader.same_direction else 0.0
-    free = max(0.0, leader.gap - STANDING_GAP)
-    return math.sqrt(speed * speed + 2.0 * BRAKING * free)
+    rest = max(0.0, SHORTER * leader.gap - STANDING_GAP)
+    slope = headway - speed / APPROACH
+    return 0.5 * APPROACH * (math.sqrt(slope * slope + 4.0 * rest / APPROACH) - slope)
 
 
 def _leaders(

@@ -13,8 +13,10 @@ import numpy as np
 from ..ir.scene import SceneRoad
 from ..ir.scene_actor import SceneActor
 from ..plugins.kinds import STANDING_GAP
-from .start_gaps import BRAKING, FARTHEST
+from .start_gaps import FARTHEST
 
+BRAKING = 3.0
+"""m/s^2"""
 STRAIGHT = 0.004
 """1/m: bends with less curvature do not matter."""
 LONG = 7.0
@@ -27,12 +29,13 @@ BETWEEN = 0.3
 
 
 def slowed_before_meetings(
-    agents: Sequence[SceneActor], free: Sequence[bool], roads: Sequence[SceneRoad]
+    agents: Sequence[SceneActor], headways: Sequence[float | None], roads: Sequence[SceneRoad]
 ) -> tuple[SceneActor, ...]:
-    """The agents of a scene. Those that are `free` begin no faster than from where they can brake,
+    """The agents of a scene. Those with a time gap that they keep begin no faster than from where they can brake,
     with `BRAKING`, before the middle between them and one that comes toward them, if there is no
     room for both in the bends of the road between."""
-    if not any(free) or max(agent.length for agent in agents) <= LONG:
+    keep = [headway is not None for headway in headways]
+    if not any(keep) or max(agent.length for agent in agents) <= LONG:
         return tuple(agents)
     known = {road.name: road for road in roads}
     groups: dict[str, list[int]] = {}
@@ -45,7 +48,7 @@ def slowed_before_meetings(
         for pair in combinations(numbers, 2):
             most = _most(agents[pair[0]], agents[pair[1]], road)
             for number in pair:
-                if free[number] and speeds[number] > most:
+                if keep[number] and speeds[number] > most:
                     speeds[number] = most
     return tuple(
         agent if speed == (agent.start_speed or 0.0) else replace(agent, start_speed=speed)

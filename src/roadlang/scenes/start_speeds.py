@@ -39,6 +39,8 @@ from .scene_rows import SceneRows
 
 STOPS_BEFORE = 1.0
 """Meters before a stop line."""
+HEADWAY = 1.0
+"""Seconds that who keeps its distance keeps, if its controller has no such option."""
 
 
 def start_speeds(
@@ -139,11 +141,12 @@ def _wanted_by_all(
     ]
 
 
-def keep_distance(
+def headways_kept(
     actors: Sequence[ScenarioActor], placed: Sequence[SceneActor], scenario: IndexedScenario
-) -> list[bool]:
-    """Which of the agents of a scene keep their distance from the start on: whose speed at the
-    start the scene file does not say, and whose first controller does that."""
+) -> list[float | None]:
+    """The time gaps, in seconds, of the agents of a scene that keep their distance from the start
+    on: whose speed at the start the scene file does not say, and whose first controller keeps it.
+    """
     stated = {actor.name for actor in actors if "start_speed" in actor.options}
 
     def keeps(kind: str) -> bool:
@@ -151,7 +154,9 @@ def keep_distance(
         return scenario.once(key, lambda: _keeps_distance(kind, scenario.registry))
 
     return [
-        bool(agent.drive) and agent.group not in stated and keeps(agent.drive[0].kind)
+        float(agent.drive[0].options.get("headway", HEADWAY))
+        if agent.drive and agent.group not in stated and keeps(agent.drive[0].kind)
+        else None
         for agent in placed
     ]
 

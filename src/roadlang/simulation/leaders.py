@@ -16,6 +16,9 @@ from .world import World
 
 SAME_LANE = 2.0
 """Meters: cars are beside each other rather than behind one another, from here on."""
+CLEARANCE = 0.03
+"""Seconds of its speed: so much more room beside what it passes does a driver want, up to
+`SAME_LANE`. Who crawls in a jam lets a motorcycle ride between the lanes."""
 ALONG = 0.05
 """Sine of the angle to the road up to which somebody drives along it."""
 MARGIN = 0.15
@@ -124,14 +127,16 @@ def _offsets_beside(world: World, shape: tuple[int, int], ahead: Floats) -> Floa
 
 def _in_the_way(world: World, shape: tuple[int, int]) -> Floats:
     """(S, A, A) how far beside the line of the first the middle of the second is in its way: who is
-    wide, or turned toward the lane, takes more of the road."""
+    wide, or turned toward the lane, takes more of the road, and who is fast passes at a greater
+    distance."""
     bodies = world.bodies
     turned = np.abs(world.motion.sine)
     along = np.sqrt(1.0 - np.minimum(turned * turned, 1.0))
     across = 0.5 * bodies.length * np.maximum(turned - ALONG, 0.0)
     half = (0.5 * bodies.width * along + across + MARGIN).reshape(shape)
     between = 0.5 * bodies.width.reshape(shape)[:, :, None] + half[:, None, :]
-    return np.asarray(np.maximum(SAME_LANE, between))
+    clearance = CLEARANCE * world.motion.speed.reshape(shape)[:, :, None]
+    return np.asarray(np.maximum(np.minimum(between + clearance, SAME_LANE), between))
 
 
 def _search(

@@ -54,7 +54,7 @@ class Controller(Kind):
     step of the simulator: drivers of other cars need not react as fast as the car under test"""
     keeps_distance: ClassVar[bool] = False
     """whether an agent for which nothing says how fast it begins does so slowly enough to keep its
-    distance to what is ahead in its lane"""
+    distance to what is ahead in its lane: the time gap that its option `headway` says, else 1 s"""
 
     leaves_open: ClassVar[str] = ""
     """what it leaves to the controller before it, such as "steering": a warning says so where it is
