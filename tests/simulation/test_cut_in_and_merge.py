@@ -96,8 +96,23 @@ def test_it_merges_into_a_gap_before_its_lane_ends() -> None:
         assert ego.x[ego.y < 0.5 * (OUTER + INNER)].max() < 50 + 300, case
 
 
+@pytest.mark.parametrize("speed", [15, 18])
+def test_it_does_not_drive_beside_a_car_up_to_the_end_of_its_lane(speed: int) -> None:
+    """Who is as fast falls back behind that car, who is faster moves up into the gap ahead of it:
+    it braked to a stop."""
+    text = merging(queue(46, 4, 30, 15), 260).replace("speed: 25m/s", f"speed: {speed}m/s")
+    (trace,) = drive(text, duration=25)
+    ego = trace.agents["ego"]
+    assert trace.events == ()
+    assert ego.y[-1] == pytest.approx(INNER, abs=0.1)
+    assert ego.speed.min() > 11.0
+    others = [agent.acceleration.min() for name, agent in trace.agents.items() if name != "ego"]
+    assert min(others) > -4.0
+
+
 def test_without_a_gap_it_stops_where_its_lane_ends_and_goes_when_all_have_gone() -> None:
-    (trace,) = drive(merging(queue(20, 8, 12, 8), 60), duration=45)
+    dense = queue(20, 8, 10, 8).replace("headway: 1s", "headway: 0.4s")
+    (trace,) = drive(merging(dense, 60), duration=45)
     ego = trace.agents["ego"]
     assert trace.events == ()
     stands = ego.speed < 0.05

@@ -27,6 +27,19 @@ road three { draw with segments { pieces: [straight(150m)] }, oneway: true, lane
 road two { draw with segments { pieces: [straight(250m)] }, oneway: true, lanes: 2 }
 road street from three { then: two, taper: 60m }
 """
+FUNNEL = """
+road three { draw with segments { pieces: [straight(250m)] }, speed_limit: 60km/h,
+  right: [drive(3.25m), drive(3.25m), drive(3.25m)] }
+road one { draw with segments { pieces: [straight(60m), arc(60m, 20deg), straight(200m)] },
+  right: [drive(3.25m)], speed_limit: 60km/h }
+road street from three { then: one, taper: 50m }
+agent a is choice(car, van, truck) on street at 20m {
+  lane: -1, count: 4, spacing: 22m..28m, drive with traffic { speed_factor: 0.85..1.1 } }
+agent b is choice(car, van, truck) on street at 10m..40m {
+  lane: -2, count: 3, spacing: 22m..28m, drive with traffic { speed_factor: 0.85..1.1 } }
+agent c is choice(car, van, truck) on street at 10m..40m {
+  lane: -3, count: 4, spacing: 22m..28m, drive with traffic { speed_factor: 0.85..1.1 } }
+"""
 BESIDE = """
 road wide { draw with segments { pieces: [straight(100m)] }, oneway: true,
   right: [drive(4m), drive(4m)] }
@@ -101,6 +114,14 @@ def test_who_is_in_a_lane_that_ends_goes_over_to_the_next_in_turn() -> None:
         assert agent.off_road.max() < 0.0
     order = sorted(trace.agents, key=lambda name: -trace.agents[name].x[-1])
     assert order[:3] == ["before", "ego", "after"]
+
+
+def test_three_lanes_become_one_without_contact() -> None:
+    """In 5 of these 8 scenes, who came from the outer lane met who was in the inner one."""
+    for one in testing.sample(FUNNEL, 8, seed=7).run("builtin", duration=34.0):
+        assert not one.trace.events
+        last = [agent.lane[-1] for agent in one.trace.agents.values() if agent.present[-1]]
+        assert last.count(-1.0) >= len(last) - 2
 
 
 def test_lanes_are_changed_to_their_middles() -> None:

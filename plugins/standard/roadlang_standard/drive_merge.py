@@ -18,8 +18,15 @@ from roadlang.api import (
 
 from .drive_brake import HOLDING, STANDING
 from .drive_change_lane import ABORT_GAP_SHARE, SIGHT, has_returned
-from .lane_traffic import SETTLING_TIME, LaneTraffic, has_room, lane_traffic
-from .steering import ahead_in_lane, along_line, target_speed, toward
+from .lane_traffic import (
+    REACTION,
+    SETTLING_TIME,
+    STANDSTILL_GAP,
+    LaneTraffic,
+    has_room,
+    lane_traffic,
+)
+from .steering import SPEED_GAIN, ahead_in_lane, along_line, target_speed, toward
 
 if TYPE_CHECKING:
     import numpy as np
@@ -32,14 +39,24 @@ HARDEST = 8.0
 """m/s^2: deceleration in an emergency."""
 HEADWAY, GAP = 0.8, 2.0
 """Seconds and meters that it keeps to who it merges behind."""
+GENTLE = 0.5
+"""Share of its deceleration with which it lets a gap grow that it has merged into."""
 WITHIN = 150.0
 """Meters in which it changes out of a lane that does not end."""
 PULL_OUT = 8.0
 """Meters before the end of the lane at which it waits, so that it can pull out."""
 SLOWEST = 1.0
 """m/s: who is slower pulls out only where there is room ahead to do so."""
-BESIDE = 3.0
-"""Meters: whose center is farther behind is behind; it merges behind all others."""
+SLOWER = 3.0
+"""m/s: it falls back, or moves up, at most so fast beside the other lane. Who falls back faster is
+too slow for the gap when it comes."""
+URGENT, SMALLEST = 0.4, 0.6
+"""Who would have to brake with more than this share of its deceleration to stop in time takes
+smaller gaps, down to this share of those that others take."""
+STOPS = 0.9
+"""Share of its deceleration with which it begins to brake for the end of its lane."""
+ALIGNING_TIME = 1.5
+"""Seconds in which it moves up to the middle of a gap."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 _PHASE, _BEGAN, _TARGET, _CLOCK, _ORIGIN = range(5)
 
@@ -112,7 +129,7 @@ class Merge(Controller):
             self._turn_back(seen, lane, state, line)
             waiting = state[:, _PHASE] == WAITING
             time = np.zeros(len(open_)) + self.duration
-            begins = waiting & exists & has_room(seen, lane, time)
+            begins = waiting & exists & has_room(seen, lane, time, close=self._share(seen, state))
             begins &= (seen.speed > SLOWEST) | (ahead_in_lane(seen)[0] > 0.5 * PULL_OUT)
             state[begins, _PHASE], state[begins, _TARGET] = MOVING, middle[begins]
             state[begins, _ORIGIN] = (seen.road_offset - seen.cross_track_error)[begins]
@@ -155,19 +172,52 @@ class Merge(Controller):
         wanted = target_speed(seen, self.speed, self.deceleration)
         free = toward(speed, wanted, self.acceleration, self.deceleration)
         in_lane = self._behind(seen, *ahead_in_lane(seen))
-        there = lane.there & (lane.gap > -seen.length[:, None] - lane.length)
-        behind = LaneTraffic(
-            there, lane.ahead | (lane.gap < BESIDE - seen.length[:, None]), lane.gap, lane.pace,
-            lane.length,
-        )  # fmt: skip
-        gap, pace = behind.nearest_ahead()
-        gentle = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
-        left = self._left(seen, state) - 0.5 * seen.length - PULL_OUT
-        needed = speed * speed / (2.0 * np.maximum(left, 0.05))
-        stopping = np.where(needed >= 0.9 * self.deceleration, -needed, np.inf)
+        gentle = self._aligned(seen, lane, wanted)
+        left, needed = self._stop(seen, state)
+        stopping = np.where(needed >= STOPS * self.deceleration, -needed, np.inf)
         stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)
         least = np.minimum(np.minimum(free, in_lane), np.minimum(gentle, stopping))
         return np.maximum(least, -HARDEST)
+
+    def _stop(self, seen: ObservationBatch, state: Floats) -> tuple[Floats, Floats]:
+        """(N,) meters to where it waits if there is no room, and the braking to stop there."""
+        import numpy as np
+
+        left = self._left(seen, state) - 0.5 * seen.length - PULL_OUT
+        return left, seen.speed * seen.speed / (2.0 * np.maximum(left, 0.05))
+
+    def _share(self, seen: ObservationBatch, state: Floats) -> Floats:
+        """(N,) of the usual gap to who is as fast, that is enough."""
+        import numpy as np
+
+        _, needed = self._stop(seen, state)
+        urgent = (needed / self.deceleration - URGENT) / (STOPS - URGENT)
+        return 1.0 - (1.0 - SMALLEST) * np.minimum(np.maximum(urgent, 0.0), 1.0)
+
+    def _aligned(self, seen: ObservationBatch, lane: LaneTraffic, wanted: Floats) -> Floats:
+        """(N,) acceleration beside the gap into which it merges: between who is ahead in the other
+        lane and who is behind there, or behind both where the gap between them is too small or it
+        cannot move up."""
+        import numpy as np
+
+        speed = seen.speed
+        gap, pace = lane.nearest_ahead()
+        behind, pace_behind = lane.nearest_behind()
+        spare = gap - STANDSTILL_GAP - REACTION * np.maximum(pace, 0.0)
+        spare_behind = behind - STANDSTILL_GAP - REACTION * np.maximum(pace_behind, 0.0)
+        blocked = spare_behind < 0.0
+        fits = (spare + spare_behind >= 0.0) & (wanted > pace_behind + SLOWEST)
+        moves = blocked & fits
+        off = spare - np.where(blocked, spare_behind, 0.0)
+        up = np.minimum(np.where(moves, off, 0.0) / (2.0 * ALIGNING_TIME), SLOWER)
+        beside = np.where(np.isfinite(gap), pace, pace_behind) + up
+        moves_up = np.maximum(SPEED_GAIN * (beside - speed), -self.deceleration)
+        follows = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
+        falls_back = blocked & ~fits
+        pace = np.where(falls_back, pace_behind, pace)
+        slowest = SPEED_GAIN * (np.maximum(pace - SLOWER, 0.5 * pace) - speed)
+        follows = np.maximum(np.where(falls_back, -self.deceleration, follows), slowest)
+        return np.where(moves, moves_up, follows)
 
     def _following(self, seen: ObservationBatch, gap: Floats, pace: Floats) -> Floats:
         """(N,) the greatest acceleration behind somebody: it brakes gently where it has merged
@@ -176,9 +226,9 @@ class Merge(Controller):
 
         closing = np.maximum(seen.speed - pace, 0.0)
         needed = -closing * closing / (2.0 * np.maximum(gap - 0.5 * GAP, 0.1))
-        gentle = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
-        hardest = np.maximum(needed, -HARDEST)
-        return np.asarray(np.where(needed < -self.deceleration, hardest, gentle))
+        least = -GENTLE * self.deceleration
+        gentle = np.maximum(self._behind(seen, gap, pace), least)
+        return np.asarray(np.where(needed < least, np.maximum(needed, -HARDEST), gentle))
 
     def _left(self, seen: ObservationBatch, state: Floats) -> Floats:
         """(N,) meters in which the center has to be in the other lane."""

@@ -30,7 +30,10 @@ NEAREST, FARTHEST = 0.1, 1e6
 COOLNESS = 0.99
 """How far drivers trust that the vehicle ahead keeps its acceleration (1: wholly)."""
 CAR_BASE = 3.5
-"""Meters between the axles, from which on a vehicle takes bends the slower, the longer it is."""
+"""Meters between the axles, from which on a vehicle takes bends the slower, and accelerates the
+less, the longer it is."""
+LEAST = 1.2
+"""m/s^2: what others who cross or merge count on, of long vehicles too."""
 FORESIGHT = 2.0
 """Seconds ahead at which a lower speed limit is obeyed, so that it holds where it begins."""
 
@@ -69,7 +72,8 @@ class Traffic(Controller):
 
         seen = observations
         boldness = np.broadcast_to(np.asarray(self.aggression, dtype=np.float64), seen.speed.shape)
-        most, braking = 1.6 + 2.0 * boldness, 2.0 + 2.0 * boldness
+        length = np.minimum(1.0, CAR_BASE / seen.wheelbase)
+        most, braking = np.maximum((1.6 + 2.0 * boldness) * length, LEAST), 2.0 + 2.0 * boldness
         target = self._target(seen, braking)
         follow = Following(seen.speed, target, most, braking, self.headway)
         gap, pace = seen.vehicle_ahead()
@@ -80,8 +84,7 @@ class Traffic(Controller):
         ahead = follow.calmly(ahead, gap, pace, leading)
         ahead = np.minimum(ahead, np.maximum(merges, -MERGING * braking))
         ahead = np.minimum(ahead, follow.to_stop(stop, gentle))
-        lateral = (2.0 + 3.0 * boldness) * np.minimum(1.0, CAR_BASE / seen.wheelbase)
-        bends = bend_speed(seen, target, lateral, braking)
+        bends = bend_speed(seen, target, (2.0 + 3.0 * boldness) * length, braking)
         slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)
         acceleration = np.minimum(ahead, np.where(bends < target, slower, most))
         return ControlBatch(_steering(seen), np.maximum(acceleration, -HARDEST))

@@ -17,6 +17,9 @@ STANDSTILL_GAP = 1.5
 """Meters that remain between two vehicles, at least."""
 REACTION = 0.3
 """Seconds of the speed of the one behind that are added to the gap."""
+UNSEEN = 1.5
+"""Seconds from when an agent begins to change lanes until it is in the way of who is behind there.
+"""
 BRAKING = 4.0
 """m/s^2 with which the one behind adapts its speed to the one ahead."""
 SETTLING_TIME = 2.0
@@ -39,9 +42,16 @@ class LaneTraffic:
 
     def nearest_ahead(self) -> tuple[Floats, Floats]:
         """(N,) gap to the next one ahead, infinite for none, and its pace."""
+        return self._nearest(self.there & self.ahead)
+
+    def nearest_behind(self) -> tuple[Floats, Floats]:
+        """(N,) gap to the next one behind, infinite for none, and its pace."""
+        return self._nearest(self.there & ~self.ahead)
+
+    def _nearest(self, counts: Booleans) -> tuple[Floats, Floats]:
         import numpy as np
 
-        gap = np.where(self.there & self.ahead, self.gap, np.inf)
+        gap = np.where(counts, self.gap, np.inf)
         first = gap.argmin(axis=1)[:, None] if gap.shape[1] else None
         if first is None:
             return np.full(len(gap), np.inf), np.zeros(len(gap))
@@ -72,12 +82,15 @@ def has_room(
     time: Floats,
     share: float = 1.0,
     braking: Floats | None = None,
+    close: Floats | float = 1.0,
 ) -> Booleans:
     """(N,) whether an agent can be in a lane within `time` seconds without forcing anybody to brake
     harder than `BRAKING`: the gap that the one behind needs is
-    `STANDSTILL_GAP + REACTION v + (difference in speed)^2 / (2 BRAKING)`, times `share`; oncoming
-    traffic must be farther away than both go until then and `MEETING` seconds more. Who brakes, by
-    `braking` (N,) m/s^2, does so for half of the time, and lets those behind come closer."""
+    `STANDSTILL_GAP + max(REACTION v, UNSEEN d) + d^2 / (2 BRAKING)` with the difference in speed
+    `d`, times `share`; oncoming traffic must be farther away than both go until then and `MEETING`
+    seconds more. Who brakes, by `braking` (N,) m/s^2, does so for half of the time, and lets those
+    behind come closer. `close` (N,) times the distance of the reaction is enough behind or before
+    somebody who is about as fast."""
     import numpy as np
 
     speed = seen.speed[:, None]
@@ -86,7 +99,9 @@ def has_room(
     later, lost = speed - slowing * half, 0.5 * slowing * half * half
     behind = np.where(lane.ahead, speed, lane.pace)
     closing = np.maximum(np.where(lane.ahead, speed - lane.pace, lane.pace - later), 0.0)
-    needed = STANDSTILL_GAP + REACTION * np.maximum(behind, 0.0) + np.where(lane.ahead, 0.0, lost)
+    slack = np.reshape(close, (-1, 1)) * REACTION * np.maximum(behind, 0.0)
+    slack = np.maximum(slack, np.where(lane.ahead, 0.0, UNSEEN * closing))
+    needed = STANDSTILL_GAP + slack + np.where(lane.ahead, 0.0, lost)
     needed = needed + closing * closing / (2.0 * BRAKING)
     oncoming = lane.ahead & (lane.pace < -1.0)
     meeting = STANDSTILL_GAP + closing * (time[:, None] + MEETING)

@@ -11,11 +11,11 @@ from ..ir.scene_actor import SceneActor
 from ..plugins.kinds import STANDING_GAP
 
 SHORTER = 1.2
-"""The gap that a driver wants over that which an agent may begin with: who follows by the intelligent
-driver model brakes with about 1 m/s^2 then, and so do those behind."""
+"""The gap that a driver wants over that which an agent may begin with: who follows by the
+intelligent driver model brakes with about 1 m/s^2 then, and so do those behind."""
 APPROACH = 5.6
 """m/s^2: by how much over this the speed of an agent times what it is faster is more gap wanted: as
-in the intelligent driver model, twice the root of the usual acceleration and comfortable braking."""
+in the intelligent driver model, twice the root of usual acceleration and comfortable braking."""
 FARTHEST = 150.0
 """Meters ahead that decide how fast an agent may begin."""
 BESIDE = 0.2

@@ -31,9 +31,9 @@ BETWEEN = 0.3
 def slowed_before_meetings(
     agents: Sequence[SceneActor], headways: Sequence[float | None], roads: Sequence[SceneRoad]
 ) -> tuple[SceneActor, ...]:
-    """The agents of a scene. Those with a time gap that they keep begin no faster than from where they can brake,
-    with `BRAKING`, before the middle between them and one that comes toward them, if there is no
-    room for both in the bends of the road between."""
+    """The agents of a scene. Those with a time gap that they keep begin no faster than from where
+    they can brake, with `BRAKING`, before the middle between them and one that comes toward them,
+    if there is no room for both in the bends of the road between."""
     keep = [headway is not None for headway in headways]
     if not any(keep) or max(agent.length for agent in agents) <= LONG:
         return tuple(agents)

@@ -13,10 +13,11 @@ from .leaders import SAME_LANE, Leaders
 from .road_lanes import LanesHere
 from .world import World
 
-WITHIN = 60.0
-"""Meters before the end of a lane from which on those beside it make room."""
-NEXT_LANE = 5.0
-"""Meters between the middles of lanes side by side, at most."""
+WITHIN, WITHIN_TIME = 60.0, 4.0
+"""Meters, and seconds of its speed, before the end of a lane from which on those beside it make
+room for who drives there."""
+JOINED = 60.0
+"""Meters after the end of a lane at which who drives there is in the lane that goes on."""
 ROOM = 0.4
 """Meters of the gap to one that drives that may be missing for each meter that its lane goes on."""
 CLEAR, ROLLING = 2.0, 3.0
@@ -38,16 +39,18 @@ def has_lane_endings(roads: list[SceneRoad]) -> bool:
 def lets_in(
     world: World, lanes: LanesHere, leaders: Leaders, rows: Integers, politeness: Floats | float
 ) -> tuple[Floats, Floats]:
-    """(n,) gaps of agents to who is next ahead in a lane beside theirs that ends soon, or beside
-    theirs which ends soon, infinite for nobody, and the speed of that one. As at a zip fastener,
-    each lets in one: who is ahead of its own leader is for that one to let in. Who leaves its lane
-    is also behind who drives beside it. `politeness`: from 0, nobody, to 1; who leaves has to.
+    """(n,) gaps of agents to who is next ahead in a lane that ends soon and becomes one with
+    theirs, or in any such lane if theirs ends soon, infinite for nobody, and the speed of that one.
+    As at a zip fastener, each lets in one: who is ahead of its own leader is for that one to let
+    in. Who leaves its lane is also behind who drives beside it. `politeness`: from 0, nobody, to 1;
+    who leaves has to.
     """
     shape = len(world.scenes), world.slots
     left = world.motion.offset
     end = np.where(world.present & world.has_road & ~world.has_route, lanes.end(left), np.inf)
     end = np.where(world.bodies.walks, np.inf, end).reshape(shape)
-    leaves = end < WITHIN
+    within = np.maximum(WITHIN, WITHIN_TIME * world.motion.speed).reshape(shape)
+    leaves = end < within
     nobody = np.full(len(rows), math.inf), np.zeros(len(rows))
     if not leaves.any():
         return nobody
@@ -69,10 +72,11 @@ def lets_in(
     behind = leaves[:, :, None] & (ahead > least_ahead)
     comes = into | behind
     comes &= (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
-    comes &= _same_way(world, shape) & (aside > SAME_LANE) & (aside < NEXT_LANE)
+    comes &= _same_way(world, shape) & (aside > SAME_LANE)
+    comes &= _join(world, np.where(leaves, end, np.inf), comes)
     comes &= behind | (gap > CLEAR) | (pace > ROLLING)[:, None, :]
     comes &= gap < leaders.gap.reshape(shape)[:, :, None]
-    spare = ROOM * np.minimum(end, WITHIN) * np.minimum(pace / ROLLING, 1.0)
+    spare = ROOM * np.minimum(end, within) * np.minimum(pace / ROLLING, 1.0)
     spare = np.where(leaves[:, :, None], spare[:, :, None], spare[:, None, :])
     gap = np.where(comes, gap + spare, np.inf)
     first = gap.argmin(axis=2)
@@ -80,6 +84,30 @@ def lets_in(
     speed = np.take_along_axis(pace, first, axis=1).ravel()[rows]
     polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
     return np.where(polite | leaves.ravel()[rows], least, np.inf), speed
+
+
+def _join(world: World, end: Floats, comes: Booleans) -> Booleans:
+    """(S, A, A) of the pairs that count, those whose lines are one after the lane of one of them
+    has ended, `end` (S, A) meters ahead of it."""
+    out = np.zeros_like(comes)
+    scene, first, second = np.nonzero(comes)
+    one, other = scene * world.slots + first, scene * world.slots + second
+    station = np.where(world.backward, -1.0, 1.0) * world.station
+    ends = station + end.ravel()
+    there = np.minimum(ends[one], ends[other]) + JOINED
+    offset = [_line_at(world, rows, there - station[rows]) for rows in (one, other)]
+    out[scene, first, second] = np.abs(offset[0] - offset[1]) < SAME_LANE
+    return out
+
+
+def _line_at(world: World, rows: Integers, ahead: Floats) -> Floats:
+    """(P,) where the lines of agents are `ahead` of them, once they have changed lanes."""
+    followed = world.followed
+    if not followed.guided:
+        return followed.lateral.offset[rows]
+    guide = followed.guide[rows]
+    offset = followed.guides.offset(guide, world.motion.along[rows] + ahead)
+    return np.where(guide >= 0, offset, followed.lateral.offset[rows])
 
 
 def _is_polite(closing: Floats, gap: Floats, politeness: Floats | float) -> Booleans:

@@ -19,6 +19,8 @@ SAME_LANE = 2.0
 CLEARANCE = 0.03
 """Seconds of its speed: so much more room beside what it passes does a driver want, up to
 `SAME_LANE`. Who crawls in a jam lets a motorcycle ride between the lanes."""
+COMING = 0.7
+"""Seconds ahead at which drivers see who comes over into their lane."""
 ALONG = 0.05
 """Sine of the angle to the road up to which somebody drives along it."""
 MARGIN = 0.15
@@ -110,7 +112,10 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
     offset = _offsets_beside(world, shape, ahead)
     length = world.bodies.length.reshape(shape)
     gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
-    fits = (ahead > 0.0) & (np.abs(beside - offset) < _in_the_way(world, shape))
+    aside = beside - offset
+    drift = (sign.ravel() * world.motion.speed * world.motion.sine).reshape(shape)[:, None, :]
+    comes = np.maximum(-np.sign(aside) * sign[:, :, None] * drift, 0.0)
+    fits = (ahead > 0.0) & (np.abs(aside) < _in_the_way(world, shape) + COMING * comes)
     return np.where(fits, gap, math.inf)
 
 
