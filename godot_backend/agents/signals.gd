@@ -108,7 +108,7 @@ func _ahead(agent: Agent) -> Ahead:
 	return out
 
 
-## How far beside the line of an agent the middle of another is in its way: who crawls passes closer.
+## How far beside the line of an agent another is in its way: who crawls passes closer.
 func _in_the_way(agent: Agent, other: Agent) -> float:
 	var between := 0.5 * (agent.size().z + other.size().z) + MARGIN
 	return maxf(minf(between + CLEARANCE * agent.speed, SAME_LANE), between)

@@ -22,7 +22,7 @@ def speeds(lead: str = "60m", option: str = "", ego: str = "") -> tuple[float, f
 
 
 def wanted(speed: float, ahead: float, headway: float = 1.0) -> float:
-    """The gap of the intelligent driver model with 2.8 m/s^2, 1.2 times what an agent begins with."""
+    """The gap of the intelligent driver model, 1.2 times what an agent begins with."""
     return (2.0 + speed * headway + speed * (speed - ahead) / 5.6) / 1.2
 
 

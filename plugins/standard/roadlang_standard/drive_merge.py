@@ -172,7 +172,7 @@ class Merge(Controller):
         wanted = target_speed(seen, self.speed, self.deceleration)
         free = toward(speed, wanted, self.acceleration, self.deceleration)
         in_lane = self._behind(seen, *ahead_in_lane(seen))
-        gentle = self._aligned(seen, lane, wanted)
+        gentle = self._aligned(seen, lane, np.broadcast_to(wanted, speed.shape))
         left, needed = self._stop(seen, state)
         stopping = np.where(needed >= STOPS * self.deceleration, -needed, np.inf)
         stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)

@@ -19,8 +19,9 @@ SAME_LANE = 2.0
 CLEARANCE = 0.03
 """Seconds of its speed: so much more room beside what it passes does a driver want, up to
 `SAME_LANE`. Who crawls in a jam lets a motorcycle ride between the lanes."""
-COMING = 0.7
-"""Seconds ahead at which drivers see who comes over into their lane."""
+COMING, STRAYING = 0.7, 0.1
+"""Seconds ahead at which drivers see who comes over into their lane, and m/s to the side with which
+nobody does."""
 ALONG = 0.05
 """Sine of the angle to the road up to which somebody drives along it."""
 MARGIN = 0.15
@@ -113,9 +114,12 @@ def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:
     length = world.bodies.length.reshape(shape)
     gap = ahead - 0.5 * (length[:, :, None] + length[:, None, :])
     aside = beside - offset
-    drift = (sign.ravel() * world.motion.speed * world.motion.sine).reshape(shape)[:, None, :]
-    comes = np.maximum(-np.sign(aside) * sign[:, :, None] * drift, 0.0)
-    fits = (ahead > 0.0) & (np.abs(aside) < _in_the_way(world, shape) + COMING * comes)
+    room = _in_the_way(world, shape)
+    drift = sign * (world.motion.speed * world.motion.sine).reshape(shape)
+    if (np.abs(drift) > STRAYING).any():
+        comes = -np.sign(aside) * sign[:, :, None] * drift[:, None, :]
+        room = room + COMING * np.maximum(comes - STRAYING, 0.0)
+    fits = (ahead > 0.0) & (np.abs(aside) < room)
     return np.where(fits, gap, math.inf)
 
 
@@ -139,9 +143,10 @@ def _in_the_way(world: World, shape: tuple[int, int]) -> Floats:
     along = np.sqrt(1.0 - np.minimum(turned * turned, 1.0))
     across = 0.5 * bodies.length * np.maximum(turned - ALONG, 0.0)
     half = (0.5 * bodies.width * along + across + MARGIN).reshape(shape)
-    between = 0.5 * bodies.width.reshape(shape)[:, :, None] + half[:, None, :]
+    own = 0.5 * bodies.width.reshape(shape)[:, :, None]
     clearance = CLEARANCE * world.motion.speed.reshape(shape)[:, :, None]
-    return np.asarray(np.maximum(np.minimum(between + clearance, SAME_LANE), between))
+    most = SAME_LANE - half[:, None, :]
+    return np.asarray(np.maximum(np.minimum(own + clearance, most), own) + half[:, None, :])
 
 
 def _search(
