@@ -111,13 +111,13 @@ def test_it_does_not_drive_beside_a_car_up_to_the_end_of_its_lane(speed: int) ->
 
 
 def test_without_a_gap_it_stops_where_its_lane_ends_and_goes_when_all_have_gone() -> None:
-    dense = queue(20, 8, 10, 8).replace("headway: 1s", "headway: 0.4s")
-    (trace,) = drive(merging(dense, 60), duration=45)
+    dense = queue(4, 10, 10, 8).replace("headway: 1s", "headway: 0.4s")
+    (trace,) = drive(merging(dense, 45), duration=45)
     ego = trace.agents["ego"]
     assert trace.events == ()
     stands = ego.speed < 0.05
     assert stands.any()
-    assert ego.x[stands].max() < 50 + 60
+    assert ego.x[stands].max() < 50 + 45
     assert ego.y[stands].max() < OUTER + 0.1
 
 
