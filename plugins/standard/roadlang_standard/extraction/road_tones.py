@@ -15,8 +15,9 @@ _RIBBONS, _EVEN, MOST_SPREAD, _WIDEST = 0.7, 0.5, 1.95, 0.12
 """What makes a tone a road's: least share of its surface in ribbons, and of its length of even
 width; most that wide parts exceed the usual width; and most width, as a share of the shorter
 side."""
-_INK_RIBBONS, _INK_SPREAD = 0.95, 2.6
-"""The same of ink: all classes of roads have it where a map has no other color for them."""
+_PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
+"""The same of black, gray and white: wide and narrow roads have it where a map has one color for
+all."""
 _ALSO_EVEN = 0.3
 """Least share of even width of further roads: names hide more of roads that are few."""
 _LEAST = 0.5
@@ -45,7 +46,7 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         if tone is not land
         and tone.ribbons >= _RIBBONS
         and tone.even >= _ALSO_EVEN
-        and tone.spread <= (_INK_SPREAD if _is_ink(tone, land) else MOST_SPREAD)
+        and tone.spread <= (_PLAIN_SPREAD if _is_plain(tone) else MOST_SPREAD)
         and tone.width <= _WIDEST * side
     ]
     even = [tone for tone in ribbons if tone.even >= _EVEN]
@@ -63,11 +64,9 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     return [main, *_joined(main, others)]
 
 
-def _is_ink(tone: MapTone, land: MapTone) -> bool:
-    """Whether a tone is gray or black, darker than the land, and nearly all ribbons."""
-    gray = float(np.ptp(tone.color)) / 255 < _GRAY
-    dark = bool(tone.color.mean() < land.color.mean())
-    return gray and dark and tone.ribbons >= _INK_RIBBONS
+def _is_plain(tone: MapTone) -> bool:
+    """Whether a tone is black, gray or white, and nearly all ribbons."""
+    return float(np.ptp(tone.color)) / 255 < _GRAY and tone.ribbons >= _PLAIN_RIBBONS
 
 
 def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
