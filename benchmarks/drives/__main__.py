@@ -18,7 +18,7 @@ from roadlang.api import Scene
 from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation import compiled
+from roadlang.simulation.vehicles import compiled
 
 BENT = """
 road base {

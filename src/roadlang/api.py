@@ -172,17 +172,17 @@ if TYPE_CHECKING:
     from .scenes.paint_rings import paint_rings
     from .scenes.signal_heads import SignalHead, signal_heads
     from .scenes.surface_heights import CURB_HEIGHT, PAINT_HEIGHT
-    from .simulation.bodies import Body, body_of, vehicle_parameters
-    from .simulation.contacts import Contact
-    from .simulation.decision import Decision
-    from .simulation.lane_guides import lane_guide
-    from .simulation.line_steering import line_steering
+    from .simulation.calling.decision import Decision
+    from .simulation.lanes.surfaces import road_surface, surface_names
+    from .simulation.lines.lane_guides import lane_guide
+    from .simulation.lines.route_lines import route_points
     from .simulation.mirroring import Mirror
-    from .simulation.observation_vector import ObservationVector
-    from .simulation.route_lines import route_points
-    from .simulation.sensing import DueReading
+    from .simulation.observing.observation_vector import ObservationVector
+    from .simulation.observing.sensing import DueReading
     from .simulation.simulating import EngineSettings, simulate_scenes
-    from .simulation.surfaces import road_surface, surface_names
+    from .simulation.surroundings.contacts import Contact
+    from .simulation.vehicles.bodies import Body, body_of, vehicle_parameters
+    from .simulation.vehicles.line_steering import line_steering
 
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
@@ -222,17 +222,17 @@ _LATER = {
     ".scenes.paint_rings": "paint_rings",
     ".scenes.signal_heads": "SignalHead signal_heads",
     ".scenes.surface_heights": "CURB_HEIGHT PAINT_HEIGHT",
-    ".simulation.bodies": "Body body_of vehicle_parameters",
-    ".simulation.contacts": "Contact",
-    ".simulation.decision": "Decision",
-    ".simulation.lane_guides": "lane_guide",
-    ".simulation.line_steering": "line_steering",
+    ".simulation.calling.decision": "Decision",
+    ".simulation.lanes.surfaces": "road_surface surface_names",
+    ".simulation.lines.lane_guides": "lane_guide",
+    ".simulation.lines.route_lines": "route_points",
     ".simulation.mirroring": "Mirror",
-    ".simulation.observation_vector": "ObservationVector",
-    ".simulation.route_lines": "route_points",
-    ".simulation.sensing": "DueReading",
+    ".simulation.observing.observation_vector": "ObservationVector",
+    ".simulation.observing.sensing": "DueReading",
     ".simulation.simulating": "EngineSettings simulate_scenes",
-    ".simulation.surfaces": "road_surface surface_names",
+    ".simulation.surroundings.contacts": "Contact",
+    ".simulation.vehicles.bodies": "Body body_of vehicle_parameters",
+    ".simulation.vehicles.line_steering": "line_steering",
 }
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 

@@ -12,8 +12,8 @@ from roadlang import testing
 from roadlang.envs import SceneEnv
 from roadlang.envs.off_road import OffRoadCheck
 from roadlang.ir.scene import Scene
-from roadlang.simulation.samples import Samples
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.signals.samples import Samples
 from tests.simulation.crossing_traffic import before_junction, entries
 from tests.simulation.routed_scenes import CROSSING, car, network_scene, route
 

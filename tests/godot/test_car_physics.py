@@ -12,7 +12,7 @@ import pytest
 from roadlang import testing
 from roadlang.api import CURB_HEIGHT, Scene, vehicle_parameters
 from roadlang.ir.scene_surface import SurfaceName, SurfacePatch
-from roadlang.simulation.surfaces import SURFACES
+from roadlang.simulation.lanes.surfaces import SURFACES
 from roadlang_godot.build.layout import layout_of
 from roadlang_godot.drive import driving
 from roadlang_godot.net.session import Session

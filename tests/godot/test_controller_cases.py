@@ -17,10 +17,10 @@ import pytest
 from roadlang.drive.controllers import python_controllers
 from roadlang.ir.scene import Call, Provenance, Scene, SceneActor, SceneRoad
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation.controllers import Driver
-from roadlang.simulation.leaders import Leaders
-from roadlang.simulation.observing import Surroundings, View
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.calling.controllers import Driver
+from roadlang.simulation.observing.observing import Surroundings, View
+from roadlang.simulation.surroundings.leaders import Leaders
 from roadlang_godot.engines import engine
 
 TABLE = engine.project() / "tests" / "controller_cases.json"

@@ -8,9 +8,9 @@ import numpy as np
 
 from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.trace import Trace
-from roadlang.simulation.crossed_junctions import crossings_of
-from roadlang.simulation.signal_lights import Lights
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.junctions.signal_lights import Lights
+from roadlang.simulation.surroundings.crossed_junctions import crossings_of
 
 from .routed_scenes import call, car, route
 

@@ -11,7 +11,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.scene import Scene
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
 
 from .crossing_traffic import before_junction, contacts, entries
 from .routed_scenes import CROSSING, call, car, drive_scenes, network_scene, route

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from roadlang import testing
 from roadlang.geometry import Footprints, separation
 from roadlang.ir.scene import Scene, SceneActor
-from roadlang.simulation.bend_speeds import BendSpeeds
-from roadlang.simulation.obstacles import Obstacles
-from roadlang.simulation.world import World
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.observing.bend_speeds import BendSpeeds
+from roadlang.simulation.state.world import World
+from roadlang.simulation.surroundings.obstacles import Obstacles
 
 from .driven_roads import drive
 

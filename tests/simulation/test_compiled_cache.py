@@ -13,7 +13,7 @@ pytest.importorskip("numba")
 
 LOOKED_UP = """
 import numpy as np
-from roadlang.simulation import compiled
+from roadlang.simulation.vehicles import compiled
 if {digest!r}:
     compiled._digest = lambda: {digest!r}
 loop = compiled.lookup_kernel()

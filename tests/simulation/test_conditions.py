@@ -14,7 +14,7 @@ from roadlang import testing
 from roadlang.api import AgentName, DriveSignal, Trace, option
 from roadlang.geometry.arrays import Floats
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation.conditions import ControllerCondition
+from roadlang.simulation.signals.conditions import ControllerCondition
 
 from .driven_roads import drive
 

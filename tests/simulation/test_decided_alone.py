@@ -13,7 +13,7 @@ from roadlang.ir.control import Control, Observation
 from roadlang.ir.scene import Scene
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.kinds import Controller
-from roadlang.simulation.decision import Decision
+from roadlang.simulation.calling.decision import Decision
 from roadlang.simulation.mirroring import Mirror
 
 from .mirrored_scenes import Lines, random_pair

@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from roadlang.simulation.contacts import first_contact
-from roadlang.simulation.option_columns import shape_of
-from roadlang.simulation.outlines import Outlines
+from roadlang.simulation.calling.option_columns import shape_of
+from roadlang.simulation.surroundings.contacts import first_contact
+from roadlang.simulation.surroundings.outlines import Outlines
 
 
 def box(x: float, y: float, heading: float = 0.0) -> Outlines:

@@ -7,7 +7,7 @@ from typing import Any, cast
 import numpy as np
 
 from roadlang.ir.control import ControlBatch
-from roadlang.simulation.controller_groups import HELD, Group
+from roadlang.simulation.controlling.controller_groups import HELD, Group
 
 
 def test_a_held_decision_keeps_the_line_that_it_moved_to() -> None:

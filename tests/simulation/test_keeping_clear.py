@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from roadlang.simulation.obstacles import Obstacles
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.surroundings.obstacles import Obstacles
 
 CORNER = '''
 image plan from """

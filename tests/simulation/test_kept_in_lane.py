@@ -10,10 +10,10 @@ import pytest
 from roadlang import testing
 from roadlang.geometry.arrays import Floats
 from roadlang.ir.scene import SceneRoad
-from roadlang.simulation.kept_in_lane import kept_in_lane
-from roadlang.simulation.leaning import LONG
-from roadlang.simulation.lines import LineSource
-from roadlang.simulation.route_lines import LineLeg, RouteLine, route_line
+from roadlang.simulation.bends.kept_in_lane import kept_in_lane
+from roadlang.simulation.bends.leaning import LONG
+from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.route_lines import LineLeg, RouteLine, route_line
 
 CORNER = '''
 image plan from """

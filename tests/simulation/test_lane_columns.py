@@ -13,9 +13,9 @@ from roadlang import testing
 from roadlang.drive.trace_files import from_json, to_csv, to_json
 from roadlang.geometry.rings import outside_ring
 from roadlang.ir.scene_junctions import SceneControl, SignalPhase
-from roadlang.simulation.lane_columns import LANE_COLUMNS, OnRoad, corner_offsets
-from roadlang.simulation.lane_reader import NEEDED, LaneReader
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.lanes.lane_columns import LANE_COLUMNS, OnRoad, corner_offsets
+from roadlang.simulation.signals.lane_reader import NEEDED, LaneReader
 
 from .driven_roads import drive, driven
 from .followed_drives import followed

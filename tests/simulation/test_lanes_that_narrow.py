@@ -7,7 +7,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.trace import AgentTrace, Trace
-from roadlang.simulation.lane_guides import lane_guide
+from roadlang.simulation.lines.lane_guides import lane_guide
 
 from .driven_roads import drive
 

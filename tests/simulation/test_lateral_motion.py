@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang.geometry.arrays import Floats
-from roadlang.simulation.lateral_motion import LateralMotion
+from roadlang.simulation.lines.lateral_motion import LateralMotion
 
 STEP = 0.01
 

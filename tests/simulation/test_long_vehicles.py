@@ -10,12 +10,12 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.scene import SceneActor
-from roadlang.simulation.leaning import leaned
-from roadlang.simulation.lines import LineSource
-from roadlang.simulation.route_lines import LineLeg, RouteLine
+from roadlang.simulation.bends.leaning import leaned
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.route_lines import LineLeg, RouteLine
 from roadlang.simulation.traffic import oncoming
 from roadlang.simulation.traffic.wide_places import WidePlaces
-from roadlang.simulation.world_building import world_of
 
 from .crossing_traffic import contacts
 from .driven_roads import drive

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, stl
-from roadlang.simulation.conditions import ControllerCondition
+from roadlang.simulation.signals.conditions import ControllerCondition
 
 STEPS = np.array([[1.0, -1.0], [-1.0, -1.0], [2.0, 3.0], [4.0, -2.0]])
 """(steps, agents) of the signal x"""

@@ -10,8 +10,8 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.control import ObservationBatch
-from roadlang.simulation.observing import Surroundings, View
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.observing.observing import Surroundings, View
 
 STREET = """
 road main {

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang import stl
-from roadlang.simulation.conditions import ControllerCondition
+from roadlang.simulation.signals.conditions import ControllerCondition
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.scene_lane import SceneLane
-from roadlang.simulation.lane_endings import has_lane_endings
+from roadlang.simulation.observing.lane_endings import has_lane_endings
 
 from .driven_roads import drive
 

@@ -9,10 +9,10 @@ import pytest
 
 from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.scene_route import RouteStep, SceneRoute
-from roadlang.simulation.lines import LineSource
-from roadlang.simulation.route_lines import connection_points, route_line
-from roadlang.simulation.world import World
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.route_lines import connection_points, route_line
+from roadlang.simulation.state.world import World
 
 from .routed_scenes import CROSSING, call, car, drive_scenes, network_scene, route
 

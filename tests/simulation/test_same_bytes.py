@@ -14,7 +14,9 @@ from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.drive.trace_files import COLUMNS
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation import compiled, corridors, simulating
+from roadlang.simulation import simulating
+from roadlang.simulation.surroundings import corridors
+from roadlang.simulation.vehicles import compiled
 
 LOOP = """
 road loop {
@@ -209,7 +211,7 @@ def test_compiled_it_finds_the_same_gaps_to_who_comes_from_elsewhere(
         return plain
 
     compiled.kernel()
-    monkeypatch.setattr("roadlang.simulation.leaders.nearest_in_corridor", both_ways)
+    monkeypatch.setattr("roadlang.simulation.surroundings.leaders.nearest_in_corridor", both_ways)
     drives([scene], duration=12.0)
     assert sum(np.isfinite(gap).sum() for (gap, _), _ in seen) > 50
     for plain, fast in seen:

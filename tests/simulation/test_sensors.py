@@ -18,8 +18,8 @@ from roadlang.api import (
 )
 from roadlang.drive.controllers import python_controllers
 from roadlang.geometry.arrays import Floats
-from roadlang.simulation.ray_casts import RayCaster
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.surroundings.ray_casts import RayCaster
 from tests.simulation.sensed_drives import ROAD, SECONDS, agent, record, runs
 
 

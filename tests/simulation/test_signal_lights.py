@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.ir.scene_junctions import SceneControl, SceneJunction, SignalPhase
-from roadlang.simulation.signal_lights import Lights
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.junctions.signal_lights import Lights
 
 from .crossing_traffic import before_junction, entries
 from .routed_scenes import CROSSING, car, network_scene, route

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.simulation.sorted_groups import sorted_groups
+from roadlang.simulation.surroundings.sorted_groups import sorted_groups
 
 
 @given(st.lists(st.integers(-3, 3)))

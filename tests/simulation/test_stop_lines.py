@@ -12,14 +12,14 @@ import pytest
 from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from roadlang.ir.trace import Trace
-from roadlang.simulation.crossed_junctions import crossings_of
-from roadlang.simulation.signal_lights import Lights
-from roadlang.simulation.stop_lines import StopLines
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.junctions.signal_lights import Lights
+from roadlang.simulation.junctions.stop_lines import StopLines
+from roadlang.simulation.state.world import World
+from roadlang.simulation.surroundings.crossed_junctions import crossings_of
 from roadlang.simulation.traffic.approaches import Approaches
 from roadlang.simulation.traffic.entrants import Ways
 from roadlang.simulation.traffic.junction_tables import JunctionTables
-from roadlang.simulation.world import World
-from roadlang.simulation.world_building import world_of
 
 from . import driven_roads
 from .crossing_traffic import before_junction, entries

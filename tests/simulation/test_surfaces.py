@@ -7,11 +7,11 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.scene import SceneRoad
-from roadlang.simulation.lane_columns import LaneSection
-from roadlang.simulation.surfaces import SURFACES, TireSurface
-from roadlang.simulation.vehicle_dynamics import GRAVITY
-from roadlang.simulation.world import World
-from roadlang.simulation.world_building import world_of
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.lanes.lane_columns import LaneSection
+from roadlang.simulation.lanes.surfaces import SURFACES, TireSurface
+from roadlang.simulation.state.world import World
+from roadlang.simulation.vehicles.vehicle_dynamics import GRAVITY
 
 ASPHALT, GRASS, SNOW = (SURFACES[name] for name in ("asphalt", "turf", "snow"))
 HALF = TireSurface((ASPHALT.friction + GRASS.friction) / 2, GRASS.rolling / 2)

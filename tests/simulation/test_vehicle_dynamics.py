@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.ir.scene import SceneActor
-from roadlang.simulation import vehicle_dynamics as vehicle
-from roadlang.simulation.bodies import Bodies, Body, vehicle_parameters
-from roadlang.simulation.lines import Lines, straight_line
-from roadlang.simulation.motion import Motion, Track, advance
-from roadlang.simulation.surfaces import TireSurface
+from roadlang.simulation.lanes.surfaces import TireSurface
+from roadlang.simulation.lines.lines import Lines, straight_line
+from roadlang.simulation.vehicles import vehicle_dynamics as vehicle
+from roadlang.simulation.vehicles.bodies import Bodies, Body, vehicle_parameters
+from roadlang.simulation.vehicles.motion import Motion, Track, advance
 
 DT = 0.02
 CAR = SceneActor(

@@ -10,10 +10,10 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from roadlang.geometry.arrays import Floats
-from roadlang.simulation.leaning import leaned_source
-from roadlang.simulation.lines import LineSource
-from roadlang.simulation.smoothing import drivable
-from roadlang.simulation.wider_bends import with_wider_bends
+from roadlang.simulation.bends.leaning import leaned_source
+from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.smoothing import drivable
+from roadlang.simulation.lines.wider_bends import with_wider_bends
 
 LEAST = 9.4
 STRAIGHT = 60.0

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation.observation_vector import ObservationVector
+from roadlang.simulation.observing.observation_vector import ObservationVector
 from roadlang_standard.drive_onnx import OnnxController
 from roadlang_standard.process import messages
 

@@ -10,8 +10,8 @@ from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Controller, ReadingArray, Sensor, implements
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
-from ..simulation.controllers import Driver, GuardedController
-from ..simulation.sensors import GuardedSensor
+from ..simulation.calling.controllers import Driver, GuardedController
+from ..simulation.calling.sensors import GuardedSensor
 
 
 def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ..plugins.kinds import Controller
-from ..simulation.controllers import Driver
-from ..simulation.sensors import SensorRecorder
+from ..simulation.calling.controllers import Driver
+from ..simulation.calling.sensors import SensorRecorder
 
 
 def sensor_recorders(controllers: Mapping[str, Controller]) -> list[SensorRecorder]:

@@ -12,7 +12,7 @@ except ImportError as error:
         'roadlang.envs needs the package gymnasium: pip install "roadlang[gym]"'
     ) from error
 
-from ..simulation.observation_vector import ObservationVector
+from ..simulation.observing.observation_vector import ObservationVector
 from .rewards import Transition
 from .scene_env import SceneEnv
 from .scene_vector_env import SceneVectorEnv

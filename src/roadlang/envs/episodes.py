@@ -11,14 +11,14 @@ import numpy as np
 from ..drive.controllers import python_controllers
 from ..drive.simulators import engine_settings
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..simulation.contacts import ContactDetector
-from ..simulation.decision import Decision
-from ..simulation.driving import DriverGroup
-from ..simulation.leaning import LONG
-from ..simulation.observing import Surroundings, View
-from ..simulation.samples import Samples
-from ..simulation.world import World
-from ..simulation.world_building import world_of
+from ..simulation.bends.leaning import LONG
+from ..simulation.building.world_building import world_of
+from ..simulation.calling.decision import Decision
+from ..simulation.controlling.driving import DriverGroup
+from ..simulation.observing.observing import Surroundings, View
+from ..simulation.signals.samples import Samples
+from ..simulation.state.world import World
+from ..simulation.surroundings.contacts import ContactDetector
 from .margins import Margins
 from .observed import Observed
 from .off_road import OffRoadCheck

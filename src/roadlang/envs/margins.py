@@ -17,10 +17,10 @@ from ..ir.scene import Scene, Verdict
 from ..plugins.drive_signals import drive_signal_kind, named_entities
 from ..plugins.finding import entry_of
 from ..plugins.registry import Registry
-from ..simulation.conditions import Signal, term_values
-from ..simulation.samples import Samples
-from ..simulation.signals import SignalCall
-from ..simulation.world import World
+from ..simulation.signals.conditions import Signal, term_values
+from ..simulation.signals.samples import Samples
+from ..simulation.signals.signals import SignalCall
+from ..simulation.state.world import World
 from ..stl.evaluate.measured_robustness import measured_rho
 from ..stl.formats.evaluation_json import evaluation_from_json
 from ..stl.formula.evaluation_options import EvaluationOptions

@@ -9,7 +9,7 @@ import numpy as np
 from gymnasium.spaces import Box, Dict, Space
 
 from ..plugins.kinds import ReadingArray
-from ..simulation.observation_vector import ObservationVector
+from ..simulation.observing.observation_vector import ObservationVector
 
 Observed = Any
 """(N, F) float32; where the agent has sensors, `{"state": ..., "sensors": {NAME: {ARRAY: ...}}}` of

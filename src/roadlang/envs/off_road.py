@@ -7,9 +7,9 @@ import numpy as np
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.cross_section import drivable_borders
 from ..ir.scene import SceneRoad
-from ..simulation.lane_columns import LaneSection
-from ..simulation.samples import Samples
-from ..simulation.world import World
+from ..simulation.lanes.lane_columns import LaneSection
+from ..simulation.signals.samples import Samples
+from ..simulation.state.world import World
 
 
 class OffRoadCheck:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..geometry.arrays import Floats
-from ..simulation.observation_vector import DISTANCES, ObservationVector
+from ..simulation.observing.observation_vector import DISTANCES, ObservationVector
 from .rewards import Transition
 
 Reward = str | Callable[[Transition], Floats | float]

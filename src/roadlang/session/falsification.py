@@ -32,7 +32,7 @@ from ..falsification.statistics import (
 )
 from ..files.journal import JOURNAL_FILE
 from ..search.worker_pool import WorkerPool, Workers
-from ..simulation import compiled
+from ..simulation.vehicles import compiled
 from ..world.index import index_scenario
 from .scene import Scene
 from .tables import columns_of, frame_of

@@ -13,17 +13,17 @@ from ..ir.control import Control, ControlBatch, Observation
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
-from .bodies import Body
-from .carried_state import Continued, carry_world, same_network
-from .contacts import Contact
-from .controllers import Driver
-from .decision import Decision
-from .driving import DriverGroup
-from .poses import Poses
-from .recording import Recorder
-from .sensing import DueReading
-from .single_agents import OthersSeen, observations
-from .world_building import world_of
+from .building.carried_state import Continued, carry_world, same_network
+from .building.world_building import world_of
+from .calling.controllers import Driver
+from .calling.decision import Decision
+from .controlling.driving import DriverGroup
+from .observing.sensing import DueReading
+from .observing.single_agents import OthersSeen, observations
+from .recording.recording import Recorder
+from .surroundings.contacts import Contact
+from .vehicles.bodies import Body
+from .vehicles.poses import Poses
 
 
 class Mirror:

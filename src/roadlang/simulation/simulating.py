@@ -14,15 +14,15 @@ from ..ir.paused_collector import collector_paused
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
-from . import compiled, motion
-from .bodies import Body
-from .contacts import Contact, ContactDetector
-from .driving import DriverGroup, signals_of
-from .motion import Advance
-from .recording import Recorder
-from .violations import ViolationWatch
-from .world import World
-from .world_building import world_of
+from .building.world_building import world_of
+from .controlling.driving import DriverGroup, signals_of
+from .recording.recording import Recorder
+from .recording.violations import ViolationWatch
+from .state.world import World
+from .surroundings.contacts import Contact, ContactDetector
+from .vehicles import compiled, motion
+from .vehicles.bodies import Body
+from .vehicles.motion import Advance
 
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""

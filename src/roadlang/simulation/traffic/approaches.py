@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..crossings import STOP_GAP
-from ..world import World
+from ..junctions.crossings import STOP_GAP
+from ..state.world import World
 from .entrants import Ways
 
 COMFORTABLE = 3.2

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene import Scene
-from ..outlines import Outlines
+from ..surroundings.outlines import Outlines
 
 BEFORE_END = 3.0
 """Meters from the end of a crosswalk at which who wants to cross waits, at most."""

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..bodies import Bodies
-from ..crossings import Crossings
-from ..signal_lights import Lights, ShownLights
+from ..junctions.crossings import Crossings
+from ..junctions.signal_lights import Lights, ShownLights
+from ..vehicles.bodies import Bodies
 from .junction_tables import ALL_WAY_STOP, JunctionTables
 from .meetings import Meetings
 from .places import Places

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..sorted_groups import sorted_groups
+from ..surroundings.sorted_groups import sorted_groups
 from .junction_tables import CROSS, MERGE, JunctionTables
 from .swept_conflicts import SweptConflicts
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...plugins.kinds import STANDING_GAP
-from ..crossings import STOP_GAP
+from ..junctions.crossings import STOP_GAP
 from . import rules
 from .approaches import COMFORTABLE, braking_to_stop, horizon
 from .crowd import Crowd

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..leaders import Leaders
-from ..poses import frames_in
-from ..world import World
+from ..state.world import World
+from ..surroundings.leaders import Leaders
+from ..vehicles.poses import frames_in
 from .approaches import braking_to_stop, seconds_for
 from .wide_places import MARGIN, VIEW, WidePlaces, is_wide
 

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..corridors import SAMPLE_SPACING, Window, looks_ahead
-from ..crossings import Crossings
-from ..poses import Poses
-from ..world import World
+from ..junctions.crossings import Crossings
+from ..state.world import World
+from ..surroundings.corridors import SAMPLE_SPACING, Window, looks_ahead
+from ..vehicles.poses import Poses
 from .approaches import braking_to_stop
 from .crosswalks import Crosswalks
 from .junction_tables import SIGNALS, JunctionTables

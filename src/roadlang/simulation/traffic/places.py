@@ -10,7 +10,7 @@ import numpy as np
 from ...geometry.arrays import Booleans
 from ...ir.scene import Scene
 from ...ir.scene_junctions import SceneJunction
-from ..signal_lights import Lights
+from ..junctions.signal_lights import Lights
 from .junction_tables import RIGHT_FIRST, SIGNALS, JunctionTables
 from .rings import Rings
 from .swept_conflicts import SweptConflicts

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..crossed_junctions import crossings_of
-from ..crossings import STOP_GAP
-from ..leaders import Leaders
-from ..poses import Poses
-from ..sorted_groups import sorted_groups
-from ..world import World
+from ..junctions.crossings import STOP_GAP
+from ..state.world import World
+from ..surroundings.crossed_junctions import crossings_of
+from ..surroundings.leaders import Leaders
+from ..surroundings.sorted_groups import sorted_groups
+from ..vehicles.poses import Poses
 from . import rules
 from .approaches import (
     OVER_LINE,

@@ -9,10 +9,10 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene_junctions import SceneConnection
-from ..bodies import Bodies
-from ..leaning import LONG, leaned_source
-from ..lines import LineSource
-from ..route_lines import connection_points
+from ..bends.leaning import LONG, leaned_source
+from ..lines.lines import LineSource
+from ..lines.route_lines import connection_points
+from ..vehicles.bodies import Bodies
 
 BEFORE = 6.0
 """Meters before the stop line from which on the front counts."""

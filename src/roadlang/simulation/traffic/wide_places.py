@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..leaning import LONG
-from ..sweeps import Sweeps
-from ..world import World
+from ..bends.leaning import LONG
+from ..bends.sweeps import Sweeps
+from ..state.world import World
 
 VIEW = 40.0
 """Meters ahead in which such places are looked for."""

@@ -1,0 +1,1 @@
+"""The world of some scenes at the start."""

@@ -1,0 +1,1 @@
+"""Controllers and sensors of plugins, called in batches and guarded."""

@@ -1,0 +1,97 @@
+"""What all agents of a world are to do until the next step."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ...ir.control import Control, ControlBatch
+from .controllers import UNDRIVEN_BRAKING
+
+
+@dataclass
+class Decision:
+    """Columns (N,); NaN in `steering` and `acceleration` is open, until the decision is closed."""
+
+    steering: Floats
+    acceleration: Floats
+    heading: Floats | None = None
+    pose: Floats | None = None
+    """(N, 4) x, y, heading, speed; NaN where the equations of motion decide"""
+    limit: Floats | None = None
+    """(N,) the greatest acceleration where it is decided by controllers before the one in charge;
+    infinite for none"""
+
+    @classmethod
+    def open(cls, driven: Booleans) -> Decision:
+        """Nothing decided of agents that are `driven`; the others brake."""
+        return cls(np.where(driven, math.nan, 0.0), np.where(driven, math.nan, -UNDRIVEN_BRAKING))
+
+    def copy(self) -> Decision:
+        """The same, in separate columns, where nobody goes by a heading or a pose yet."""
+        return Decision(self.steering.copy(), self.acceleration.copy())
+
+    @property
+    def has_open(self) -> bool:
+        """Whether any agent still has something undecided."""
+        total = np.add.reduce(self.steering) + np.add.reduce(self.acceleration)
+        return not math.isfinite(total) and bool(self.is_open.any())
+
+    @property
+    def is_open(self) -> Booleans:
+        """(N,) of whom something is not decided."""
+        return np.isnan(self.steering) | np.isnan(self.acceleration)
+
+    def put(self, rows: Integers, found: ControlBatch) -> None:
+        """What the controllers in charge of some agents decide."""
+        self.steering[rows], self.acceleration[rows] = found.steering, found.acceleration
+        if found.heading is not None:
+            if self.heading is None:
+                self.heading = np.full(len(self.steering), math.nan)
+            self.heading[rows] = found.heading
+        if found.pose is not None:
+            if self.pose is None:
+                self.pose = np.full((len(self.steering), 4), math.nan)
+            self.pose[rows] = found.pose
+        self._bound(rows, found)
+
+    def fill(self, rows: Integers, found: ControlBatch) -> None:
+        """What controllers before those decide, where it is still open."""
+        for mine, theirs in (
+            (self.steering, found.steering),
+            (self.acceleration, self._within_limit(rows, found.acceleration)),
+        ):
+            mine[rows] = np.where(np.isnan(mine[rows]), theirs, mine[rows])
+        self._bound(rows, found)
+
+    def _bound(self, rows: Integers, found: ControlBatch) -> None:
+        """A controller that leaves the acceleration open may limit what those before it decide."""
+        if found.acceleration_limit is None:
+            return
+        if self.limit is None:
+            self.limit = np.full(len(self.steering), math.inf)
+        limit = np.where(np.isnan(self.acceleration[rows]), found.acceleration_limit, math.inf)
+        self.limit[rows] = np.fmin(self.limit[rows], limit)
+
+    def _within_limit(self, rows: Integers, acceleration: Floats) -> Floats:
+        return acceleration if self.limit is None else np.minimum(acceleration, self.limit[rows])
+
+    def single(self, row: int) -> Control:
+        """That of one agent."""
+        heading = math.nan if self.heading is None else float(self.heading[row])
+        pose = None
+        if self.pose is not None and math.isfinite(self.pose[row, 0]):
+            x, y, toward, speed = self.pose[row].tolist()
+            pose = (x, y, toward, speed)
+        steering, acceleration = float(self.steering[row]), float(self.acceleration[row])
+        return Control(steering, acceleration, heading, pose=pose)
+
+    def close(self) -> None:
+        """0 is what nobody has decided."""
+        for column in (self.steering, self.acceleration):
+            column[is_open := np.isnan(column)] = 0.0
+        if self.limit is not None:
+            self.acceleration[is_open] = np.minimum(0.0, self.limit[is_open])

@@ -1,0 +1,252 @@
+"""The controllers of all agents of a world, called in batches at every step."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Integers, inverse_index
+from ...ir.control import ControlBatch
+from ...plugins.kinds import Controller
+from ...plugins.registry import KindEntry
+from ..building.carried_state import Continued
+from ..calling.controllers import Driver
+from ..calling.decision import Decision
+from ..calling.option_columns import options_of
+from ..observing.observing import Surroundings, View
+from ..observing.sensing import Sensing
+from ..observing.single_agents import OthersSeen, observations
+from ..signals.triggers import Triggers
+from ..state.world import World
+from ..vehicles.line_steering import line_steering
+from ..vehicles.poses import Poses
+from .actuators import Actuators
+from .controller_groups import Group, grouped
+
+
+class DriverGroup:
+    """What drives the agents of a world. `controllers`: of each scene, by agent."""
+
+    def __init__(
+        self,
+        world: World,
+        controllers: Sequence[Mapping[str, Controller]],
+        step: float,
+    ) -> None:
+        self._step = step
+        self._surroundings = Surroundings(world)
+        self._slots = world.slots
+        self.sensing = Sensing.of(world, controllers, step)
+        layouts = {} if self.sensing is None else self.sensing.layouts
+        self._groups, calls = grouped(world, controllers, layouts)
+        faults = [group for group in self._groups if group.controller.alters]
+        self._actuators = Actuators(faults, step)
+        placed = [(group.place, group.rows) for group in faults]
+        self._triggers = Triggers(world, calls, signals_of(controllers), placed)
+        self._in_charge = np.zeros(0, dtype=np.int64)
+        self._chosen: list[Integers] = []
+        """of each group who is in charge, by the last `in_charge`"""
+        self._open = Decision.open(self._in_charge >= 0)
+        """what is decided before any controller is called, by the last `in_charge`"""
+
+    def view(self, world: World, poses: Poses) -> View:
+        """What the agents see, with what they sensed last."""
+        return View(world, poses, self._step, self._surroundings, self.sensing)
+
+    def sense(self, world: World, poses: Poses) -> None:
+        """Measure what is due, unless that has been done at this time."""
+        if self.sensing is not None:
+            self.sensing.sense(self.truth(world, poses))
+
+    def truth(self, world: World, poses: Poses) -> View:
+        """What sensors measure."""
+        return View(world, poses, self._step, self._surroundings)
+
+    def decide(self, world: World, poses: Poses) -> Decision:
+        """What all agents are to do until the next step. Moves the lines that they follow."""
+        self.sense(world, poses)
+        view = self.view(world, poses)
+        in_charge = self._triggers.in_charge(world, poses)
+        if in_charge is not self._in_charge:
+            self._in_charge = in_charge
+            self._chosen = [np.flatnonzero(in_charge[g.rows] == g.place) for g in self._groups]
+            self._open = Decision.open(in_charge >= 0)
+        out = self._open.copy()
+        own_line = np.ones(len(in_charge), dtype=bool)
+        for group, chosen in zip(self._groups, self._chosen, strict=True):
+            if len(chosen):
+                found = _decided(group, chosen, view)
+                out.put(group.rows[chosen], found)
+                if found.line_offset is not None:
+                    own_line[group.rows[chosen]] = False
+                    _move_lines(world, group.rows[chosen], found)
+        if out.has_open:
+            self._ask_earlier(world, in_charge, own_line, view, out)
+            _keep_to_lines(world, view, out)
+            out.close()
+        self._actuators.alter(world, self._triggers.active, out)
+        return out
+
+    def restart(self, agents: Integers) -> None:
+        """Some agents are back at the start. Conditions are not: none of theirs may have any."""
+        for group in self._groups:
+            group.restart(agents)
+        if self.sensing is not None:
+            self.sensing.restart(agents)
+
+    def carry_on(self, before: DriverGroup, rows: Continued, same_network: bool) -> None:
+        """Controllers and conditions of the agents that go on after an edit remember what they did
+        before it. Of several of a kind, the first goes on as the first."""
+        column = dict(zip(rows.after.tolist(), rows.before.tolist(), strict=True))
+        known = before._members()
+        places: dict[tuple[int, int], tuple[int, int]] = {}
+        for (row, kind, number), (group, agent) in self._members().items():
+            key = (column.get(row, -1), kind, number)
+            if key in known:
+                earlier, at = known[key]
+                group.carry_on(agent, earlier, at)
+                places[row, group.place] = key[0], earlier.place
+        self._triggers.carry_on(before._triggers, places, rows.is_everyone)
+        if self.sensing is not None and before.sensing is not None:
+            self.sensing.carry_on(before.sensing, column)
+        if same_network:
+            self._surroundings.carry_on(before._surroundings)
+
+    def _members(self) -> dict[tuple[int, type[Controller], int], tuple[Group, int]]:
+        """By agent, kind of controller, and how many of the kind the agent has before: its group,
+        and its place there."""
+        found: dict[tuple[int, type[Controller], int], tuple[Group, int]] = {}
+        counts: Counter[tuple[int, type[Controller]]] = Counter()
+        for group in self._groups:
+            for agent, row in enumerate(group.rows.tolist()):
+                kind = group.controller.kind
+                found[row, kind, counts[row, kind]] = group, agent
+                counts[row, kind] += 1
+        return found
+
+    def take(self, agents: Integers, count: int) -> None:
+        """From now on the world has these of its `count` agents alone."""
+        place = inverse_index(agents, count)
+        for group in self._groups:
+            group.take(place)
+        self._triggers.take(place, agents)
+        if self.sensing is not None:
+            self.sensing.take(agents, count, self._slots)
+        self._surroundings.take(agents, count, self._slots)
+
+    def _ask_earlier(
+        self, world: World, in_charge: Integers, own_line: Booleans, view: View, out: Decision
+    ) -> None:
+        """A controller that does not steer, or does not accelerate, leaves that to the last one
+        before it that does, of those whose conditions hold. `own_line`: the agents whose line is
+        left, with the steering, to the last one before it that moves lines."""
+        active = self._triggers.active
+        for group in reversed(self._groups):
+            open_ = out.is_open[group.rows] & (in_charge[group.rows] > group.place)
+            open_ &= active[group.place, group.rows] & (not group.controller.alters)
+            chosen = np.flatnonzero(open_)
+            if len(chosen):
+                rows = group.rows[chosen]
+                accelerates = np.isnan(out.acceleration[rows])
+                moves = own_line[rows] & np.isnan(out.steering[rows])
+                found = _decided(group, chosen, view, accelerates, moves)
+                if found.line_offset is not None and moves.any():
+                    own_line[rows[moves]] = False
+                    _move_lines(world, rows, found, moves)
+                out.fill(rows, found)
+
+
+def _keep_to_lines(world: World, view: View, out: Decision) -> None:
+    """Vehicles on a road whose controllers leave the steering open follow their lines."""
+    rows = np.flatnonzero(np.isnan(out.steering) & world.has_road & ~world.bodies.walks)
+    if len(rows):
+        out.steering[rows] = line_steering(view.of(rows))
+
+
+def signals_of(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:
+    """The drive signals of all conditions and expectations, by the names that scenes have for
+    them."""
+    found: dict[str, KindEntry] = {}
+    for each in controllers:
+        for driver in each.values():
+            found |= driver.signals if isinstance(driver, Driver) else {}
+    return found
+
+
+def _move_lines(
+    world: World, rows: Integers, found: ControlBatch, moves: Booleans | None = None
+) -> None:
+    """`moves`: whose line is moved, by default that of all."""
+    assert found.line_offset is not None
+    target = np.full(len(world.present), math.nan)
+    time = np.zeros(len(world.present))
+    offset = found.line_offset
+    target[rows] = offset if moves is None else np.where(moves, offset, math.nan)
+    if found.line_time is not None:
+        time[rows] = found.line_time
+    world.followed.move(target, time, world.motion.along, world.motion.speed)
+
+
+def _decided(
+    group: Group,
+    chosen: Integers,
+    view: View,
+    lasting: Booleans | None = None,
+    moves: Booleans | None = None,
+) -> ControlBatch:
+    """What the controllers of some agents of a group decide. `lasting`: whose state goes on,
+    by default that of all. `moves`: whose state also goes on if the controllers move lines."""
+    if group.singles:
+        return _decided_singly(group, chosen, view)
+    interval = group.controller.kind.interval
+    if interval > view.step:
+        return _held(group, chosen, view, interval)
+    return _decided_now(group, chosen, view, lasting, moves)
+
+
+def _held(group: Group, chosen: Integers, view: View, interval: float) -> ControlBatch:
+    """What some agents decided at most `interval` seconds ago."""
+    time = view.world.time
+    old = chosen[time - group.since[chosen] > interval - 0.5 * view.world.dt]
+    if len(old):
+        group.hold(old, _decided_now(group, old, view), time)
+    return group.last_decided(chosen)
+
+
+def _decided_now(
+    group: Group,
+    chosen: Integers,
+    view: View,
+    lasting: Booleans | None = None,
+    moves: Booleans | None = None,
+) -> ControlBatch:
+    rows = group.rows[chosen]
+    guarded = group.controller
+    everyone = len(chosen) == len(group.rows)
+    built = group.of_all if everyone else guarded.built(options_of(group.columns, chosen))
+    state = None if group.state is None else group.state[chosen]
+    decided = guarded.decide(built, view.of(rows), state)
+    if state is not None:
+        if lasting is not None and moves is not None and decided.line_offset is not None:
+            lasting = lasting | moves
+        last = slice(None) if lasting is None else np.flatnonzero(lasting)
+        group.state[chosen[last]] = state[last]
+    return decided
+
+
+def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
+    """Loop over agents whose controllers decide for one alone."""
+    slots = view.world.slots
+    rows = group.rows[chosen]
+    scenes = rows // slots
+    found = []
+    for scene in dict.fromkeys(scenes.tolist()):  # the rows are in the order of the scenes
+        of_scene = scenes == scene
+        others = OthersSeen(view, view.world.scenes[scene], scene * slots)
+        seen = observations(view, rows[of_scene], others)
+        found += [group.singles[index].control(observation)
+                  for index, observation in zip(chosen[of_scene], seen, strict=True)]  # fmt: skip
+    return ControlBatch.of(found)

@@ -1,0 +1,1 @@
+"""Junctions along the lines of agents: crossings, stop lines, signals."""

@@ -1,0 +1,1 @@
+"""Lanes of roads as tables, and what they are made of."""

@@ -1,0 +1,117 @@
+"""How fast the bends ahead may be driven: a speed for each place of a line, planned backward."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers
+from ...geometry.bend_speeds import squares_before, squares_in_bends
+from ..lines.lines import Lines
+from ..state.world import World
+from ..vehicles import compiled
+from ..vehicles.motion import Track
+
+
+class BendSpeeds:
+    """The plans of the agents of a world, each made when its limits are first needed."""
+
+    def __init__(self, world: World) -> None:
+        count, cells = len(world.present), world.track.lines.cells
+        self._agents = np.arange(count)
+        self._limits = np.zeros((2, count))
+        self._guides = np.full(count, -1)
+        self._plans = np.zeros((count, cells))
+        self._first = self._agents * cells - world.track.first
+        self._latest: tuple[Any, ...] = ()
+        """agents and limits whose plans were last seen to be there: controllers look twice, and
+        at every step with the same"""
+
+    def at(
+        self,
+        world: World,
+        rows: Any,
+        lateral: Floats | float,
+        braking: Floats | float,
+        distance: Floats | float,
+    ) -> Floats:
+        """(N,) the greatest speeds a distance on, m/s, with `braking` before bends that are driven
+        with a lateral acceleration of at most `lateral`."""
+        track = world.track.of_rows(rows)
+        wanted = (rows, lateral, braking)
+        if world.followed.guided or not self._was_latest(*wanted):
+            self._plan(world, track, *wanted)
+        self._latest = wanted  # the next may be these very arrays
+        along = track.wrapped(world.motion.along[rows] + distance)
+        if compiled.is_loaded():
+            return compiled.looked_up(self._plans.ravel(), self._first[rows], track, along)
+        cell, _ = track.cell(along)
+        return np.asarray(self._plans.ravel().take(cell + self._first[rows]))
+
+    def _was_latest(self, *wanted: Any) -> bool:
+        latest = self._latest
+        return len(latest) == 3 and all(map(_is_same, latest, wanted))
+
+    def _plan(
+        self, world: World, track: Track, rows: Any, lateral: Floats | float,
+        braking: Floats | float,
+    ) -> None:  # fmt: skip
+        """Make the plans that are new."""
+        limits = np.empty((2, len(track.row)))
+        limits[0], limits[1] = lateral, braking
+        guides = world.followed.guide[rows]
+        new = (limits != self._limits[:, rows]).any(axis=0) | (guides != self._guides[rows])
+        if new.any():
+            self._limits[:, rows], self._guides[rows] = limits, guides
+            agents = self._agents[rows][new]
+            bend = _bend_beside(world, track.row[new], guides[new])
+            fresh = limits[:, new]
+            self._plans[agents] = planned(track.lines, track.row[new], fresh[0], fresh[1], bend)
+
+    def take(self, agents: Integers) -> None:
+        """From now on the world has these of its agents alone."""
+        self._agents = np.arange(len(agents))
+        self._limits, self._plans = self._limits[:, agents], self._plans[agents]
+        self._guides = self._guides[agents]
+        moved = (self._agents - agents) * self._plans.shape[1]
+        self._first, self._latest = self._first[agents] + moved, ()
+
+
+def _is_same(one: Any, other: Any) -> bool:
+    """Whether two indices, numbers or columns are equal; they may be shown to be without a look."""
+    if one is other:
+        return True
+    if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
+        return one.shape == other.shape and not np.count_nonzero(one != other)
+    return type(one) is type(other) and bool(one == other)
+
+
+def _bend_beside(world: World, row: Integers, guide: Integers) -> Floats | None:
+    """(N, M) 1/m by which guides bend more than the lines `row`; None where there are none."""
+    if not world.followed.guided:
+        return None
+    lines = world.track.lines
+    along = lines.origin[row, None] + lines.spacing[row, None] * np.arange(lines.cells)
+    return world.followed.guides.ahead(guide[:, None], along)[2]
+
+
+def planned(
+    lines: Lines, row: Integers, lateral: Floats, braking: Floats, bend: Floats | None = None
+) -> Floats:
+    """(N, M) greatest speeds at the ends of the cells of the lines `row`, which are followed where
+    they bend by `bend` more."""
+    curvature = lines.column(lines.seen_curvature)[row]
+    curvature = curvature if bend is None else curvature + bend
+    limits = squares_in_bends(curvature, lateral[:, None])
+    gain = 2.0 * braking * lines.spacing[row]
+    square = squares_before(limits, gain)
+    again = np.flatnonzero(lines.closed[row])
+    if len(again):  # beyond the end of a closed line is its beginning
+        cells = np.round(lines.length[row[again]] / lines.spacing[row[again]]).astype(np.int64)
+        last = lines.last[row[again]]
+        square[again, last] = np.minimum(square[again, last], square[again, last - cells])
+        square[again] = squares_before(square[again], gain[again])
+    ahead = np.minimum(square[:, :-1], square[:, 1:])
+    square[:, :-1] = ahead
+    return np.asarray(np.sqrt(square))

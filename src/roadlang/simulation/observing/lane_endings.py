@@ -1,0 +1,123 @@
+"""Lanes that end: those beside them let in, one after the other, who has to leave them, and who
+leaves falls in behind who is ahead there."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ...ir.scene import SceneRoad
+from ..lanes.road_lanes import LanesHere
+from ..state.world import World
+from ..surroundings.leaders import SAME_LANE, Leaders
+
+WITHIN, WITHIN_TIME = 60.0, 4.0
+"""Meters, and seconds of its speed, before the end of a lane from which on those beside it make
+room for who drives there."""
+JOINED = 60.0
+"""Meters after the end of a lane at which who drives there is in the lane that goes on."""
+ROOM = 0.4
+"""Meters of the gap to one that drives that may be missing for each meter that its lane goes on."""
+CLEAR, ROLLING = 2.0, 3.0
+"""Meters from bumper to bumper in which one that stands can pull out; m/s from which on the gap may
+still open."""
+COURTEOUS = 4.0
+"""m/s^2: braking to let somebody in of who is as polite as can be."""
+
+
+def has_lane_endings(roads: list[SceneRoad]) -> bool:
+    """Whether a lane for vehicles of any road ends on the way."""
+    return any(
+        lane.drivable and len(lane.width) > 1 and min(lane.width) < 0.5 * max(lane.width)
+        for road in roads
+        for lane in road.lane_list
+    )
+
+
+def lets_in(
+    world: World, lanes: LanesHere, leaders: Leaders, rows: Integers, politeness: Floats | float
+) -> tuple[Floats, Floats]:
+    """(n,) gaps of agents to who is next ahead in a lane that ends soon and becomes one with
+    theirs, or in any such lane if theirs ends soon, infinite for nobody, and the speed of that one.
+    As at a zip fastener, each lets in one: who is ahead of its own leader is for that one to let
+    in. Who leaves its lane is also behind who drives beside it. `politeness`: from 0, nobody, to 1;
+    who leaves has to.
+    """
+    shape = len(world.scenes), world.slots
+    left = world.motion.offset
+    end = np.where(world.present & world.has_road & ~world.has_route, lanes.end(left), np.inf)
+    end = np.where(world.bodies.walks, np.inf, end).reshape(shape)
+    within = np.maximum(WITHIN, WITHIN_TIME * world.motion.speed).reshape(shape)
+    leaves = end < within
+    nobody = np.full(len(rows), math.inf), np.zeros(len(rows))
+    if not leaves.any():
+        return nobody
+    along, left, road, half, pace = (
+        column.reshape(shape)
+        for column in (
+            np.where(world.backward, -1.0, 1.0) * world.station, left,
+            np.where(world.has_route, -1, world.road), 0.5 * world.bodies.length,
+            world.motion.speed,
+        )
+    )  # fmt: skip
+    ahead = along[:, None, :] - along[:, :, None]
+    aside = np.abs(left[:, None, :] - left[:, :, None])
+    gap = ahead - half[:, :, None] - half[:, None, :]
+    into = leaves[:, None, :] & ~leaves[:, :, None] & (ahead > 0.0)
+    # Of two side by side that hardly move, the one whose middle is ahead goes first.
+    stays = ~leaves & (pace > ROLLING)
+    least_ahead = np.where(stays[:, None, :], -half[:, :, None], 0.0)
+    behind = leaves[:, :, None] & (ahead > least_ahead)
+    comes = into | behind
+    comes &= (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
+    comes &= _same_way(world, shape) & (aside > SAME_LANE)
+    comes &= _join(world, np.where(leaves, end, np.inf), comes)
+    comes &= behind | (gap > CLEAR) | (pace > ROLLING)[:, None, :]
+    comes &= gap < leaders.gap.reshape(shape)[:, :, None]
+    spare = ROOM * np.minimum(end, within) * np.minimum(pace / ROLLING, 1.0)
+    spare = np.where(leaves[:, :, None], spare[:, :, None], spare[:, None, :])
+    gap = np.where(comes, gap + spare, np.inf)
+    first = gap.argmin(axis=2)
+    least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0].ravel()[rows]
+    speed = np.take_along_axis(pace, first, axis=1).ravel()[rows]
+    polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
+    return np.where(polite | leaves.ravel()[rows], least, np.inf), speed
+
+
+def _join(world: World, end: Floats, comes: Booleans) -> Booleans:
+    """(S, A, A) of the pairs that count, those whose lines are one after the lane of one of them
+    has ended, `end` (S, A) meters ahead of it."""
+    out = np.zeros_like(comes)
+    scene, first, second = np.nonzero(comes)
+    one, other = scene * world.slots + first, scene * world.slots + second
+    station = np.where(world.backward, -1.0, 1.0) * world.station
+    ends = station + end.ravel()
+    there = np.minimum(ends[one], ends[other]) + JOINED
+    offset = [_line_at(world, rows, there - station[rows]) for rows in (one, other)]
+    out[scene, first, second] = np.abs(offset[0] - offset[1]) < SAME_LANE
+    return out
+
+
+def _line_at(world: World, rows: Integers, ahead: Floats) -> Floats:
+    """(P,) where the lines of agents are `ahead` of them, once they have changed lanes."""
+    followed = world.followed
+    if not followed.guided:
+        return followed.lateral.offset[rows]
+    guide = followed.guide[rows]
+    offset = followed.guides.offset(guide, world.motion.along[rows] + ahead)
+    return np.where(guide >= 0, offset, followed.lateral.offset[rows])
+
+
+def _is_polite(closing: Floats, gap: Floats, politeness: Floats | float) -> Booleans:
+    """(n,) whether somebody lets in who is `gap` ahead and slower by `closing`, m/s."""
+    faster = np.maximum(closing, 0.0)
+    needed = faster * faster / (2.0 * np.maximum(gap, 0.1))
+    return np.asarray(needed <= COURTEOUS * np.asarray(politeness))
+
+
+def _same_way(world: World, shape: tuple[int, int]) -> Booleans:
+    """(S, A, A) who of a road goes in the same direction."""
+    back = world.backward.reshape(shape)
+    return np.asarray(back[:, :, None] == back[:, None, :])

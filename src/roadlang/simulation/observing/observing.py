@@ -1,0 +1,288 @@
+"""What controllers see: columns over agents of a world."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ...ir.control import ObservationBatch
+from ...ir.readings import Reading, Readings
+from ...ir.surroundings import LaneChoice, LanePlaces, Neighbors
+from ..lanes.road_lanes import LanesHere, RoadLanes, lane_values
+from ..lanes.speed_zones import has_limit
+from ..state.world import World
+from ..surroundings.leaders import Leaders, Pairing, leaders
+from ..surroundings.neighbors import Nearby, StandingObjects
+from ..surroundings.obstacles import Obstacles
+from ..traffic.right_of_way import RightOfWayGrants
+from ..vehicles.poses import Poses, line_frames
+from .bend_speeds import BendSpeeds
+from .lane_changes import zipper
+from .lane_endings import has_lane_endings, lets_in
+from .lazy_observations import LazyObservations
+from .sensing import Sensing
+
+_NOTHING: Mapping[str, Floats] = {}
+_NO_READINGS = Readings({})
+PROBE = 0.1
+"""Meters along a route to each side, to see in which direction of the road it goes."""
+
+
+class Surroundings:
+    """What of a drive is computed once, when it is first needed: plans of speeds before bends, the
+    lanes of the roads, where objects are along the lines."""
+
+    def __init__(self, world: World) -> None:
+        self.bends = BendSpeeds(world)
+        self._roads = [road for scene in world.scenes for road in scene.roads]
+        counts = [len(scene.roads) for scene in world.scenes]
+        self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
+        self.has_limits = any(has_limit(road) for road in self._roads)
+        """of speed, on any road"""
+        self.has_lane_endings = has_lane_endings(self._roads)
+        self._lanes: RoadLanes | None = None
+        self._objects: StandingObjects | None = None
+        self._obstacles: Obstacles | None = None
+        self._right_of_way: RightOfWayGrants | None = None
+        self._pairing: Pairing | None = None
+
+    def take(self, agents: Integers, count: int, slots: int) -> None:
+        """From now on the world has these of its `count` agents alone."""
+        self.bends.take(agents)
+        scenes = agents[::slots] // slots
+        self._first, self._pairing = self._first[scenes], None
+        if self._obstacles is not None:
+            self._obstacles = self._obstacles.take(agents, count)
+        if self._right_of_way is not None:
+            self._right_of_way.take(agents, scenes)
+
+    def carry_on(self, before: Surroundings) -> None:
+        """Junctions are granted as they were: nothing has changed that they depend on."""
+        self._right_of_way = before._right_of_way
+
+    def obstacles(self, world: World) -> Obstacles:
+        """Objects in the lanes of agents."""
+        if self._obstacles is None:
+            self._obstacles = Obstacles.of(world)
+        return self._obstacles
+
+    def pairing(self, world: World) -> Pairing:
+        """Who of a scene can be ahead of whom."""
+        if self._pairing is None:
+            self._pairing = Pairing.of(world)
+        return self._pairing
+
+    def right_of_way(self, world: World) -> RightOfWayGrants:
+        """At the junctions."""
+        if self._right_of_way is None:
+            self._right_of_way = RightOfWayGrants(world)
+        return self._right_of_way
+
+    def lanes(self, world: World) -> LanesHere:
+        """Of all agents, where they are; on connections there are none."""
+        if self._lanes is None:
+            self._lanes = RoadLanes(self._roads)
+        first = np.repeat(self._first, world.slots)
+        place = world.place
+        road = np.where((place.road >= 0) & (place.turn < 0), first + place.road, -1)
+        lanes = self._lanes.at(road, world.station, _backward(world))
+        rows = np.flatnonzero(world.has_route)
+        if not len(rows):
+            return lanes
+        # The tabled line of a route is the middle of its lane, not that of the road.
+        lane = lanes.take(rows)
+        middle = lane_values(lane.middles, lane.choose(place.lane[rows], np.zeros(len(rows))))
+        shift = np.zeros(len(road))
+        shift[rows] = np.where(np.isfinite(middle), middle, 0.0)
+        return replace(lanes, borders=lanes.borders - shift[:, None])
+
+    def nearby(self, world: World, poses: Poses) -> Nearby:
+        """Of all agents."""
+        if self._objects is None:
+            self._objects = StandingObjects.of(world)
+        return Nearby(world, poses, self._objects)
+
+
+def _backward(world: World) -> Booleans:
+    """(N,) who goes against the direction of the road where it is."""
+    out = world.backward.copy()
+    rows = np.flatnonzero(world.has_route)
+    if len(rows):
+        along = world.motion.along[rows]
+        ends = [world.table.station(rows, along + off) for off in (-PROBE, PROBE)]
+        out[rows] = ends[1] < ends[0]
+    return out
+
+
+@dataclass
+class View:
+    """A world as it is at one time, seen by its agents."""
+
+    world: World
+    poses: Poses
+    step: float
+    surroundings: Surroundings
+    sensing: Sensing | None = None
+    """what agents have sensed; None: they see the truth"""
+    _ahead: Leaders | None = field(default=None)
+    _lanes: LanesHere | None = field(default=None)
+    _nearby: Nearby | None = field(default=None)
+
+    def of(self, chosen: Integers) -> ObservationBatch:
+        """What some agents see."""
+        return LazyObservations(self, chosen)
+
+    def line_ahead(
+        self, rows: Any, distance: Floats | float
+    ) -> tuple[Floats, Floats, Floats, Floats]:
+        """(N,) x, y, heading and curvature of the lines to follow, a distance on."""
+        world = self.world
+        if self.sensing is not None:
+            distance = distance + self._lead(rows)
+        track = world.track.of_rows(rows)
+        along = track.wrapped(world.motion.along[rows] + distance)
+        x, y, heading, curvature, _ = line_frames(track, along)
+        speed = world.motion.speed[rows]
+        offset, slope, bend, moving = world.followed.ahead(rows, distance, speed, along)
+        x -= np.sin(heading) * offset
+        y += np.cos(heading) * offset
+        if moving is not None:
+            heading = np.where(moving, heading + np.arctan(slope), heading)
+            curvature = np.where(moving, curvature + bend, curvature)
+        return x, y, heading, curvature
+
+    def path_ahead(self, rows: Any, distances: Floats) -> tuple[Floats, Floats]:
+        """(K, N) x and y of the lines to follow, some distances (K,) on. The same points as those
+        of `line_ahead`, but for rounding and `(curvature * cell)^2 / 8` of the offset."""
+        world, distances = self.world, distances[:, None]
+        if self.sensing is not None:
+            distances = distances + self._lead(rows)
+        track = world.track.of_rows(rows)
+        along = track.wrapped(world.motion.along[rows] + distances)
+        cell, rest = track.cell(along)
+        found = track.lines.table.take(cell, axis=0)[:, :, :5]
+        x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
+        bend = curvature * rest
+        bulge = 0.5 * bend * (rest - track.spacing)
+        left = world.followed.ahead(rows, distances, world.motion.speed[rows], along)[0]
+        # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
+        ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
+        across = bulge + left
+        return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
+
+    @property
+    def replaced(self) -> Mapping[str, Floats]:
+        """(N,) by name: columns that agents see in place of the true ones, where they are not
+        NaN."""
+        return _NOTHING if self.sensing is None else self.sensing.replaced
+
+    def _lead(self, rows: Any) -> Floats | float:
+        """(N,) how far ahead of where they are agents see themselves along their lines."""
+        seen = self.replaced.get("traveled")
+        if seen is None:
+            return 0.0
+        lead = seen[rows] - self.world.traveled[rows]
+        return np.where(np.isnan(lead), 0.0, lead)
+
+    def vehicle_ahead(self, rows: Any) -> tuple[Floats, Floats]:
+        """(N,) gap to the next agent in the lane, and its speed along it."""
+        ahead = self._leaders()
+        return ahead.gap[rows], ahead.speed[rows]
+
+    def acceleration_ahead(self, rows: Any) -> Floats:
+        """(N,) that of `vehicle_ahead` along the lane, 0 where there is none."""
+        found: Floats = self._leaders().acceleration[rows]
+        return found
+
+    def obstacle_ahead(self, rows: Any) -> Floats:
+        """(N,) gap to the next object in the way, infinite for none."""
+        gap: Floats = self.surroundings.obstacles(self.world).ahead(self.world)[rows]
+        return gap
+
+    def lane_end(self, rows: Integers) -> Floats:
+        """(N,) how far ahead of agents their lane becomes too narrow to drive in."""
+        return self._current_lanes().take(rows).end(self.world.motion.offset[rows])
+
+    def right_of_way(
+        self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None
+    ) -> tuple[Floats, Floats, Floats]:
+        """(N,) where agents have to stop, and the gap to whom they follow where lanes merge, and
+        its speed."""
+        world, surroundings = self.world, self.surroundings
+        right_of_way = surroundings.right_of_way(world)
+        stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, temper)
+        if world.table.has_changes:
+            changes = zipper(world)
+            sooner = changes[0][rows] < gap
+            gap = np.where(sooner, changes[0][rows], gap)
+            speed = np.where(sooner, changes[1][rows], speed)
+            stop = np.minimum(stop, changes[2][rows])
+        if surroundings.has_lane_endings and temper is not None:
+            lanes, ahead = self._current_lanes(), self._leaders()
+            merging, pace = lets_in(world, lanes, ahead, rows, temper[0])
+            gap, speed = np.minimum(gap, merging), np.where(merging < gap, pace, speed)
+        stop = np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows])
+        return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
+
+    def junction_ahead(self, rows: Integers) -> tuple[Floats, Floats, Floats]:
+        """(N,) meters to the next junctions, from there to their ends, and seconds until red."""
+        return self.surroundings.right_of_way(self.world).junctions(self.world, rows)
+
+    def _leaders(self) -> Leaders:
+        if self._ahead is None:
+            pairing = self.surroundings.pairing(self.world)
+            self._ahead = leaders(self.world, self.poses, pairing)
+        return self._ahead
+
+    def lane_place(self, rows: Integers) -> LanePlaces:
+        """In which lanes agents are."""
+        world = self.world
+        place = self._current_lanes().take(rows).place(world.motion.offset[rows])
+        routed = world.has_route[rows]
+        if not routed.any():
+            return place
+        along = world.track.wrapped(world.motion.along)[rows]
+        limit = np.where(routed, world.table.speed_limit(rows, along), place.speed_limit)
+        return replace(place, speed_limit=limit)
+
+    def speed_limit_ahead(
+        self, rows: Integers, braking: Floats | float, on: Floats | float
+    ) -> Floats:
+        """(N,) the greatest speeds from which the limits ahead can be obeyed."""
+        if not self.surroundings.has_limits:
+            return np.full(len(rows), math.inf)
+        along = self.world.track.wrapped(self.world.motion.along)[rows]
+        ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
+        routed = self.world.has_route[rows]
+        if routed.all():
+            return ahead
+        limit = self.lane_place(rows).speed_limit
+        # Without a route the table knows the lane of the start, and with it the zones ahead.
+        zoned = self.world.table.has_several_legs(rows)
+        return np.where(routed, ahead, np.where(zoned, np.minimum(ahead, limit), limit))
+
+    def of_lane(self, rows: Integers, which: LaneChoice | Floats, quantity: str) -> Floats:
+        """(N,) a quantity of one lane of each agent, NaN where there is none."""
+        lanes = self._current_lanes().take(rows)
+        index = lanes.choose(which, self.world.motion.offset[rows])
+        return lane_values(getattr(lanes, quantity), index)
+
+    def readings(self, rows: Integers) -> Mapping[str, Reading]:
+        """What some agents have got from their sensors."""
+        return _NO_READINGS if self.sensing is None else self.sensing.readings(rows)
+
+    def nearby(self, rows: Integers, distance: float) -> Neighbors:
+        """Who and what is within a distance of agents."""
+        if self._nearby is None:
+            self._nearby = self.surroundings.nearby(self.world, self.poses)
+        return self._nearby.of(rows, distance)
+
+    def _current_lanes(self) -> LanesHere:
+        if self._lanes is None:
+            self._lanes = self.surroundings.lanes(self.world)
+        return self._lanes

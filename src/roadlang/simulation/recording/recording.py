@@ -1,0 +1,111 @@
+"""What is recorded of drives, and the traces of scenes that are made of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers, inverse_index
+from ...ir.scene import Scene
+from ...ir.trace import AgentTrace, Trace
+from ..signals.columns import COLUMNS
+from ..signals.lane_reader import LaneReader
+from ..signals.recorded_columns import RECORDED, RecordedAgent, RecordedPart
+from ..state.world import World
+from ..surroundings.contacts import Contact
+from ..vehicles.poses import Poses
+from .violations import ViolationWatch
+
+ENGINE = "the embedded engine"
+_RECORDED = tuple(COLUMNS[name] for name in RECORDED)
+
+
+class Recorder:
+    """Samples of all agents of a block of scenes. Scenes may end at different times."""
+
+    def __init__(self, world: World, watch: ViolationWatch | None = None) -> None:
+        self._watch = watch
+        self._scenes = scenes = world.scenes
+        self._lanes = LaneReader(world)
+        self._slots = world.slots
+        self._times: list[float] = []
+        self._samples: list[Floats] = []
+        self._parts: dict[int, list[tuple[RecordedPart, int]]] = {
+            row: [] for row in range(len(scenes))
+        }
+        self._rows = np.arange(len(scenes))
+        self._over = np.zeros(len(scenes), dtype=bool)
+        self.going_on: Integers = np.arange(len(scenes))
+        """which scenes of the world have not ended yet"""
+        self._axis = np.zeros(0)
+        self._ends: dict[int, int] = {}
+        self._events: dict[int, list[dict[str, Any]]] = {}
+
+    def record(self, world: World, poses: Poses) -> None:
+        """One sample of all scenes; a scene in which all have arrived ends with it, and one that
+        has violated all that is expected of it for long enough."""
+        self._times.append(world.time)
+        sample = np.empty((len(RECORDED), len(world.present)))
+        for place, column in enumerate(_RECORDED):
+            sample[place] = column(world, poses)
+        self._samples.append(sample)
+        done = None if self._watch is None else self._watch.done(world.time, sample)
+        finished = world.finished if done is None else world.finished | done
+        ended = finished & ~self._over
+        if ended.any():
+            self._over |= ended
+            self._ends |= dict.fromkeys(self._rows[ended].tolist(), len(self._times))
+            self.going_on = np.flatnonzero(~self._over)
+
+    def note(self, world: World, contacts: list[Contact]) -> None:
+        """Contacts, as events of their scenes."""
+        for contact in contacts:
+            actor = world.actors[contact.agent]
+            event = {
+                "time": contact.time,
+                "event": "contact",
+                "agent": actor.name if actor is not None else "",
+                "other": contact.name,
+                "speed": contact.speed,
+            }
+            row = int(self._rows[contact.agent // self._slots])
+            self._events.setdefault(row, []).append(event)
+
+    def go_on_with(self, rows: Integers, agents: Integers, count: int) -> None:
+        """Of the scenes that went on, only these still do, with these of `count` agents."""
+        self._close()
+        if self._watch is not None:
+            self._watch.take(rows, inverse_index(agents, count), agents)
+        self._rows, self._over = self._rows[rows], self._over[rows]
+        self.going_on = np.flatnonzero(~self._over)
+
+    def traces(self) -> list[Trace]:
+        """The trace of each scene."""
+        self._close()
+        self._axis = np.array(self._times)
+        self._axis.flags.writeable = False
+        return [self._trace(row, scene) for row, scene in enumerate(self._scenes)]
+
+    def _close(self) -> None:
+        """The scenes that went on until now do not all go on."""
+        if not self._samples:
+            return
+        agents = (self._rows[:, None] * self._slots + np.arange(self._slots)).ravel()
+        part = RecordedPart(self._samples, agents, self._lanes)
+        self._samples = []
+        for place, row in enumerate(self._rows.tolist()):
+            self._parts[row].append((part, place * self._slots))
+
+    def _trace(self, row: int, scene: Scene) -> Trace:
+        parts = self._parts[row]
+        recorded = sum(part.count for part, _ in parts)
+        time = self._axis[: min(self._ends.get(row, recorded), recorded)]
+        agents: dict[str, AgentTrace] = {}
+        for slot, actor in enumerate(scene.agents):
+            columns = tuple((part, first + slot) for part, first in parts)
+            agents[actor.name] = AgentTrace.recorded(actor, time, RecordedAgent(time, columns))
+        agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.standing}
+        events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
+        events.sort(key=lambda event: (event["time"], event["agent"]))
+        return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))

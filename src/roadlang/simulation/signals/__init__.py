@@ -1,0 +1,1 @@
+"""Drive signals while a scene is driven, and the conditions of controllers."""

@@ -1,0 +1,1 @@
+"""Who and what is around each agent, and what it touches."""

@@ -1,0 +1,257 @@
+"""Contacts between agents, and of agents with what stands still: found between two samples too.
+
+Footprints are rectangles. Between two samples they move at a constant velocity, so that the time of
+the first contact has a formula, and nothing passes through anything however fast it is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
+from ..state.world import World
+from ..vehicles.poses import Poses
+from .outlines import Outlines
+
+
+@dataclass(frozen=True)
+class Contact:
+    """`agent` (a column of the world) touched another agent or an object for the first time."""
+
+    time: float
+    agent: int
+    other: int
+    """column of the other agent, -1 for an object"""
+    name: str
+    """of the other"""
+    speed: float
+    """of one relative to the other, m/s"""
+
+
+class ContactDetector:
+    """Watches the agents of a world, from one sample to the next.
+
+    Who touches something stands still from then on. On foot one touches nothing but vehicles. Who
+    has left touches nothing. Two that overlap where the scene puts them (`overlap: true`) never
+    touch.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._objects = Outlines.of([actor for scene in world.scenes for actor in scene.objects])
+        self._names = [actor.name for scene in world.scenes for actor in scene.objects]
+        radius = np.hypot(self._objects.half_length, self._objects.half_width)
+        self._object_radius = radius
+        self._pairs, self._near = _pairs(world)
+        self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
+        self._before: Poses | None = None
+        self._pairs, self._near = self._apart(world)
+        self._next_check = np.zeros(len(self._near[0]))
+        self._traveled = np.zeros(len(world.present))
+
+    def _apart(self, world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
+        """The pairs that do not overlap at the start."""
+        moving, (first, second), (agent, thing) = (
+            Outlines.moving(world, world.poses), self._pairs, self._near,
+        )  # fmt: skip
+        clear = ~_overlapping(moving, first, moving, second)
+        free = ~_overlapping(moving, agent, self._objects, thing)
+        return (first[clear], second[clear]), (agent[free], thing[free])
+
+    def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
+        """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
+        if not len(self._pairs[0]) and not len(self._near[0]):
+            return []
+        before = self._before or poses
+        self._before = poses
+        shift_x, shift_y = poses.x - before.x, poses.y - before.y
+        shift = np.hypot(shift_x, shift_y)
+        self._traveled += shift
+        found = self._of_agents(world, poses, (shift_x, shift_y, shift))
+        found += self._of_objects(world, poses, (shift_x, shift_y))
+        return self._settled(found, world, seconds) if found else []
+
+    def seen(self, poses: Poses) -> None:
+        """Agents were moved to where they touched something."""
+        self._before = poses
+
+    def restart(self, agents: Integers, poses: Poses) -> None:
+        """Some agents are back at the start; `poses`: of all, now."""
+        back = np.zeros(len(self._traveled), dtype=bool)
+        back[agents] = True
+        self._traveled[agents] = 0.0
+        self._next_check[back[self._near[0]]] = 0.0
+        self._before = poses
+
+    def take(self, agents: Integers, count: int) -> None:
+        """From now on the world has these of its `count` agents alone."""
+        place = inverse_index(agents, count)
+        remaining = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
+        self._pairs = (place[self._pairs[0][remaining]], place[self._pairs[1][remaining]])
+        remaining = place[self._near[0]] >= 0
+        self._near = (place[self._near[0][remaining]], self._near[1][remaining])
+        self._next_check = self._next_check[remaining]
+        self._radius, self._traveled = self._radius[agents], self._traveled[agents]
+        if self._before is not None:
+            self._before = self._before.take(agents)
+
+    def _of_agents(
+        self, world: World, poses: Poses, shift: tuple[Floats, Floats, Floats]
+    ) -> list[Any]:
+        first, second = self._pairs
+        if not len(first):
+            return []
+        off_x = poses.x.take(first) - poses.x.take(second)
+        off_y = poses.y.take(first) - poses.y.take(second)
+        around = self._radius + shift[2]
+        distance = around.take(first) + around.take(second)
+        close = np.flatnonzero(off_x * off_x + off_y * off_y <= distance * distance)
+        if len(close):
+            close = close[~(world.halted[first[close]] & world.halted[second[close]])]
+            close = close[world.present[first[close]] & world.present[second[close]]]
+        if not len(close):
+            return []
+        agent, partner = first[close], second[close]
+        outlines = Outlines.moving(world, poses)
+        relative = (shift[0][agent] - shift[0][partner], shift[1][agent] - shift[1][partner])
+        share = first_contact(outlines.take(agent), outlines.take(partner), relative)
+        length = np.hypot(*relative)
+        return [
+            (float(share[i]), int(agent[i]), int(partner[i]), -1, float(length[i]))
+            for i in np.flatnonzero(share <= 1.0)
+        ]
+
+    def _of_objects(self, world: World, poses: Poses, shift: tuple[Floats, Floats]) -> list[Any]:
+        """An agent that is far from an object need not be looked at until it has gone that far."""
+        agent, objects = self._near
+        pending = np.flatnonzero(self._traveled[agent] >= self._next_check)
+        if len(pending):
+            pending = pending[~world.halted[agent[pending]] & world.present[agent[pending]]]
+        if not len(pending):
+            return []
+        checked, object_ = agent[pending], objects[pending]
+        away = np.hypot(
+            poses.x[checked] - self._objects.x[object_], poses.y[checked] - self._objects.y[object_]
+        )
+        moved = np.hypot(shift[0][checked], shift[1][checked])
+        free = away - self._radius[checked] - self._object_radius[object_]
+        self._next_check[pending] = self._traveled[checked] + free
+        close = free <= moved
+        if not close.any():
+            return []
+        checked, object_ = checked[close], object_[close]
+        relative = (shift[0][checked], shift[1][checked])
+        outlines = Outlines.moving(world, poses).take(checked)
+        share = first_contact(outlines, self._objects.take(object_), relative)
+        length = np.hypot(*relative)
+        return [
+            (float(share[i]), int(checked[i]), -1, int(object_[i]), float(length[i]))
+            for i in np.flatnonzero(share <= 1.0)
+        ]
+
+    def _settled(self, found: list[Any], world: World, seconds: float) -> list[Contact]:
+        """The contacts in the order of time; who has touched something goes no further."""
+        out: list[Contact] = []
+        stopped: dict[int, float] = {}
+        for share, first, second, object_, length in sorted(found):
+            both = [agent for agent in (first, second) if agent >= 0]
+            if any(share > stopped.get(agent, math.inf) for agent in both):
+                continue
+            moment = world.time - (1.0 - share) * seconds
+            speed = length / seconds if seconds > 0.0 else 0.0
+            names = [
+                _name(world, second) if second >= 0 else self._names[object_],
+                _name(world, first),
+            ]
+            for agent, partner, name in zip(both, [second, first], names, strict=False):
+                out.append(Contact(moment, agent, partner, name, speed))
+                world.contacts[agent] += 1.0
+                world.collision[agent] = max(world.collision[agent], speed)
+                stopped.setdefault(agent, share)
+        for agent, share in stopped.items():
+            world.halt(agent, (1.0 - share) * seconds)
+        return out
+
+
+def first_contact(a: Outlines, b: Outlines, shift: tuple[Floats, Floats]) -> Floats:
+    """(N,) when rectangles meet on the last part of their way, as a share of it: 0 at its start, 1
+    at its end, where they are at `a` and `b`; infinite for never.
+
+    `shift`: how far `a` has moved relative to `b`. The way is straight, the headings are those at
+    the end (separating axes, each with the interval of time in which it does not separate).
+    """
+    off_x, off_y = a.x - b.x - shift[0], a.y - b.y - shift[1]
+    enter = np.zeros(len(off_x))
+    leave = np.full(len(off_x), math.inf)
+    cosine = np.abs(a.cosine * b.cosine + a.sine * b.sine)
+    sine = np.abs(a.sine * b.cosine - a.cosine * b.sine)
+    for box, other in ((a, b), (b, a)):
+        for axis_x, axis_y, half, shadow in (
+            (
+                box.cosine, box.sine, box.half_length,
+                other.half_length * cosine + other.half_width * sine,
+            ),
+            (
+                -box.sine, box.cosine, box.half_width,
+                other.half_length * sine + other.half_width * cosine,
+            ),
+        ):  # fmt: skip
+            first, last = _overlap(
+                off_x * axis_x + off_y * axis_y,
+                shift[0] * axis_x + shift[1] * axis_y,
+                half + shadow,
+            )
+            enter, leave = np.maximum(enter, first), np.minimum(leave, last)
+    return np.where(enter <= leave, enter, math.inf)
+
+
+def _overlapping(a: Outlines, first: Integers, b: Outlines, second: Integers) -> Booleans:
+    """(N,) which pairs of rectangles overlap."""
+    out = np.zeros(len(first), dtype=bool)
+    away = np.hypot(a.x[first] - b.x[second], a.y[first] - b.y[second])
+    radius = [np.hypot(each.half_length, each.half_width) for each in (a, b)]
+    near = np.flatnonzero(away < radius[0][first] + radius[1][second])
+    still = (np.zeros(len(near)), np.zeros(len(near)))
+    out[near] = first_contact(a.take(first[near]), b.take(second[near]), still) == 0.0
+    return out
+
+
+def _overlap(start: Floats, change: Floats, distance: Floats) -> tuple[Floats, Floats]:
+    """When `|start + change t| <= reach`, from and to."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        entry, leaving = (-distance - start) / change, (distance - start) / change
+    inside = np.abs(start) <= distance
+    at_rest = change == 0.0
+    first = np.where(at_rest, np.where(inside, -math.inf, math.inf), np.minimum(entry, leaving))
+    last = np.where(at_rest, np.where(inside, math.inf, -math.inf), np.maximum(entry, leaving))
+    return first, last
+
+
+def _pairs(world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
+    """Pairs of agents that can touch each other, and of agents and objects."""
+    base = 0
+    none = np.zeros(0, dtype=np.int64)
+    first, second, agent, object_ = [none], [none], [none], [none]
+    for scene, record in enumerate(world.scenes):
+        if len(record.agents) < 2 and not record.objects:
+            continue
+        agents = scene * world.slots + np.arange(len(record.agents))
+        vehicles = agents[~world.bodies.walks[agents]]
+        row, column = np.triu_indices(len(agents), 1)
+        touch = ~(world.bodies.walks[agents[row]] & world.bodies.walks[agents[column]])
+        first.append(agents[row[touch]])
+        second.append(agents[column[touch]])
+        count = len(record.objects)
+        agent.append(np.repeat(vehicles, count))
+        object_.append(base + np.tile(np.arange(count), len(vehicles)))
+        base += count
+    joined = [np.concatenate(part).astype(np.int64) for part in (first, second, agent, object_)]
+    return (joined[0], joined[1]), (joined[2], joined[3])
+
+
+def _name(world: World, agent: int) -> str:
+    actor = world.actors[agent]
+    return actor.name if actor is not None else ""

@@ -1,0 +1,156 @@
+"""Objects that stand in the lanes of agents."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers
+from ..lines.lines import Lines
+from ..state.world import World
+from .outlines import Outlines
+
+BESIDE = 8.0
+"""Meters from a line, as long as it is not moved: what is farther away is never in the way."""
+BENT, PIECE = 0.1, 1.0
+"""Radians by which a line turns beside an object, from which on the object is cut into pieces of so
+many meters."""
+LATE = 2.5
+"""m/s^2: who would have to brake harder before an object sees that it is off its line."""
+MARGIN = 0.1
+"""Meters to each side between an agent and an object that it passes."""
+
+
+@dataclass(frozen=True)
+class Obstacles:
+    """Columns (P,) over pairs of an agent and an object near its line."""
+
+    agent: Integers
+    begin: Floats
+    """arc length of the line where the object begins"""
+    left: Floats
+    """of its middle from the tabled line"""
+    half: Floats
+    """half of what it takes across the line"""
+
+    @classmethod
+    def of(cls, world: World) -> Obstacles:
+        """Of all agents with a road."""
+        found = []
+        known: dict[int, tuple[Floats, Floats, Floats]] = {}
+        for agent in np.flatnonzero(world.has_road & world.filled):
+            row, objects = int(world.track.row[agent]), world.scenes[agent // world.slots].objects
+            if not objects:
+                continue
+            if row not in known:
+                known[row] = things_beside(world.track.lines, row, Outlines.of(objects))
+            found.append((np.full(len(known[row][0]), agent), *known[row]))
+        if not found:
+            none = np.zeros(0)
+            return cls(none.astype(np.int64), none, none, none)
+        agents, begin, left, half = (np.concatenate(part) for part in zip(*found, strict=True))
+        return cls(agents.astype(np.int64), begin, left, half)
+
+    def take(self, agents: Integers, count: int) -> Obstacles:
+        """Those of some of `count` agents."""
+        place = np.full(count, -1)
+        place[agents] = np.arange(len(agents))
+        remaining = place[self.agent] >= 0
+        columns = (self.begin[remaining], self.left[remaining], self.half[remaining])
+        return Obstacles(place[self.agent[remaining]], *columns)
+
+    def ahead(self, world: World) -> Floats:
+        """(N,) meters from the front of each agent to the next object in its way, infinite for
+        none."""
+        out = np.full(len(world.present), math.inf)
+        if len(self.agent):
+            agent, half_width = self.agent, 0.5 * world.bodies.width
+            gap = self.begin - world.motion.along[agent]
+            if world.track.has_closed:
+                lap = world.length[agent]
+                gap = np.where(world.closed[agent], gap - np.floor(gap / lap) * lap, gap)
+            gap = gap - 0.5 * world.bodies.length[agent]
+            aside = np.abs(self.left - self._line(world))
+            room = self.half + half_width[agent] + MARGIN
+            if not world.sweeps.is_empty:
+                room = room + np.maximum(self._swept(world), self._drift(world, gap))
+            meets = (gap > -MARGIN) & (aside < room)
+            np.minimum.at(out, agent[meets], gap[meets])
+        return out
+
+    def _line(self, world: World) -> Floats:
+        """(P,) where the lines of the agents are beside the objects, left of the tabled lines."""
+        return world.followed.offset(self.agent, self.begin)
+
+    def _drift(self, world: World, gap: Floats) -> Floats:
+        """(P,) meters by which the front of a long agent is off its line toward an object before
+        which it can hardly stop any more; of others, 0."""
+        agent, speed = self.agent, world.motion.speed[self.agent]
+        front = world.cross_track_error + 0.5 * world.bodies.length * world.motion.sine
+        left = np.where(self.left > self._line(world), front[agent], -front[agent])
+        late = (world.sweeps.table[agent] > 0) & (gap * 2.0 * LATE < speed * speed)
+        return np.where(late, np.maximum(left, 0.0), 0.0)
+
+    def _swept(self, world: World) -> Floats:
+        """(P,) meters beyond its width that the agent covers on the side of the object."""
+        track = world.track.of_rows(self.agent)
+        cell = track.cell(track.wrapped(np.maximum(self.begin, 0.0)))[0] - track.first
+        left, right = world.sweeps.at(self.agent, cell)
+        return np.where(self.left > self._line(world), left, right)
+
+
+def things_beside(lines: Lines, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
+    """Begin, middle and half of the width of the objects near one line, each time that it passes
+    them. Where it bends there, those of their pieces."""
+    number, cell = _passes(lines, row, objects)
+    places, turned = _at(lines, row, objects.take(number), cell)
+    bent = np.unique(number[turned > BENT])
+    if not len(bent):
+        return places
+    pieces = objects.take(bent).pieces(PIECE)
+    which, there = _passes(lines, row, pieces)
+    parts, _ = _at(lines, row, pieces.take(which), there)
+    whole = ~np.isin(number, bent)
+    begin, left, half = (
+        np.concatenate([one[whole], two]) for one, two in zip(places, parts, strict=True)
+    )
+    return begin, left, half
+
+
+def _passes(lines: Lines, row: int, objects: Outlines) -> tuple[Integers, Integers]:
+    """Numbers of the objects near one line, and the cells where it is nearest to them: one for each
+    time that it comes by."""
+    first, last = row * lines.cells, int(lines.last[row])
+    cells = slice(first, first + last + 1)
+    off_x = objects.x[:, None] - lines.x[cells]
+    off_y = objects.y[:, None] - lines.y[cells]
+    square = off_x * off_x + off_y * off_y
+    beside = BESIDE + objects.half_length + objects.half_width
+    nearer = np.diff(square, axis=1, prepend=math.inf) < 0.0
+    farther = np.diff(square, axis=1, append=math.inf) >= 0.0
+    number, cell = np.nonzero(nearer & farther & (square < (beside * beside)[:, None]))
+    return number, cell
+
+
+def _at(
+    lines: Lines, row: int, objects: Outlines, cell: Integers
+) -> tuple[tuple[Floats, Floats, Floats], Floats]:
+    """Begin, middle and half of the width of objects (P,), seen from cells of one line, and by how
+    much that turns beside each, in radians."""
+    first, last = row * lines.cells, int(lines.last[row])
+    off_x, off_y = objects.x - lines.x[first + cell], objects.y - lines.y[first + cell]
+    heading = lines.heading[first + cell]
+    cosine, sine = np.cos(heading), np.sin(heading)
+    ahead, left = cosine * off_x + sine * off_y, cosine * off_y - sine * off_x
+    along = np.abs(objects.cosine * cosine + objects.sine * sine)
+    across = np.abs(objects.sine * cosine - objects.cosine * sine)
+    half = objects.half_length * across + objects.half_width * along
+    deep = objects.half_length * along + objects.half_width * across
+    spacing = lines.spacing[row]
+    begin = lines.origin[row] + cell * spacing + ahead - deep
+    around = np.ceil(deep / spacing).astype(np.int64)
+    ends = (np.clip(cell + side * around, 0, last) for side in (-1, 1))
+    low, high = (lines.heading[first + end] for end in ends)
+    return (begin, left, half), np.abs(high - low)

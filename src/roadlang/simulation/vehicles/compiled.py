@@ -1,0 +1,187 @@
+"""The same motion, compiled by numba where that is installed: the same formulas, the same bits."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers
+from ..lines import lines
+from . import kernels
+from . import vehicle_dynamics as dynamics
+from .bodies import Bodies
+from .motion import Motion, Track
+
+
+@cache
+def is_installed() -> bool:
+    """Whether there is a numba (`pip install roadlang[fast]`)."""
+    return importlib.util.find_spec("numba") is not None
+
+
+def advance(
+    motion: Motion, car: Bodies, track: Track, wanted: tuple[Floats, Floats], steps: int, dt: float
+) -> None:
+    """What `motion.advance` does, to the last bit."""
+    before = (
+        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
+        motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
+    )  # fmt: skip
+    after = np.empty((len(before), len(motion.along)))
+    places = (track.first, track.places)
+    kernel()((before, after), car.stacked, car.walks, wanted, places, track.lines.table, steps, dt)
+    (
+        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
+        motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
+    ) = after  # fmt: skip
+
+
+def line_frames(track: Track, along: Floats) -> Floats:
+    """What `poses.line_frames` does of (N,), to the last bit."""
+    out = np.empty((5, len(along)))
+    frames_kernel()(along, track.first, track.places, track.lines.table, out)
+    return out
+
+
+def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> Floats:
+    """(N,) the values of the cells at arc lengths; those of an agent are `shift` after those that
+    the table of its line has."""
+    out = np.empty(len(along))
+    lookup_kernel()(values, shift, along, track.first, track.places, out)
+    return out
+
+
+def gaps_in_corridors(pairs: Any, window: Any, outlines: Any, limits: Any) -> Any:
+    """(P,) the gaps of `corridors.nearest_in_corridor`, to the last bit, and cosines and sines of
+    the lines there. `pairs`, `limits`: those of the kernel."""
+    out = np.empty((3, len(pairs[0])))
+    lines = (window.x, window.y, window.cosine, window.sine)
+    corridors_kernel()(
+        pairs, lines, window.swept, (window.s, window.view), outlines.columns, limits, out
+    )
+    return out
+
+
+LOADING = 0.5
+"""Seconds of processor time that it takes about to load the compiled motion; to compile it, once
+after an installation, takes longer."""
+PER_STEP, PER_AGENT = 8e-5, 1e-7
+"""Seconds of processor time that a step takes about without it, and with each agent more."""
+DRIVES = 0.2
+"""Seconds that scenes which are driven side by side take about without it."""
+_is_loaded = [False]
+_worked = [0.0]
+"""Estimated seconds of this process: it decides which of two motions is used, which are the same to
+the last bit."""
+
+
+def expect(times: float) -> None:
+    """This process will drive scenes side by side so many times: where that pays for loading the
+    compiled motion, it is used from the first time on."""
+    _worked[0] += times * DRIVES
+
+
+def is_loaded() -> bool:
+    """Whether the compiled loop is there already."""
+    return _is_loaded[0]
+
+
+def pays(steps: float, agents: int) -> bool:
+    """Whether to use the compiled motion for that many steps more: once the work of this process,
+    with this, would have paid for loading it."""
+    if not is_installed():
+        return False
+    _worked[0] += steps * (PER_STEP + PER_AGENT * agents)
+    return is_loaded() or _worked[0] > LOADING
+
+
+@cache
+def kernel() -> Any:
+    """The compiled loop over agents and steps."""
+    found = _compiled(kernels.advanced)
+    _is_loaded[0] = True
+    return found
+
+
+@cache
+def frames_kernel() -> Any:
+    """The compiled loop over places on lines."""
+    return _compiled(kernels.framed)
+
+
+@cache
+def lookup_kernel() -> Any:
+    """The compiled loop over values of cells."""
+    return _compiled(kernels.looked_up)
+
+
+@cache
+def corridors_kernel() -> Any:
+    """The compiled loop over pairs of an agent and what may be in its way."""
+    return _compiled(kernels.gaps_in_corridors)
+
+
+_OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
+
+
+def _compiled(loop: Callable[..., None]) -> Any:
+    """Takes half a second the first time, and more where it has to compile: once, and anew when
+    the formulas change."""
+    import numba
+
+    _register_formulas()
+    keyed = _keyed(loop, _digest())
+    try:
+        return numba.njit(cache=True, nogil=True, **_OPTIONS)(keyed)
+    except RuntimeError:  # neither the installation nor a folder of the user can be written
+        return numba.njit(nogil=True, **_OPTIONS)(keyed)
+
+
+def _keyed(loop: Callable[..., None], digest: str) -> Callable[..., None]:
+    """The loop as a function that holds a digest: numba's cache looks at the file of a function
+    and at what the function holds, but not at the files of those that it calls."""
+
+    def keyed(*arguments: Any) -> None:
+        if digest:
+            loop(*arguments)
+
+    keyed.__name__ = keyed.__qualname__ = loop.__name__
+    return keyed
+
+
+def _digest() -> str:
+    """Of the text of everything that is compiled."""
+    import hashlib
+    import inspect
+
+    text = "".join(inspect.getsource(module) for module in (kernels, dynamics, lines))
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+@cache
+def _register_formulas() -> None:
+    """Make the functions that loops call known to numba."""
+    from numba.extending import overload, register_jitable
+
+    for formula in (
+        dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
+        dynamics.accelerated, dynamics.walked, dynamics.displaced, dynamics.turned, dynamics.driven,
+        dynamics.moved, lines.on_arc,
+    ):  # fmt: skip
+        register_jitable(**_OPTIONS)(formula)
+    for loop in (
+        kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
+        kernels.nearest_sample,
+        kernels.widest,
+    ):  # fmt: skip
+        register_jitable(**_OPTIONS)(loop)
+    for part in (kernels.fill, kernels.place_on_line, kernels.drive):
+        # Into the loop itself: only there is it seen that agents do not depend on each other.
+        register_jitable(inline="always", **_OPTIONS)(part)
+    # Of numbers, and with NaN only where both are NaN.
+    overload(dynamics.least, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
+    overload(dynamics.greatest, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)

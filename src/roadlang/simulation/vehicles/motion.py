@@ -1,0 +1,166 @@
+"""The state of agents in motion, and its change over some time steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats
+from ..lines.lines import Lines
+from .bodies import Bodies
+from .vehicle_dynamics import driven, moved, steered, turned, walked
+
+
+@dataclass
+class Motion:
+    """Columns (N,) over agents, changed as time goes on. SI units and radians."""
+
+    along: Floats
+    """arc length of the foot point on the line"""
+    offset: Floats
+    """left of the line"""
+    speed: Floats
+    """along the body"""
+    slide: Floats
+    """speed to the left of the body"""
+    yaw_rate: Floats
+    cosine: Floats
+    """of the heading from that of the line"""
+    sine: Floats
+    tangent: Floats
+    """of the steering angle"""
+    line_heading: Floats
+    """at the foot point"""
+    acceleration: Floats
+    """along the body, in the last step"""
+
+    def take(self, rows: Any) -> Motion:
+        """That of some agents, in separate arrays."""
+        return Motion(**{name: getattr(self, name)[rows] for name in MOTION_COLUMNS})
+
+    def put(self, rows: Any, other: Motion) -> None:
+        """Some agents move as they do in `other`."""
+        for name in MOTION_COLUMNS:
+            column = getattr(self, name).copy()
+            column[rows] = getattr(other, name)[rows]
+            setattr(self, name, column)
+
+    def face(self, turning: Booleans, heading: Floats) -> None:
+        """Who is on foot turns to a heading, at once."""
+        rows = np.flatnonzero(turning)
+        if len(rows):
+            error = heading[rows] - self.line_heading[rows]
+            self.cosine[rows], self.sine[rows] = np.cos(error), np.sin(error)
+            self.tangent[rows] = 0.0
+
+    def halt(self, rows: Any) -> None:
+        """Some agents stand still, at once."""
+        for column in (self.speed, self.slide, self.yaw_rate, self.acceleration):
+            column[rows] = 0.0
+
+
+MOTION_COLUMNS = tuple(field.name for field in fields(Motion))
+
+
+@dataclass(frozen=True)
+class Track:
+    """The line of each agent: columns (N,) of `lines` that every step needs."""
+
+    lines: Lines
+    row: Any
+    first: Any
+    last: Floats
+    origin: Floats
+    spacing: Floats
+    per_meter: Floats
+    length: Floats
+    closed: Booleans
+    has_closed: bool
+
+    @classmethod
+    def of(cls, lines: Lines, row: Any) -> Track:
+        """`row`: (N,) the line of each agent."""
+        spacing, closed = lines.spacing[row], lines.closed[row]
+        return cls(
+            lines,
+            row,
+            row * lines.cells,
+            lines.last[row].astype(np.float64),
+            lines.origin[row],
+            spacing,
+            1.0 / spacing,
+            lines.length[row],
+            closed,
+            bool(closed.any()),
+        )
+
+    @cached_property
+    def places(self) -> Floats:
+        """(4, N) what the compiled motion has to know of the lines."""
+        return np.stack((self.last, self.origin, self.spacing, self.per_meter))
+
+    def wrap(self, motion: Motion) -> None:
+        """On closed lines, arc length begins anew after a lap."""
+        if self.has_closed:
+            over = np.floor(motion.along / self.length) * self.closed
+            motion.along = motion.along - over * self.length
+            motion.line_heading = motion.line_heading - over * self.lines.turn[self.row]
+
+    def of_rows(self, rows: Any) -> Track:
+        """That of some agents."""
+        if isinstance(rows, slice):
+            return self
+        closed = self.closed[rows]
+        return Track(
+            self.lines, self.row[rows], self.first[rows], self.last[rows], self.origin[rows],
+            self.spacing[rows], self.per_meter[rows], self.length[rows], closed,
+            bool(closed.any()),
+        )  # fmt: skip
+
+    def wrapped(self, along: Floats) -> Floats:
+        """Arc lengths, on closed lines within one lap."""
+        if not self.has_closed:
+            return along
+        return np.asarray(along - np.floor(along / self.length) * self.closed * self.length)
+
+    def cell(self, along: Floats) -> tuple[Any, Floats]:
+        """(N,) the cells at arc lengths, and the distance from where each begins."""
+        advance = along - self.origin
+        cell = np.minimum(np.maximum(advance * self.per_meter, 0.0), self.last).astype(np.int64)
+        return self.first + cell, advance - cell * self.spacing
+
+
+Advance = Callable[[Motion, Bodies, Track, tuple[Floats, Floats], int, float], None]
+"""Something that does what `advance` does."""
+
+
+def advance(
+    motion: Motion, car: Bodies, track: Track, wanted: tuple[Floats, Floats], steps: int, dt: float
+) -> None:
+    """Move on by some steps of `dt` seconds. `wanted`: tangent of the steering angle, held within
+    what the agent can steer; acceleration."""
+    headings, curvatures = track.lines.heading, track.lines.curvature
+    walks = car.walks if car.walks.any() else None
+    m, columns = motion, car.columns
+    cell, _ = track.cell(m.along)
+    curvature = curvatures[cell]
+    for _ in range(steps):
+        m.tangent = steered(m.tangent, wanted[0], car.lag, car.rate)
+        before = (m.speed, m.slide, m.yaw_rate)
+        after = driven(before, m.tangent, m.acceleration, wanted[1], columns, dt)
+        if walks is not None:
+            on_foot = walked(before, m.tangent, wanted[1], car.half_base, dt)
+            after = tuple(np.where(walks, *pair) for pair in zip(on_foot, after, strict=True))
+        m.speed, m.slide, m.yaw_rate, m.acceleration = after
+        speeds, direction = (before[0], m.speed, m.slide), (m.cosine, m.sine)
+        m.along, m.offset = moved((m.along, m.offset), speeds, direction, curvature, dt)
+        cell, rest = track.cell(m.along)
+        curvature = curvatures[cell]
+        heading = headings[cell] + curvature * rest
+        angle = m.yaw_rate * dt - (heading - m.line_heading)
+        m.cosine, m.sine = turned(m.cosine, m.sine, angle)
+        m.line_heading = heading

@@ -1,0 +1,168 @@
+"""Which wheels are beside the road, on grass: less grip, and more resistance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ...ir.scene import Scene, SceneRoad
+from ..lanes.lane_columns import LaneSection
+from ..lanes.surfaces import BESIDE, TireSurface, below
+from ..lines.route_table import RouteTable
+from .bodies import Bodies
+from .motion import Motion
+from .patches import TIRE, WHEELS, Patches
+from .vehicle_dynamics import GRAVITY
+
+_AHEAD, _LEFT = np.array(WHEELS).T[:, :, None]
+
+
+@dataclass(frozen=True)
+class Verges:
+    """Columns (N,) over agents.
+
+    Grip and resistance of an agent are those of the surfaces below its wheels, on average.
+    """
+
+    clear: Floats
+    """meters left and right of its line where an agent is surely on a road as long as it goes
+    straight; infinite for those on no road and on foot"""
+    friction: Floats
+    """of the ground beside the road"""
+    rolling: Floats
+    """by how much it slows down more than the road does, m/s^2"""
+    roads: NDArray[np.object_]
+    """those of their scenes"""
+    has_route: Booleans
+    edges: Floats
+    """(N, 2) how far left of their lines the left and right edges of roads are, of agents without a
+    route on roads that are equally wide all along; NaN until they were looked up"""
+    patches: Patches
+    known: dict[Any, Any] = field(default_factory=dict, repr=False)
+    """edges of roads that were looked up, which are the same for every lookup"""
+
+    @classmethod
+    def of(
+        cls, scenes: Sequence[Scene], road: Integers, has_route: Booleans, widths: Floats,
+        bodies: Bodies, surfaces: Sequence[TireSurface],
+    ) -> Verges:  # fmt: skip
+        """`road`: of each agent, -1 for none; `widths`: of their lines, the least; `surfaces`: of
+        their roads."""
+        roads = np.empty(len(road), dtype=object)
+        for agent in range(len(road)):
+            roads[agent] = scenes[agent * len(scenes) // len(road)].roads
+        clear = 0.5 * (widths - bodies.width)
+        for agent in np.flatnonzero((road >= 0) & ~has_route).tolist():
+            if roads[agent][road[agent]].center_offset:
+                clear[agent] = -np.inf
+        ground = [below(BESIDE, surface) for surface in surfaces]
+        more = [
+            beside.rolling - surface.rolling
+            for beside, surface in zip(ground, surfaces, strict=True)
+        ]
+        return cls(
+            np.where((road < 0) | bodies.walks, np.inf, clear),
+            np.array([beside.friction for beside in ground]),
+            GRAVITY * np.array(more),
+            roads,
+            has_route,
+            np.full((len(road), 2), np.nan),
+            Patches.of(scenes, road, has_route, surfaces),
+        )
+
+    def take(self, agents: Integers) -> Verges:
+        """Those of some agents."""
+        return Verges(
+            self.clear[agents], self.friction[agents], self.rolling[agents], self.roads[agents],
+            self.has_route[agents], self.edges[agents], self.patches.take(agents), self.known,
+        )  # fmt: skip
+
+    def below(self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans) -> Bodies:
+        """The bodies with the grip and the resistance that they have where they are."""
+        mixed = self._with_verges(bodies, motion, table, present)
+        return self.patches.below(bodies, mixed, motion, table, present, self.has_route)
+
+    def _with_verges(
+        self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans
+    ) -> Bodies:
+        near = np.abs(motion.offset) + bodies.half_base * np.abs(motion.sine) > self.clear
+        rows = (present & near).nonzero()[0]
+        if not len(rows):
+            return bodies
+        share = self._beside(bodies, motion, table, rows)
+        rows, share = rows[share > 0.0], share[share > 0.0]
+        return self._mixed(bodies, rows, share) if len(rows) else bodies
+
+    def _mixed(self, bodies: Bodies, rows: Integers, share: Floats) -> Bodies:
+        """`share` (R,) of the wheels of agents `rows` are beside the road."""
+        on = bodies.friction[rows]
+        friction = on + (self.friction[rows] - on) * share
+        return bodies.on_ground(rows, friction, bodies.rolling[rows] + self.rolling[rows] * share)
+
+    def _beside(self, bodies: Bodies, motion: Motion, table: RouteTable, rows: Integers) -> Floats:
+        """(R,) share of the wheels of agents that are beside their roads; at junctions none."""
+        edges = self._edges_at(table, motion, rows)
+        along = bodies.half_base[rows] * motion.sine[rows]
+        across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
+        offset = motion.offset[rows] + _AHEAD * along + _LEFT * across
+        beside = (offset > edges[:, 0]) | (offset < edges[:, 1])
+        return np.asarray(beside.sum(axis=0) / len(WHEELS))
+
+    def _edges_at(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
+        """(R, 2) how far left of their lines the left and right edges of roads are."""
+        edges = self.edges[rows]
+        unknown = np.flatnonzero(np.isnan(edges[:, 0]))
+        if len(unknown):
+            edges[unknown] = self._looked_up(table, motion, rows[unknown])
+        return edges
+
+    def _looked_up(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
+        """The same, of each agent by itself. What cannot change is kept."""
+        place = table.place(rows, motion.along[rows])
+        edges = np.full((len(rows), 2), (np.inf, -np.inf))
+        for i in np.flatnonzero(place.turn < 0).tolist():
+            agent, number = int(rows[i]), int(place.road[i])
+            road = self.roads[agent][number]
+            lane = int(place.lane[i]) if self.has_route[agent] else None
+            left, right = self._edges(road, lane, float(place.station[i]))
+            edges[i] = (left, right) if place.direction[i] > 0 else (-right, -left)
+            if lane is None and isinstance(self.known[id(road), lane], tuple):
+                self.edges[agent] = edges[i]
+        return edges
+
+    def _edges(self, road: SceneRoad, lane: int | None, station: float) -> tuple[float, float]:
+        """Those of a road, left of the middle of a lane or (None) of its center line."""
+        key = id(road), lane
+        if key not in self.known:
+            self.known[key] = self._edges_or_section(road, lane)
+        found = self.known[key]
+        return found if isinstance(found, tuple) else _edges_of(found, lane, station)
+
+    def _edges_or_section(
+        self, road: SceneRoad, lane: int | None
+    ) -> tuple[float, float] | LaneSection:
+        """The edges of a road that is equally wide all along, else its lanes. Most roads that are
+        driven together have the same lanes, as they are one road that was bent in many ways."""
+        alike = road.lane_list, road.center_offset, lane
+        if road.lane_list and alike in self.known:
+            found: tuple[float, float] = self.known[alike]
+            return found
+        section = LaneSection.of(road)
+        if not section.is_constant:
+            return section
+        edges = _edges_of(section, lane, 0.0)
+        if road.lane_list:
+            self.known[alike] = edges
+        return edges
+
+
+def _edges_of(lanes: LaneSection, lane: int | None, station: float) -> tuple[float, float]:
+    section = lanes.section
+    borders = section.border_offsets(station)
+    middle = 0.0 if lane is None else float(section.offset(lane, station))
+    return float(borders[0]) - middle, float(borders[-1]) - middle
