@@ -39,11 +39,11 @@ def has_lane_endings(roads: list[SceneRoad]) -> bool:
 def lets_in(
     world: World, lanes: LanesHere, leaders: Leaders, rows: Integers, politeness: Floats | float
 ) -> tuple[Floats, Floats]:
-    """(n,) gaps of agents to who is next ahead in a lane that ends soon and becomes one with
-    theirs, or in any such lane if theirs ends soon, infinite for nobody, and the speed of that one.
-    As at a zip fastener, each lets in one: who is ahead of its own leader is for that one to let
-    in. Who leaves its lane is also behind who drives beside it. `politeness`: from 0, nobody, to 1;
-    who leaves has to.
+    """(n,) gaps of agents to the next agent ahead in a lane that ends soon and becomes one with
+    theirs, or in any such lane if theirs ends soon, infinite for none, and the speed of that one.
+    They merge like a zipper: each lets in one, and an agent ahead of its own leader is for the
+    leader to let in. An agent whose lane ends also falls in behind one beside it. `politeness`:
+    from 0, nobody, to 1; agents whose lanes end have no choice.
     """
     shape = len(world.scenes), world.slots
     left = world.motion.offset
@@ -78,12 +78,16 @@ def lets_in(
     comes &= gap < leaders.gap.reshape(shape)[:, :, None]
     spare = ROOM * np.minimum(end, within) * np.minimum(pace / ROLLING, 1.0)
     spare = np.where(leaves[:, :, None], spare[:, :, None], spare[:, None, :])
-    gap = np.where(comes, gap + spare, np.inf)
-    first = gap.argmin(axis=2)
-    least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0].ravel()[rows]
-    speed = np.take_along_axis(pace, first, axis=1).ravel()[rows]
+    least, speed = _nearest_of(np.where(comes, gap + spare, np.inf), pace, rows)
     polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
     return np.where(polite | leaves.ravel()[rows], least, np.inf), speed
+
+
+def _nearest_of(gap: Floats, pace: Floats, rows: Integers) -> tuple[Floats, Floats]:
+    """(n,) the least gap (S, A, A) of some agents, and the speed (S, A) of the agent there."""
+    first = gap.argmin(axis=2)
+    least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0]
+    return least.ravel()[rows], np.take_along_axis(pace, first, axis=1).ravel()[rows]
 
 
 def _join(world: World, end: Floats, comes: Booleans) -> Booleans:
