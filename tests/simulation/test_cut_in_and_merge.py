@@ -101,7 +101,8 @@ def test_it_does_not_drive_beside_a_car_up_to_the_end_of_its_lane(first: int) ->
     """It moves up into the gap ahead of that car: it had braked to 8 m/s."""
     (trace,) = drive(f"""
     road main {{
-      draw with segments {{ pieces: [straight(900m)] }}, lanes: 2, oneway: true, speed_limit: 100km/h
+      draw with segments {{ pieces: [straight(900m)] }}
+      lanes: 2, oneway: true, speed_limit: 100km/h
     }}
     agent ego is car on main at 50m {{
       lane: -2, start_speed: 19m/s, drive with traffic, drive with merge {{ within: 160m }}
