@@ -1,9 +1,10 @@
-"""Both sides of the wire have the same numbers."""
+"""Both sides of the wire have the same numbers, and both engines the same rule of who is in the way."""
 
 from __future__ import annotations
 
 import re
 
+from roadlang.simulation.surroundings import leaders
 from roadlang_godot.engines import engine as engines
 from roadlang_godot.net import protocol
 from roadlang_godot.net.link_websocket import WebSocketLink
@@ -22,3 +23,9 @@ def test_constants_of_the_protocol() -> None:
     here["USUAL_PORT"] = float(USUAL_PORT)
     here["WEBSOCKET_WINDOW"] = float(WebSocketLink.window)
     assert here == {name: there[name] for name in there.keys() - _KNOWN_TO_THE_ENGINE_ALONE}
+
+
+def test_how_far_beside_its_line_a_vehicle_is_in_the_way() -> None:
+    text = (engines.project() / "agents" / "signals.gd").read_text(encoding="utf-8")
+    there = {name: float(value) for name, value in _CONSTANT.findall(text) if "(" not in value}
+    assert there == {name: getattr(leaders, name) for name in ("SAME_LANE", "MARGIN", "CLEARANCE")}

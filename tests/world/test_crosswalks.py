@@ -144,3 +144,13 @@ def test_a_row_of_people_stands_beside_it_in_a_network(sample: Sample) -> None:
     people = scene_of(sample, TOWN + text).agents
     starts = [person.start or 0.0 for person in people]
     assert starts == pytest.approx([starts[0], starts[0] + 1.2, starts[0] + 2.4])
+
+
+def test_a_legend_draws_paint_too(sample: Sample) -> None:
+    text = TOWN.replace('"#": road }', '"#": road, "z": crosswalk }').replace(
+        "....#....\n#####", ".z..#....\n#####"
+    )
+    scene = scene_of(sample, text)
+    assert scene.objects == ()
+    (found,) = scene.markings
+    assert (found.name, found.category, found.height) == ("town/crosswalk[0]", "crosswalk", 0.0)

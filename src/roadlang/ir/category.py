@@ -11,7 +11,7 @@ OBJECTS = (
     "barrier", "cone", "pole", "lamp", "sign", "traffic_light", "water",
     "obstacle", "crosswalk",
 )  # fmt: skip
-MARKINGS = ("crosswalk",)
+PAINTED = ("crosswalk",)
 """Objects that are paint on the road: nothing hits them, stops for them or keeps clear of them."""
 ROLES = ("", "taxi", "police", "ambulance", "fire")
 """Of vehicles that others have to know: formats that have no such vehicle go by the category."""

@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of, concrete
 from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Booleans
-from ..ir.category import MARKINGS, category_by_size
+from ..ir.category import PAINTED, category_by_size
 from ..ir.placed_batch import PlacedBatch
 from ..ir.read_only import frozen
 from ..ir.record_columns import records_of
@@ -57,11 +57,11 @@ def scene_actors(
 def objects_and_markings(
     placed: Sequence[tuple[SceneActor, ...]],
 ) -> tuple[list[tuple[SceneActor, ...]], list[tuple[SceneActor, ...]]]:
-    """What `object` statements have placed in each scene: what stands there, and what is paint."""
+    """What is placed in each scene: what stands there, and what is paint."""
     objects, markings = [], []
     for found in placed:
-        paint = tuple(thing for thing in found if thing.category in MARKINGS)
-        is_solid = (thing for thing in found if thing.category not in MARKINGS)
+        paint = tuple(thing for thing in found if thing.category in PAINTED)
+        is_solid = (thing for thing in found if thing.category not in PAINTED)
         objects.append(tuple(is_solid) if paint else found)
         markings.append(paint)
     return objects, markings
@@ -80,8 +80,9 @@ def legend_objects(candidates: CandidateBatch) -> tuple[SceneActor, ...]:
             group = f"{network.name}/{drawn.kind.rpartition('.')[2]}"
             number = numbers[group] = numbers.get(group, -1) + 1
             options = _kind_defaults(drawn.kind, candidates)
-            height = drawn.height or float(options.get("height", _UNUSUAL_HEIGHT))
             category = _kind_category(drawn.kind, candidates)
+            usual = 0.0 if category in PAINTED else options.get("height", _UNUSUAL_HEIGHT)
+            height = drawn.height or float(usual)
             options |= {"length": drawn.length, "width": drawn.width}
             if drawn.height is not None:
                 options["height"] = drawn.height
@@ -198,7 +199,7 @@ def _shown(instances: Sequence[KindInstance]) -> Kinds:
     shown = {}
     for key, found in distinct.items():
         options = _concrete_options(found)
-        flat = found.kind.category in MARKINGS
+        flat = found.kind.category in PAINTED
         height = 0.0 if flat else float(options.get("height") or _DEFAULT_HEIGHT)
         role = getattr(found.kind, "role", "")
         shown[key] = found.entry.name, height, options, found.kind.category, role

@@ -144,10 +144,10 @@ def _driven(
     world = {name: rows.plain(evaluate(value, candidates)) for name, value in source.world.items()}
     if "time_of_day" in world:
         world["time_of_day"] = [TIMES_OF_DAY.get(time, time) for time in world["time_of_day"]]
-    objects, markings = objects_and_markings(scene_actors(source.objects, rows))
-    legend = legend_objects(candidates)
+    placed, legend = scene_actors(source.objects, rows), legend_objects(candidates)
     if legend:
-        objects = [(*found, *legend) for found in objects]
+        placed = [(*found, *legend) for found in placed]
+    objects, markings = objects_and_markings(placed)
     networks = scene_networks(rows)
     agents = scene_actors(source.agents, rows)
     roads = scene_roads(rows)

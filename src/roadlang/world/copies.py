@@ -18,7 +18,7 @@ from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build, converted, evaluate
 from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
 from ..geometry.arrays import Booleans, Floats
-from ..ir.category import MARKINGS
+from ..ir.category import PAINTED
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, Measure, PassCall, RandomValue
@@ -102,7 +102,7 @@ class CopyKinds:
     @cached_property
     def are_markings(self) -> Booleans:
         """(R,) which of them are paint."""
-        return np.array([found.kind.category in MARKINGS for found in self.instances], dtype=bool)
+        return np.array([found.kind.category in PAINTED for found in self.instances], dtype=bool)
 
     def _sizes(self, name: str) -> Floats:
         distinct = {id(found): found for found in self.instances}
@@ -180,7 +180,7 @@ def _rows(value: Any, count: int) -> list[Any]:
 
 def _size(kind: Any, name: str) -> float:
     size = getattr(kind, name, None)
-    if size is None and name == "width" and kind.category in MARKINGS:
+    if size is None and name == "width" and kind.category in PAINTED:
         return math.nan
     return float(size or _UNUSUAL_SIZE)
 
