@@ -1,4 +1,4 @@
-"""Both sides of the wire have the same numbers, and both engines the same rule of who is in the way."""
+"""Both sides of the wire have the same numbers, and both engines one rule of who is in the way."""
 
 from __future__ import annotations
 
