@@ -1,6 +1,6 @@
 extends RefCounted
-## Forces of tires, by the formulas of `roadlang/simulation/vehicles/vehicle_dynamics.py`: a brush model
-## whose grip is shared between braking and cornering by a circle for each wheel.
+## Forces of tires, by the formulas of `roadlang/simulation/vehicles/vehicle_dynamics.py`: a brush
+## model whose grip is shared between braking and cornering by a circle for each wheel.
 
 const LEAST_POWER_SPEED := 1.0
 
