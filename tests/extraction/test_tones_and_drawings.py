@@ -17,6 +17,9 @@ from tests.extraction.painted_roads import band, painted, two_lines
 # Tones
 
 
+PURE = [(blue, green, red) for blue in (250, 0) for green in (0, 250) for red in (0, 250)]
+
+
 def plan(*shares: tuple[tuple[int, int, int], int]) -> np.ndarray:
     """Columns of colors, each of so many columns of a hundred."""
     columns = [color for color, count in shares for _ in range(count)]
@@ -143,6 +146,8 @@ def test_a_threshold_is_found_between_the_tones_or_given() -> None:
         (painted(two_lines(), 0, 255), "edge-line drawing"),
         (plan(((255, 255, 255), 40), ((0, 0, 250), 20), ((250, 0, 0), 20), ((0, 250, 0), 20)),
          "color map"),
+        (plan(*zip(PURE, (40, 30, 9, 8, 5, 4, 2, 2), strict=True)), "color map"),
+        (plan(*zip(PURE, (30, 10, 10, 10, 10, 10, 10, 10), strict=True)), "photo"),
         (np.random.default_rng(1).integers(0, 255, (100, 200, 3), dtype=np.uint8), "photo"),
     ],
     ids=lambda value: value if isinstance(value, str) else "",

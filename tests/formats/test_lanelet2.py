@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element, fromstring
 
+import numpy as np
 import pytest
 
 from roadlang import testing
@@ -101,6 +102,19 @@ def test_junctions_have_the_rules_of_the_scene(rule: str, subtype: str, role: st
         ]
         assert all("turn_direction" in tags_of(lanelet) for lanelet in holders)
         assert holders
+
+
+def test_borders_of_connections_are_whole_micrometers_between_their_lanes() -> None:
+    lanelets = lanelet_map(scene_of(CROSSING % "lanes: 2"), TOLERANCE)
+    numbers = [number for one in lanelets.junctions for number in one.connections.values()]
+    sides = [
+        side for n in numbers for side in (lanelets.lanelets[n].left, lanelets.lanelets[n].right)
+    ]
+    inner = [lanelets.borders[side.border].points[1:-1] for side in sides]
+    assert all(inner)
+    found = np.array([point[:2] for points in inner for point in points])
+    assert (found == np.round(found, 6)).all()
+    assert (found != np.round(found, 5)).any()
 
 
 @pytest.mark.parametrize("left_out", ["yielding", "prior", "neither"])

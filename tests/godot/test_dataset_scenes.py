@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import islice
 from typing import Any
 
 import pytest
 
 import roadlang
+from roadlang.api import DiagnosticError
 from roadlang_godot.commands.render_dataset import _driven_scenes
+from roadlang_godot.rendering.labeled_frames import default_camera
 
 TEXT = """
 road main { draw with waypoints { points: [(0m, 0m), (90m, 0m)] } }
@@ -49,3 +52,14 @@ def test_there_are_no_more_than_asked_for_and_each_has_its_controllers() -> None
     found = list(_driven_scenes(Noting(TEXT), 2, 0, 5))
     assert len(found) == 5
     assert all(list(controllers) == ["ego"] for _, controllers in found)
+
+
+def test_without_a_camera_it_is_the_ego_or_the_first_agent_that_sees() -> None:
+    (ego,) = roadlang.loads(TEXT).sample(1)[0].record.agents
+    empty = replace(roadlang.loads(TEXT).sample(1)[0].record, agents=())
+    ahead = replace(ego, name="ahead")
+    for agents, seeing in (((ahead, ego), "ego"), ((ahead,), "ahead")):
+        camera = default_camera(replace(empty, agents=agents), (320, 180))
+        assert (camera.agent, camera.width, camera.height) == (seeing, 320, 180)
+    with pytest.raises(DiagnosticError, match="RL700"):
+        default_camera(empty, (320, 180))

@@ -76,8 +76,13 @@ def test_the_range_of_a_signal_shows_what_is_impossible(sample: Sample) -> None:
 
 
 @pytest.mark.parametrize(
-    ("limit", "settled"), [("> -8.1", True), ("< 8", False), ("<= 8", False), ("< 7", False)]
-)
+    ("limit", "settled"),
+    [
+        ("> -8.1", True), ("< 8", False), ("<= 8", False), ("< 7", False),
+        ("< 8.000000005", False), ("< 8.00000001", True),
+        ("> -8.000000005", False), ("> -8.00000001", True),
+    ],
+)  # fmt: skip
 def test_a_bound_that_touches_the_limit_is_left_to_the_values(
     sample: Sample, limit: str, settled: bool
 ) -> None:

@@ -115,3 +115,11 @@ def test_who_comes_toward_an_agent_has_a_negative_pace() -> None:
     assert near.single(0)[0].speed == 5.0
     assert near.single(0)[0].pace < -2.0
     assert near.single(1)[0].pace < -4.0
+
+
+def test_points_of_the_path_lie_on_the_line_ahead() -> None:
+    _, view = seen("agent a is car on main at 58.3m { lane: -1, drive with brake }\n", CURVED)
+    rows, distances = np.arange(1), np.array([0.4, 7.7, 20.1])
+    found = np.hstack([np.vstack(view.line_ahead(rows, distance)[:2]) for distance in distances])
+    curve = np.stack(view.path_ahead(rows, distances))[:, :, 0]
+    assert curve == pytest.approx(found, abs=1e-4)

@@ -172,5 +172,5 @@ def is_geometric(value: Value, scenario: IndexedScenario) -> bool:
 
 def _farther(end: Any, share: float) -> Floats:
     """An end of a range, moved by a share of its size."""
-    size = np.where(np.isfinite(end), np.abs(end), 1.0)
-    return np.asarray(end + share * np.maximum(1.0, size))
+    size = np.clip(np.abs(end), 1.0, np.finfo(float).max)
+    return np.asarray(end + share * size)

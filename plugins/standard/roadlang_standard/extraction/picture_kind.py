@@ -50,7 +50,7 @@ def picture_kind(image: Image) -> PictureKind:
     if flat < _FLAT:
         return PictureKind(PHOTO, flat)
     plan = tones(image, most=12)
-    few = float(np.sort(plan.shares)[::-1][:6].sum())
+    few = np.sort(plan.shares)[-6:].sum()
     if few < 0.85 or _is_shaded(image) or _photo_with_margins(image):
         return PictureKind(PHOTO, flat)
     paper = plan.colors[plan.paper]
