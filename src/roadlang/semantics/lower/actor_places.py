@@ -25,6 +25,9 @@ from ..infer.kinds import find_default
 from ..types.dimensions import unit_missing
 from ..types.expression_types import CoordinatesType, KindCallType, Quantity, TypedExpression
 
+PLACED_ON = ("road", "network")
+"""What agents and objects are on"""
+
 
 def place_of(
     checker: Checker,
@@ -137,7 +140,7 @@ def _anywhere(
 
 
 def _report_no_road(checker: Checker, statement: ast.Actor, place: Span) -> None:
-    roads = [n for n, d in checker.program.declarations.items() if d.role in ("road", "network")]
+    roads = [n for n, d in checker.program.declarations.items() if d.role in PLACED_ON]
     name = statement.name.text
     help_ = f"write `on {roads[0] if len(roads) == 1 else 'ROAD'}` before `at`"
     checker.report(Code.ARC_LENGTH_WITHOUT_ROAD, place, name=name, help=help_)
@@ -172,6 +175,8 @@ def _by_another(
                 name, member = value.name, "place on a road"
                 checker.report(Code.START_WITHOUT_ROAD, typed.span, name=name, member=member)
                 return None
+            if not {road.span.text, own_road.span.text} <= checker.program.declarations.keys():
+                return None  # reported where it stands
             if road.span.text != own_road.span.text:
                 help_ = f"place it on `{road.span.text}`, or leave out `on`"
                 checker.report(

@@ -20,7 +20,7 @@ from ..infer.option_binding import divided
 from ..infer.statement_spec import StatementSpec
 from ..names.program import Declaration
 from ..types.expression_types import DeclaredType, KindCallType, Quantity, TypedExpression
-from .actor_places import place_of
+from .actor_places import PLACED_ON, place_of
 from .routes import rest_of_route, with_route
 from .sensors import sensors_of
 
@@ -114,10 +114,10 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
     named = road_of(checker, statement)
     if named is None:
         return None
-    typed = checker.infer(named, context)
+    typed = checker.infer(named, replace(context, roles=PLACED_ON))
     if typed.is_unknown:
         return False
-    if isinstance(typed.type, DeclaredType) and typed.type.role in ("road", "network"):
+    if isinstance(typed.type, DeclaredType) and typed.type.role in PLACED_ON:
         assert isinstance(typed.value, Entity)
         return typed.value.name
     what, found = "`on`", typed.type

@@ -118,7 +118,7 @@ def _source(
             Code.WRONG_TYPE, source.span, what=f"`{word}`", expected=expected, found="a text image"
         )
         return _ReadSource(None, fine=False)
-    typed = checker.infer(source, context)
+    typed = checker.infer(source, replace(context, roles=_SOURCE_ROLES[word]))
     if typed.is_unknown:
         return _ReadSource(None, fine=False)
     value = typed.value
