@@ -247,6 +247,9 @@ def test_nobody_without_the_secret_is_answered(server: CorrectionServer) -> None
     assert request(root)[0] == 403
     assert request(root + "wrong/start")[0] == 403
     assert request(server.address + "start", Host="elsewhere.example")[0] == 403
+    nothing = b'{"drawn": [], "dismissed": [], "confirmed": []}'
+    assert request(server.address + "done", nothing, Host="elsewhere.example")[0] == 403
+    assert not server.done.is_set()
     assert request(server.address + "start")[0] == 200
     assert request(server.address + "../server.py")[0] == 404
     assert request(server.address + "%2e%2e/server.py")[0] == 404

@@ -70,7 +70,8 @@ class Between(Perturber):
     def __post_init__(self) -> None:
         inside = np.all(self.low > 0) and np.all(self.low < self.high) and np.all(self.high < 10)
         if not inside:
-            raise OptionError("low", "is not between 0 m and `high`, or `high` is not below 10 m")
+            reason = "is not between 0 m and `high`, or `high` is not below 10 m"
+            raise OptionError("low", reason, help="write `low: 1m`")
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         return np.zeros((1, len(roads.stations), 2))
@@ -91,4 +92,6 @@ def test_options_are_refused_before_sampling_only_if_nothing_drawn_can_fit(
 ) -> None:
     """A kind may refuse the ends of a range and take what is between them."""
     text = f"{STRAIGHT}road bent from main {{ perturb with between {{ {options} }} }}\n"
-    assert [found.code for found in testing.check(text, kinds=[Between])] == codes
+    found = testing.check(text, kinds=[Between])
+    assert [one.code for one in found] == codes
+    assert [one.help for one in found] == [("write `low: 1m`",)] * len(codes)

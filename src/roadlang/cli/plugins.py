@@ -55,7 +55,7 @@ def _complete(
 @click.argument("words", nargs=-1, required=True, metavar="[VERB] NAME", shell_complete=_complete)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def show(words: tuple[str, ...], as_json: bool) -> None:
-    """Show the options of a kind or statement: `show sine`, `show emit svg`, `show world`."""
+    """Show the options of a kind or statement: `show sine`."""
     from ..plugins.discovery import load_registry
     from ..plugins.guard import plugin_guard
     from ..semantics.statement_reference import BY_WORD
@@ -84,7 +84,7 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
 )
 @click.option("--folder", metavar="FOLDER", help="Folder to write.  [default: roadlang-NAME]")
 def new(name: str, verbs: tuple[str, ...], folder: str | None) -> None:
-    """Write a new plugin to a folder: a package with a kind, tests and types, ready to install.
+    """Write a new plugin: a package with tests and types.
 
     There are templates for the verbs agent, drive, drive_signal, emit, monitor, object, perturb
     and signal.

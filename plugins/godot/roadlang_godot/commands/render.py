@@ -106,7 +106,7 @@ def command(
     settings: tuple[str, ...],
     **options: Any,
 ) -> None:
-    """Render a scene of FILE as an image, a clip, a 3D file, or a set of labeled images.
+    """Render scenes of FILE as an image, a clip, a 3D file or labeled images.
 
     A chase view follows an agent, the top view shows the whole scene from above with north up,
     the free view looks from anywhere. Without a screen a virtual one is used. A 3D file holds the
