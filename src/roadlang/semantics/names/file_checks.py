@@ -20,6 +20,7 @@ _SIGNATURES = (
     b"RIFF",
 )
 """First bytes of PNG, JPEG, BMP, TIFF, PNM and WebP files."""
+_NO_PICTURE = "it is not an image in PNG, JPEG, BMP, TIFF, PNM or WebP format"
 
 
 def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnostic:
@@ -78,7 +79,7 @@ def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagn
     if not head:
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is empty")
     if picture and not _looks_like_a_picture(head):
-        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is not an image")
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=_NO_PICTURE)
     return None
 
 
