@@ -61,8 +61,8 @@ class LaneTraffic:
 
 
 def lane_traffic(seen: ObservationBatch, middle: Floats, near: Neighbors) -> LaneTraffic:
-    """Who is, or will be within a second, in a lane with its middle `middle` left of the tabled
-    line."""
+    """Who is, or will be within a second, in a lane whose middle is `middle` meters left of
+    the reference line."""
     import numpy as np
 
     now = seen.road_offset[:, None] + near.left

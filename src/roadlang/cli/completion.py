@@ -15,7 +15,7 @@ _INSTALL = {
 @click.command("completion", epilog="\b\n" + "\n".join(_INSTALL.values()))
 @click.argument("shell", type=click.Choice(sorted(_INSTALL)))
 def command(shell: str) -> None:
-    """Print the completion script of SHELL."""
+    """Print the completion script for a shell."""
     kind = get_completion_class(shell)
     assert kind is not None
     root = click.get_current_context().find_root().command

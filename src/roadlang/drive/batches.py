@@ -13,7 +13,7 @@ from .simulators import Driven, drive_scenes, simulator_of
 
 @dataclass(frozen=True)
 class DriveTask:
-    """A simulator, as `drive_scenes` takes it."""
+    """What drives scenes: a simulator, with its options."""
 
     registry: Registry
     engine: str | None = None

@@ -81,8 +81,8 @@ class Observation(Frozen):
     lane_place: Callable[[], LanePlace] = LanePlace
     """its place among the lanes: `lane`, `lane_offset`, `lane_width` and `speed_limit`"""
     offset_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
-    """`offset_of_lane(-2)`, `offset_of_lane("left")`: how far left of the tabled line of the agent
-    the middle of a lane is here; NaN where there is none"""
+    """`offset_of_lane(-2)`, `offset_of_lane("left")`: how far left of its reference line
+    (see `LanePlace`) the middle of a lane is here; NaN where there is none"""
     direction_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
     """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none; NaN for no lane"""
     speed_limit_ahead: Callable[[float, float], float] = lambda braking, on: math.inf
@@ -108,7 +108,7 @@ class Observation(Frozen):
 
     @property
     def lane_offset(self) -> float:
-        """Of the middle of that lane, left of the tabled line."""
+        """Of the middle of that lane, left of the reference line."""
         return self.lane_place().offset
 
     @property
@@ -206,7 +206,7 @@ class ObservationBatch:
 
     @property
     def lane_offset(self) -> Floats:
-        """Of the middle of those lanes, left of the tabled lines."""
+        """Of the middle of those lanes, left of the reference lines."""
         return self.lane_place().offset
 
     @property
@@ -275,8 +275,8 @@ class ControlBatch:
     acceleration: Floats
     heading: Floats | None = None
     line_offset: Floats | None = None
-    """moves the line that the agent follows so many meters left of its tabled line, for all later
-    controllers, and where widths change keeps it beside the nearest lane; NaN: as before"""
+    """moves the line that the agent follows so many meters left of its reference line, for all
+    later controllers, and where widths change keeps it beside the nearest lane; NaN: as before"""
     line_time: Floats | None = None
     """seconds in which the line moves there, smoothly; None or 0: at once"""
     pose: Floats | None = None

@@ -24,8 +24,8 @@ middle of the road and over it), `outer`, or a kind of lane: the nearest of that
 
 @dataclass(frozen=True, slots=True)
 class LanePlace:
-    """The lane in which an agent is, meters. Offsets are left of the tabled line of the agent, as
-    `Observation.road_offset` is."""
+    """The lane in which an agent is, meters. Offsets are to the left of its reference line, as
+    `Observation.road_offset` is: the middle of its road or, on a route, of its lane."""
 
     default_speed: ClassVar[float] = DEFAULT_SPEED
     usual_speed = OldName("default_speed")

@@ -1,9 +1,9 @@
 """Roads that are written as two, one for each direction.
 
-A single lane for both directions no simulator drives both ways: it becomes two roads on the same
-ground. Left-hand traffic CARLA, netconvert and Scenic do not know: there the lanes of each
-direction become a road that runs along them, on which they lie right of the reference line.
-`userData` says what belongs together, so that `read with opendrive` makes one road of them again.
+No simulator drives a single lane for both directions both ways: it becomes two roads on the same
+ground. CARLA, netconvert and Scenic have no left-hand traffic: there the lanes of each direction
+become a road of their own that runs their way, so that they lie right of its reference line.
+`userData` says which roads belong together, and `read with opendrive` makes one of them again.
 """
 
 from __future__ import annotations

@@ -43,7 +43,7 @@ def to_speed(speed: float, shape: str, dimension: str, value: float) -> Action:
 
 
 def to_speed_beside(other: str, faster: float, rate: float) -> Action:
-    """Change to the speed that another entity has then and so much more, at m/s^2."""
+    """Change to `faster` m/s more than the speed of another entity, by `rate` m/s^2."""
 
     def write(parent: Element) -> None:
         action = _speed_action(parent, "linear", "rate", rate)
@@ -87,7 +87,8 @@ def speed_profile(entries: Sequence[tuple[float, float]]) -> Action:
 def lane_change(
     dimension: str, value: float, absolute: int | None, relative: tuple[str, int]
 ) -> Action:
-    """Change to a lane by its id, or by how many lanes left of that of an entity it is."""
+    """Change to the lane with the id `absolute`, or to the one that is as many lanes to the left of
+    the lane of an entity as `relative` says."""
 
     def write(parent: Element) -> None:
         action = put(put(parent, "LateralAction"), "LaneChangeAction")

@@ -22,7 +22,7 @@ SAME = 1e-6
 
 @dataclass
 class FollowedLines:
-    """Columns (N,) of lines, left of the tabled ones.
+    """Columns (N,) of lines, left of the reference lines.
 
     In lanes of constant widths these are moved by `lateral`. Where widths change, that moves them
     beside a guide: a line asked for is kept as far from the middle of the nearest lane as it is
@@ -32,7 +32,7 @@ class FollowedLines:
     lateral: LateralMotion
     guides: LaneGuides
     line: Integers
-    """which of the tabled lines"""
+    """which of the reference lines"""
     guide: Integers
     """number in `guides`, -1 for none"""
     start: Integers
@@ -46,8 +46,8 @@ class FollowedLines:
     def at_rest(
         cls, offset: Floats, guides: LaneGuides, line: Integers, guide: Integers, along: Floats
     ) -> FollowedLines:
-        """Lines `offset` left of their guides, or of the tabled lines for those without, of agents
-        that begin at arc lengths."""
+        """Lines `offset` left of their guides, or of the reference lines for those without, of
+        agents that begin at arc lengths."""
         nothing = np.full(len(offset), np.nan)
         before = (nothing, guide.copy(), offset.copy())
         beside = np.zeros(len(offset))
@@ -92,13 +92,13 @@ class FollowedLines:
         return not self.guides.is_empty
 
     def kind(self, agent: int) -> tuple[int, float]:
-        """What the line of an agent now is of: those with the same one, beside the same tabled
-        line, are one."""
+        """Of the line that an agent now follows: agents beside the same reference line for which
+        this is the same follow the same line."""
         return int(self.guide[agent]), float(self.lateral.offset[agent])
 
     def ahead(self, rows: Any, distance: Floats | float, speed: Floats, along: Floats) -> Any:
         """Of some agents: offset, slope (1) and curvature (1/m) of the line a distance on, at arc
-        lengths `along`, and which lines are not parallel to the tabled ones (None: all are)."""
+        lengths `along`, and which lines are not parallel to the reference lines (None: all are)."""
         offset, slope, bend, moving = self.lateral.ahead(rows, distance, speed)
         if not self.guided:
             return offset, slope, bend, moving
@@ -128,7 +128,7 @@ class FollowedLines:
         self.lateral.move(beside, time)
 
     def target(self, agent: int, along: float) -> float:
-        """Where the line of an agent is to be, left of the tabled line at an arc length."""
+        """Where the line of an agent is to be, left of the reference line at an arc length."""
         rows = np.array([agent])
         guide = self.guides.offset(self.guide[rows], np.array([along])) if self.guided else 0.0
         return float((self.lateral.target[rows] + guide)[0])

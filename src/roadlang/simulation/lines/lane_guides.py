@@ -30,8 +30,8 @@ _OFFSET, _SLOPE, _BEND, _MIDDLE = range(4)
 class LaneGuides:
     """Tables of G guides, one for each lane of the lines (L,) whose lanes change their widths.
 
-    A guide is the middle of its lane, left of the tabled line. Where the lane ends, it leads over
-    to the middle of the next lane whose traffic goes the same way.
+    A guide is the middle of its lane, left of the reference line. Where the lane ends, it leads
+    over to the middle of the next lane whose traffic goes the same way.
     """
 
     first: Integers

@@ -15,9 +15,9 @@ SLOW = 2.0
 
 @dataclass
 class LateralMotion:
-    """Columns (N,) of lines, left of the tabled ones. A move is a quintic of the share of its time
-    that has passed: position, velocity and acceleration are continuous, and end with the line at
-    rest (`h (10 u^3 - 15 u^4 + 6 u^5)` from rest over a distance `h`)."""
+    """Columns (N,) of lines, left of the reference lines. A move is a quintic of the share of its
+    time that has passed: position, velocity and acceleration are continuous, and end with the line
+    at rest (`h (10 u^3 - 15 u^4 + 6 u^5)` from rest over a distance `h`)."""
 
     start: Floats
     """offsets at the start of the drive"""

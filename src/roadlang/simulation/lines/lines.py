@@ -25,7 +25,7 @@ _AT_ONCE = 16
 
 
 CELL = ("x", "y", "slope_x", "slope_y", "curvature", "heading", "seen_curvature", "width")
-"""What is tabled of a cell: x and y where it begins, what they and the heading change by for each
+"""What is stored for a cell: x and y where it begins, what they and the heading change by for each
 meter of it, the heading where it begins, the curvature around there, the width of the road."""
 
 

@@ -94,7 +94,7 @@ class Surroundings:
         rows = np.flatnonzero(world.has_route)
         if not len(rows):
             return lanes
-        # The tabled line of a route is the middle of its lane, not that of the road.
+        # The reference line of a route is the middle of its lane, not that of the road.
         lane = lanes.take(rows)
         middle = lane_values(lane.middles, lane.choose(place.lane[rows], np.zeros(len(rows))))
         shift = np.zeros(len(road))

@@ -57,7 +57,7 @@ class World:
     road: Integers
     """the road of each agent at the start, within its scene, -1 for none"""
     followed: FollowedLines
-    """the lines to follow, left of the tabled lines"""
+    """the lines to follow, left of the reference lines"""
     end: Floats
     """arc length of the line at which the agent arrives"""
     start: Motion
@@ -212,7 +212,7 @@ class World:
 
     @property
     def line_offset(self) -> Floats:
-        """(N,) of the line to follow, left of the tabled line, beside each agent."""
+        """(N,) of the line to follow, left of the reference line, beside each agent."""
         return self.followed.offset(slice(None), self.motion.along)
 
     @property

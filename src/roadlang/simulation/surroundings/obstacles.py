@@ -31,7 +31,7 @@ class Obstacles:
     begin: Floats
     """arc length of the line where the object begins"""
     left: Floats
-    """of its middle from the tabled line"""
+    """of its middle from the reference line"""
     half: Floats
     """half of what it takes across the line"""
 
@@ -81,7 +81,7 @@ class Obstacles:
         return out
 
     def _line(self, world: World) -> Floats:
-        """(P,) where the lines of the agents are beside the objects, left of the tabled lines."""
+        """(P,) the lines of the agents beside the objects, left of the reference lines."""
         return world.followed.offset(self.agent, self.begin)
 
     def _drift(self, world: World, gap: Floats) -> Floats:

@@ -186,7 +186,7 @@ class Release(BinaryTemporal, Derived):
     past = False
 
     def expanded(self, *, greatest: bool = False) -> Formula:
-        """By `not` and `until`."""
+        """Written with `not` and `until`."""
         return Not(Until(self.interval, Not(self.left), Not(self.right)))
 
 
@@ -198,7 +198,7 @@ class PastRelease(BinaryTemporal, Derived):
     past = True
 
     def expanded(self, *, greatest: bool = False) -> Formula:
-        """By `not` and `since`."""
+        """Written with `not` and `since`."""
         return Not(Since(self.interval, Not(self.left), Not(self.right)))
 
 

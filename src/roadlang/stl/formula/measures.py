@@ -40,16 +40,16 @@ class Measured(TemporalOperator, Derived):
 
     @classmethod
     def of(cls, parts: Sequence[Formula], interval: Interval | None = None) -> Self:
-        """TypeError: the parts alone say nothing of the comparison."""
+        """Raises TypeError: the parts do not tell what to compare with."""
         raise TypeError("this operator needs a comparison with a number")
 
     def with_parts(self, parts: Sequence[Formula]) -> Self:
-        """The same of other operands."""
+        """The same formula with other operands."""
         (operand,) = parts
         return replace(self, operand=operand)
 
     def expanded(self, *, greatest: bool = False) -> Formula:
-        """By `not` and "at least" or "more than"."""
+        """Written with "at least" or "more than", and `not`."""
         more = AtLeast(
             self.interval, self.operand, self.amount, self.op in (">", "<="), self.counts
         )
@@ -95,7 +95,7 @@ class AtLeast(TemporalOperator):
         return kind(self.interval, self.operand, ">" if self.strict else ">=", self.amount)
 
     def with_parts(self, parts: Sequence[Formula]) -> Self:
-        """The same of other operands."""
+        """The same formula with other operands."""
         (operand,) = parts
         return replace(self, operand=operand)
 
