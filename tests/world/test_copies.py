@@ -10,9 +10,10 @@ import pytest
 
 from roadlang import testing
 from roadlang.evaluate.candidates import CandidateBatch
+from roadlang.evaluate.copies import CopyBatch
 from roadlang.ir.placed_batch import PlacedBatch
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.copies import counts
+from roadlang.world.copies import counts, kinds_of_copies
 from roadlang.world.placement import placed
 from tests.straight_road import STRAIGHT
 
@@ -81,3 +82,16 @@ def test_what_was_drawn_once_for_all_copies_is_told_of_groups_that_have_some() -
     for scene in scenes:
         told = [place for place in scene.draws if place.startswith("trees/at")]
         assert len(told) == len(scene.record.objects)
+
+
+def test_copies_of_a_kind_without_drawn_options_share_it(
+    acceptance: Callable[[str], Acceptance],
+) -> None:
+    scenario = acceptance(STRAIGHT + GROUPS).scenario
+    candidates = CandidateBatch(scenario, 0, np.zeros(30, np.int64), np.arange(30))
+    copies = CopyBatch.every(candidates, 2)
+    found = kinds_of_copies(scenario.actors["things"], copies).instances
+    boxes = {id(one) for one in found if one.kind.name == "box"}
+    trees = [one for one in found if one.kind.name == "tree"]
+    assert len(boxes) == 1
+    assert len({id(one) for one in trees}) == len(trees) > 20

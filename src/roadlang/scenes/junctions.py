@@ -46,8 +46,8 @@ def _junction(network: str, junction: Junction, rule: RightOfWay | None) -> Scen
             SceneRefusal(
                 _lane(network, refusal.source),
                 _lane(network, refusal.target),
-                refusal.turn,
-                refusal.reason,
+                turn=refusal.turn,
+                reason=refusal.reason,
             )
             for refusal in junction.refused
         ),

@@ -37,13 +37,9 @@ def lower_passes(
             sources.append(item)
             if len(sources) > 1:
                 labels = [Label(sources[0].span, "the first one")]
-                names = (sources[0].verb.text, verb)
+                first = sources[0].verb.text
                 checker.report(
-                    Code.MULTIPLE_SOURCES,
-                    item.verb.span,
-                    labels=labels,
-                    first=names[0],
-                    second=names[1],
+                    Code.MULTIPLE_SOURCES, item.verb.span, labels=labels, first=first, second=verb
                 )
                 complete = False
         counts[verb] = counts.get(verb, 0) + 1
