@@ -102,6 +102,9 @@ def test_polite_traffic_lets_in_one_by_one_who_has_to_leave_its_lane() -> None:
     assert trace.events == ()
     assert turns["0.9"] > turns["0"]
     assert turns["0.9"] >= 5
+    assert max(passing.values()) < 28.0, "they flow: one every two seconds, the first at 10 s"
+    keepers = [agent for name, agent in trace.agents.items() if name.startswith("keepers")]
+    assert min(agent.acceleration.min() for agent in keepers) > -2.5
 
 
 @pytest.mark.parametrize(

@@ -50,13 +50,19 @@ SLOWEST = 1.0
 SLOWER = 3.0
 """m/s: it falls back, or moves up, at most so fast beside the other lane. Who falls back faster is
 too slow for the gap when it comes."""
-URGENT, SMALLEST = 0.4, 0.6
-"""Who would have to brake with more than this share of its deceleration to stop in time takes
-smaller gaps, down to this share of those that others take."""
+TIGHT = 0.6
+"""Share of the usual distance of reaction for which a gap is large enough to stay beside it, until
+who is behind there lets it in."""
+CRAWLING = 5.0
+"""m/s: it does not fall back behind who is slower, but takes its turn, as at a zipper."""
 STOPS = 0.9
 """Share of its deceleration with which it begins to brake for the end of its lane."""
 ALIGNING_TIME = 1.5
 """Seconds in which it moves up to the middle of a gap."""
+FARTHEST = 1e6
+"""Meters: gaps behind count as no larger."""
+MOVING_TIME = 3.0
+"""Seconds in which who moves up has to have made room for who is behind."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 _PHASE, _BEGAN, _TARGET, _CLOCK, _ORIGIN = range(5)
 
@@ -129,7 +135,8 @@ class Merge(Controller):
             self._turn_back(seen, lane, state, line)
             waiting = state[:, _PHASE] == WAITING
             time = np.zeros(len(open_)) + self.duration
-            begins = waiting & exists & has_room(seen, lane, time, close=self._share(seen, state))
+            slows = np.maximum(-self._following(seen, *lane.nearest_ahead()), 0.0)
+            begins = waiting & exists & has_room(seen, lane, time, braking=slows)
             begins &= (seen.speed > SLOWEST) | (ahead_in_lane(seen)[0] > 0.5 * PULL_OUT)
             state[begins, _PHASE], state[begins, _TARGET] = MOVING, middle[begins]
             state[begins, _ORIGIN] = (seen.road_offset - seen.cross_track_error)[begins]
@@ -187,38 +194,31 @@ class Merge(Controller):
         left = self._left(seen, state) - 0.5 * seen.length - PULL_OUT
         return left, seen.speed * seen.speed / (2.0 * np.maximum(left, 0.05))
 
-    def _share(self, seen: ObservationBatch, state: Floats) -> Floats:
-        """(N,) of the usual gap to who is as fast, that is enough."""
-        import numpy as np
-
-        _, needed = self._stop(seen, state)
-        urgent = (needed / self.deceleration - URGENT) / (STOPS - URGENT)
-        return 1.0 - (1.0 - SMALLEST) * np.minimum(np.maximum(urgent, 0.0), 1.0)
-
     def _aligned(self, seen: ObservationBatch, lane: LaneTraffic, wanted: Floats) -> Floats:
-        """(N,) acceleration beside the gap into which it merges: between who is ahead in the other
-        lane and who is behind there, or behind both where the gap between them is too small or it
-        cannot move up."""
+        """(N,) acceleration beside the gap into which it merges: to the middle between who is ahead
+        in the other lane and who is behind there, or behind both where the gap between them is too
+        small, or it cannot move up."""
         import numpy as np
 
         speed = seen.speed
         gap, pace = lane.nearest_ahead()
         behind, pace_behind = lane.nearest_behind()
-        spare = gap - STANDSTILL_GAP - REACTION * np.maximum(pace, 0.0)
-        spare_behind = behind - STANDSTILL_GAP - REACTION * np.maximum(pace_behind, 0.0)
+        reaction = TIGHT * REACTION
+        spare = gap - STANDSTILL_GAP - reaction * np.maximum(pace, 0.0)
+        spare_behind = behind - STANDSTILL_GAP - reaction * np.maximum(pace_behind, 0.0)
         blocked = spare_behind < 0.0
-        fits = (spare + spare_behind >= 0.0) & (wanted > pace_behind + SLOWEST)
-        moves = blocked & fits
-        off = spare - np.where(blocked, spare_behind, 0.0)
-        up = np.minimum(np.where(moves, off, 0.0) / (2.0 * ALIGNING_TIME), SLOWER)
-        beside = np.where(np.isfinite(gap), pace, pace_behind) + up
-        moves_up = np.maximum(SPEED_GAIN * (beside - speed), -self.deceleration)
+        moves_up = spare_behind + MOVING_TIME * (wanted - pace_behind) >= 0.0
+        fits = (spare + spare_behind >= 0.0) & (~blocked | moves_up)
+        falls_back = blocked & ~fits & (pace_behind > CRAWLING)
+        off = 0.5 * (spare - np.minimum(spare_behind, FARTHEST))
+        to_middle = np.minimum(np.maximum(off / ALIGNING_TIME, -SLOWER), SLOWER)
+        beside = np.where(np.isfinite(gap), pace, pace_behind) + to_middle
+        aligns = np.maximum(SPEED_GAIN * (beside - speed), -self.deceleration)
         follows = np.maximum(self._behind(seen, gap, pace), -self.deceleration)
-        falls_back = blocked & ~fits
         pace = np.where(falls_back, pace_behind, pace)
         slowest = SPEED_GAIN * (np.maximum(pace - SLOWER, 0.5 * pace) - speed)
-        follows = np.maximum(np.where(falls_back, -self.deceleration, follows), slowest)
-        return np.where(moves, moves_up, follows)
+        back = np.where(falls_back, -self.deceleration, follows)
+        return np.where(fits, np.maximum(follows, aligns), np.maximum(back, slowest))
 
     def _following(self, seen: ObservationBatch, gap: Floats, pace: Floats) -> Floats:
         """(N,) the greatest acceleration behind somebody: it brakes gently where it has merged

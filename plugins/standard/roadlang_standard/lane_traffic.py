@@ -82,15 +82,13 @@ def has_room(
     time: Floats,
     share: float = 1.0,
     braking: Floats | None = None,
-    close: Floats | float = 1.0,
 ) -> Booleans:
     """(N,) whether an agent can be in a lane within `time` seconds without forcing anybody to brake
     harder than `BRAKING`: the gap that the one behind needs is
     `STANDSTILL_GAP + max(REACTION v, UNSEEN d) + d^2 / (2 BRAKING)` with the difference in speed
     `d`, times `share`; oncoming traffic must be farther away than both go until then and `MEETING`
     seconds more. Who brakes, by `braking` (N,) m/s^2, does so for half of the time, and lets those
-    behind come closer. `close` (N,) times the distance of the reaction is enough behind or before
-    somebody who is about as fast."""
+    behind come closer."""
     import numpy as np
 
     speed = seen.speed[:, None]
@@ -99,7 +97,7 @@ def has_room(
     later, lost = speed - slowing * half, 0.5 * slowing * half * half
     behind = np.where(lane.ahead, speed, lane.pace)
     closing = np.maximum(np.where(lane.ahead, speed - lane.pace, lane.pace - later), 0.0)
-    slack = np.reshape(close, (-1, 1)) * REACTION * np.maximum(behind, 0.0)
+    slack = REACTION * np.maximum(behind, 0.0)
     slack = np.maximum(slack, np.where(lane.ahead, 0.0, UNSEEN * closing))
     needed = STANDSTILL_GAP + slack + np.where(lane.ahead, 0.0, lost)
     needed = needed + closing * closing / (2.0 * BRAKING)

@@ -13,13 +13,17 @@ from ..lanes.road_lanes import LanesHere
 from ..state.world import World
 from ..surroundings.leaders import SAME_LANE, Leaders
 
+PULL_OUT, STOPPING = 8.0, 2.5
+"""Meters before the end of a lane at which who finds no room stops, and m/s^2: where it would have
+to begin to brake for that, there is room for it."""
 WITHIN, WITHIN_TIME = 60.0, 4.0
-"""Meters, and seconds of its speed, before the end of a lane from which on those beside it make
-room for who drives there."""
+"""Meters before the end of a lane, or seconds before who drives there would begin to brake, from
+which on those beside it make room."""
 JOINED = 60.0
 """Meters after the end of a lane at which who drives there is in the lane that goes on."""
 ROOM = 0.4
-"""Meters of the gap to one that drives that may be missing for each meter that its lane goes on."""
+"""Meters of the gap to one that drives that may be missing for each meter until it would begin to
+brake."""
 CLEAR, ROLLING = 2.0, 3.0
 """Meters from bumper to bumper in which one that stands can pull out; m/s from which on the gap may
 still open."""
@@ -49,7 +53,9 @@ def lets_in(
     left = world.motion.offset
     end = np.where(world.present & world.has_road & ~world.has_route, lanes.end(left), np.inf)
     end = np.where(world.bodies.walks, np.inf, end).reshape(shape)
-    within = np.maximum(WITHIN, WITHIN_TIME * world.motion.speed).reshape(shape)
+    speed = np.maximum(world.motion.speed, 0.0)
+    last = (PULL_OUT + speed * speed / (2.0 * STOPPING)).reshape(shape)
+    within = np.maximum(WITHIN, last + WITHIN_TIME * speed.reshape(shape))
     leaves = end < within
     nobody = np.full(len(rows), math.inf), np.zeros(len(rows))
     if not leaves.any():
@@ -76,7 +82,8 @@ def lets_in(
     comes &= _join(world, np.where(leaves, end, np.inf), comes)
     comes &= behind | (gap > CLEAR) | (pace > ROLLING)[:, None, :]
     comes &= gap < leaders.gap.reshape(shape)[:, :, None]
-    spare = ROOM * np.minimum(end, within) * np.minimum(pace / ROLLING, 1.0)
+    spare = ROOM * np.maximum(np.minimum(end, within) - last, 0.0)
+    spare *= np.minimum(pace / ROLLING, 1.0)
     spare = np.where(leaves[:, :, None], spare[:, :, None], spare[:, None, :])
     least, speed = _nearest_of(np.where(comes, gap + spare, np.inf), pace, rows)
     polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
@@ -118,7 +125,7 @@ def _is_polite(closing: Floats, gap: Floats, politeness: Floats | float) -> Bool
     """(n,) whether somebody lets in who is `gap` ahead and slower by `closing`, m/s."""
     faster = np.maximum(closing, 0.0)
     needed = faster * faster / (2.0 * np.maximum(gap, 0.1))
-    return np.asarray(needed <= COURTEOUS * np.asarray(politeness))
+    return np.asarray(needed < COURTEOUS * np.asarray(politeness))
 
 
 def _same_way(world: World, shape: tuple[int, int]) -> Booleans:
