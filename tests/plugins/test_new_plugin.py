@@ -65,6 +65,7 @@ def test_an_existing_folder_is_left_alone(folder: Path, capsys: pytest.CaptureFi
         ("my-kit", "did you mean `my_kit`?"),
         ("roadlang-acme", "did you mean `acme`?"),
         ("MyKit", "did you mean `my_kit`?"),
+        ("Über-Kit", "did you mean `uber_kit`?"),
         ("9", "beginning with a letter"),
         ("", "beginning with a letter"),
         ("../acme", "did you mean `acme`?"),

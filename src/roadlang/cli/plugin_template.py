@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import tempfile
+import unicodedata
 from collections.abc import Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
@@ -53,7 +54,8 @@ def check_plugin_name(name: str, verbs: Sequence[str], registry: Registry) -> No
 
 
 def _as_name(text: str) -> str:
-    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", text).lower()
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
+    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", plain).lower()
     return re.sub(r"[^a-z0-9]+", "_", words.removeprefix("roadlang-")).strip("_")
 
 
