@@ -43,6 +43,11 @@ def test_borders_in_tight_bends_do_not_fold(radius: float, degrees: float, is_le
     assert folded == 1
 
 
+def test_a_border_that_runs_back_without_crossing_itself_is_cut_off_in_the_middle() -> None:
+    border = np.array([(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (1.5, 0.0), (3.0, 0.0)])
+    assert unfolded(border, np.zeros(4))[:, 0].tolist() == [0.0, 1.0, 1.75, 1.75, 3.0]
+
+
 @given(st.floats(0.1, 500.0), st.floats(-100.0, 100.0))
 def test_no_dash_is_cut_where_a_road_ends_at_a_junction(length: float, start: float) -> None:
     """Dashes of 3 m lie in the middle of their periods."""

@@ -113,3 +113,10 @@ def test_what_stands_around_the_numbers_does_not_matter(tmp_path: Path, encoding
     path = tmp_path / "t.csv"
     path.write_bytes("# gemäß Protokoll\n\ns,größe\n# übrigens\n0,1\n\n2,3\n".encode(encoding))
     assert read_trace(path) == ("s", [0.0, 2.0], {"größe": [1.0, 3.0]})
+
+
+def test_other_bytes_than_text_are_said_to_be_none(tmp_path: Path) -> None:
+    path = tmp_path / "drive.csv"
+    path.write_bytes(b"time,x\n0,1\n1,\xff\x00\n")
+    with pytest.raises(DiagnosticError, match="it is not text"):
+        read_trace(path)
