@@ -140,19 +140,19 @@ SOURCES = (
     "tour",
 )
 TWEAKED = {
-    "pieces": 20,
-    "bent": 16,
-    "values": 16,
-    "town": 10,
-    "places": 14,
-    "right_places": 14,
-    "picture": 8,
-    "table": 8,
-    "search": 10,
-    "drawn": 14,
-    "approaches": 14,
-    "copies": 16,
-    "joined": 10,
+    "pieces": 10,
+    "bent": 8,
+    "values": 8,
+    "town": 5,
+    "places": 7,
+    "right_places": 7,
+    "picture": 5,
+    "table": 5,
+    "search": 5,
+    "drawn": 7,
+    "approaches": 7,
+    "copies": 8,
+    "joined": 5,
 }
 COMMANDS = (
     ("plugins", "show", "car"),
@@ -212,10 +212,10 @@ def _cases() -> Iterable[Case]:
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
     for first in range(0, 96, 24):
-        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 14)))
+        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 7)))
     for first in (0, 24):
-        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 13)))
-    yield Case("towns", "towns.mapped", partial(mapped_lines, range(8)))
+        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 7)))
+    yield Case("towns", "towns.mapped", partial(mapped_lines, range(5)))
     yield Case("mistakes", "odd_kinds", odd_kind_lines)
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
@@ -237,7 +237,7 @@ def _cases() -> Iterable[Case]:
         "replay",
         "joined",
     ):
-        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 5, drive=True))
+        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 3, drive=True))
     yield Case("extraction", "evidence", partial(evidence_lines, 1, 6), FIGURE)
     yield Case("extraction", "pictures", partial(picture_lines, 1, 5), FIGURE)
     for first in (1, 2, 3):
@@ -290,7 +290,8 @@ def _cases() -> Iterable[Case]:
     yield Case("searches", "search.objects", partial(search_object_lines, "search"))
     few = {"evaluations": 60, "batch": 20}
     for kind in ("cma", "elites", "random", "grid", "halton"):
-        lines = partial(search_lines, "search", searcher=kind, **few)
+        worst = kind in ("cma", "grid")
+        lines = partial(search_lines, "search", worst, searcher=kind, **few)
         yield Case("searches", f"search.{kind}", lines)
     falsify = ("falsify", "--evaluations", "40", "--seed", "5", "--batch", "20")
     yield Case("searches", "search.page", partial(command_lines, *falsify), FIGURE)

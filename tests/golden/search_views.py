@@ -29,8 +29,8 @@ def _jsonable(value: Any) -> Any:
     return json.loads(json.dumps(value, default=lambda v: getattr(v, "__dict__", None) or str(v)))
 
 
-def search_lines(name: str, **options: Any) -> Iterator[str]:
-    """A search: its rows, statistics and failures."""
+def search_lines(name: str, worst: bool, **options: Any) -> Iterator[str]:
+    """A search: its rows, statistics and failures, with `worst` all about the first of these."""
     found = loaded(name).falsify(seed=SEED, **options)
     yield repr(found)
     yield from of_json(_jsonable(found.rows()), "row")
@@ -41,12 +41,13 @@ def search_lines(name: str, **options: Any) -> Iterator[str]:
         yield f"best {key}: {array([float(v) for pair in best for v in pair])}"
     for failure in found.failures[:4]:
         yield f"failure: {failure!r}"
-    if found.failures:
-        worst = found.failures[0]
-        yield from drive_lines(worst.drive)
-        yield f"explained: {worst.explain()}"
-        yield f"shrunk: {worst.shrink()!r}"
-        yield from of_json(_jsonable(dict(worst.shrink().scene.draws)), "shrunk")
+    if worst:
+        failure = found.failures[0]
+        yield from drive_lines(failure.drive)
+        yield f"explained: {failure.explain()}"
+        shrunk = failure.shrink()
+        yield f"shrunk: {shrunk!r}"
+        yield from of_json(_jsonable(dict(shrunk.scene.draws)), "shrunk")
 
 
 def command_lines(*words: str) -> Iterator[str]:

@@ -64,7 +64,7 @@ def test_alone_as_among_others(text: str | int, tmp_path: Path) -> None:
         pair.write(tmp_path)
         text = pair.right
     (one,) = testing.sample(text, kinds=[Lines], folder=tmp_path, seed=1)
-    scene, trace = one.record, one.run(duration=6.0).trace
+    scene, trace = one.record, one.run(duration=4.0, control_step=0.1).trace
     registry = load_registry()
     alone = {name: Alone(found) for name, found in python_controllers(scene, registry).items()}
     step = float(trace.time[1] - trace.time[0])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ world { friction: 0.45 }
 """
 
 
+@cache
 def drive(text: str = SLIPPERY, **options: Any) -> Trace:
     return roadlang.loads(text).sample(seed=1)[0].run("builtin", **options).trace
 
@@ -67,12 +69,12 @@ def test_an_acceleration_is_known_only_with_the_next_sample() -> None:
 
 def test_a_scene_alone_is_the_same_drive_as_in_a_batch() -> None:
     text = SLIPPERY.replace("70km/h", "40km/h..80km/h")
-    scenes = roadlang.loads(text).sample(n=8, seed=2)
+    scenes = roadlang.loads(text).sample(n=5, seed=2)
     together = scenes.run("builtin", after_violation=1.0)
     for scene, drive_of_many in zip(scenes, together, strict=True):
         alone = scene.run("builtin", after_violation=1.0)
         assert alone.to_csv() == drive_of_many.to_csv()
-    assert len({one.trace.time[-1] for one in together}) > 4
+    assert len({one.trace.time[-1] for one in together}) > 2
 
 
 def test_a_failure_is_driven_again_as_in_the_search() -> None:

@@ -3,31 +3,30 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.api import Scene
 
 from .mirrored_scenes import Lines, random_pair
+from .routed_scenes import drive_scenes
 
 QUICK = (0, 6, 13)
 SEEDS = [pytest.param(seed, marks=() if seed in QUICK else pytest.mark.slow) for seed in range(21)]
 
 
-def driven(text: str, folder: Path, duration: float) -> Any:
-    scenes = testing.sample(text, 1, kinds=[Lines], folder=folder, seed=1)
-    ((one,)) = scenes.run("builtin", duration=duration)
-    return scenes[0].record, one.trace
+def sampled(text: str, folder: Path) -> Scene:
+    return testing.sample(text, 1, kinds=[Lines], folder=folder, seed=1)[0].record
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_mirror_image_drives_as_the_scene(seed: int, tmp_path: Path) -> None:
     pair = random_pair(seed)
     pair.write(tmp_path)
-    scene, trace = driven(pair.right, tmp_path, 25.0)
-    image, mirrored = driven(pair.left, tmp_path, 25.0)
+    scene, image = (sampled(text, tmp_path) for text in (pair.right, pair.left))
+    trace, mirrored = drive_scenes([scene, image], duration=25.0, control_step=0.1)
     junctions, others = (one.networks[-1].junctions for one in (scene, image))
     assert [len(j.connections) for j in junctions] == [len(j.connections) for j in others]
     for one, other in zip(scene.agents, image.agents, strict=True):
@@ -48,9 +47,6 @@ def test_of_routes_that_cost_the_same_the_mirror_image_takes_the_same(
 ) -> None:
     pair = random_pair(seed)
     pair.write(tmp_path)
-    agents, others = (
-        testing.sample(text, 1, kinds=[Lines], folder=tmp_path, seed=1)[0].record.agents
-        for text in (pair.right, pair.left)
-    )
+    agents, others = (sampled(text, tmp_path).agents for text in (pair.right, pair.left))
     for one, other in zip(agents, others, strict=True):
         assert other.x == pytest.approx(-one.x, abs=1e-6), one.name
