@@ -60,18 +60,20 @@ def handles(text: str) -> list[Handle]:
 @pytest.mark.parametrize("origin", ORIGINS)
 def test_every_handle_of_a_road_is_where_it_was_dropped(folder: Path, origin: str) -> None:
     text = f"# mine\n{ORIGINS[origin]}\n{THINGS}"
-    found = handles(text)
+    scene = scene_of(text).record
+    found = list(handles_of(text, scene))
     of_road = [handle for handle in found if handle.name == "main"]
     assert len(of_road) >= 3 or "waypoints" in origin
+    now = found
     for number in range(len(of_road)):
-        before = handles(text)[number]
+        before = now[number]
         to = (before.x + 1.25, before.y - 2.5)
-        moved = dragged(text, scene_of(text).record, before, to, "nudges")
+        moved = dragged(text, scene, before, to, "nudges")
         assert moved is not None
-        text = moved
-        after = handles(text)
-        assert len(after) == len(found)
-        assert math.hypot(after[number].x - to[0], after[number].y - to[1]) < 0.01
+        text, scene = moved, scene_of(moved).record
+        now = list(handles_of(text, scene))
+        assert len(now) == len(found)
+        assert math.hypot(now[number].x - to[0], now[number].y - to[1]) < 0.01
     assert text.startswith("# mine\n")
     assert ("# sways" in text) is (origin == "perturbed")
     assert text.endswith(THINGS)
