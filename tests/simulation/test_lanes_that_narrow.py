@@ -27,6 +27,20 @@ road three { draw with segments { pieces: [straight(150m)] }, oneway: true, lane
 road two { draw with segments { pieces: [straight(250m)] }, oneway: true, lanes: 2 }
 road street from three { then: two, taper: 60m }
 """
+TAPERED_LANE = """
+road three {{ draw with segments {{ pieces: [straight(150m)] }}, oneway: true,
+  right: [drive(3.5m), drive(3.5m), drive(3.5m)] }}
+road two {{ draw with segments {{ pieces: [straight(150m)] }}, oneway: true,
+  right: [drive(3.5m), drive(3.5m)] }}
+road street from three {{ then: two, taper: {taper}m }}
+"""
+WIDENING = """
+road three { draw with segments { pieces: [straight(150m)] }, oneway: true,
+  right: [drive(3.5m), drive(3.5m), drive(3.5m)] }
+road four { draw with segments { pieces: [straight(350m)] }, oneway: true,
+  right: [drive(3.5m), drive(3.5m), drive(3.5m), drive(3.5m)] }
+road street from three { then: four, taper: 36m }
+"""
 FUNNEL = """
 road three { draw with segments { pieces: [straight(250m)] }, speed_limit: 60km/h,
   right: [drive(3.25m), drive(3.25m), drive(3.25m)] }
@@ -163,3 +177,29 @@ def test_a_lane_of_constant_width_has_no_guide() -> None:
     plain = "road main { draw with segments { pieces: [straight(90m)] }, lanes: 4, width: 14m }"
     scene = testing.sample(plain + "\nagent ego is car on main at 5m { drive with traffic }", 1)[0]
     assert lane_guide(scene.record.roads[0], -2) is None
+
+
+@pytest.mark.parametrize(("kind", "speed", "station"), [("bus", 52, 61), ("truck", 60, 94)])
+def test_long_vehicles_stay_on_the_road_where_the_outer_lane_ends(
+    kind: str, speed: int, station: int
+) -> None:
+    """The bus went .22 m off the road, as their lines had less than the taper to lead over."""
+    roads = TAPERED_LANE.format(taper=46 if kind == "bus" else 35)
+    ego = drive(
+        roads + f"agent ego is {kind} on street at {station}m {{ lane: -3,"
+        f" start_speed: {speed}km/h, drive with traffic {{ speed: {speed}km/h }} }}\n",
+        duration=6.0,
+    )[0].agents["ego"]
+    assert ego.off_road.max() < -0.1
+    assert ego.lane[-1] == -2.0
+
+
+def test_who_begins_in_a_lane_that_widens_does_not_swing_outward() -> None:
+    """A car that merged from there went 6 m off the road."""
+    ego = drive(
+        WIDENING + "agent ego is car on street at 173m { lane: -4, start_speed: 90km/h,"
+        " drive with car_follow { speed: 90km/h }, drive with merge { to: left } }\n",
+        duration=4.0,
+    )[0].agents["ego"]
+    assert ego.off_road.max() < 0.1
+    assert ego.lane[-1] == -3.0

@@ -28,7 +28,7 @@ from ..vehicles.bodies import Bodies, Body
 from ..vehicles.motion import Track
 from ..vehicles.verges import Verges
 from .keeping_clear import kept_clear
-from .starting import LineOffsets, start_of
+from .starting import LineOffsets, start_of, start_speed
 
 FASTEST = 120.0
 """m/s: lines go on beyond their ends for as far as this takes an agent in one step."""
@@ -145,7 +145,8 @@ def _followed(
     on_lines = zip(actors, [slot.road for slot in found], widths, numbers, strict=True)
     offsets = np.where(backward, -1.0, 1.0) * np.array(_line_offsets(scenes, slots, on_lines))
     guide = np.array(numbers, dtype=np.int64)
-    return FollowedLines.at_rest(offsets, guides, track.row, guide, along)
+    speed = np.array([start_speed(actor) for actor in actors])
+    return FollowedLines.at_rest(offsets, guides, track.row, guide, (along, speed))
 
 
 def _started(

@@ -41,21 +41,31 @@ class FollowedLines:
     """offset that was asked for last, NaN for none"""
     before: tuple[Floats, Integers, Floats]
     """of the lines before the present ones: offset when they were left, guide, and target"""
+    drift: Floats
+    """m/s to the left at which agents, who head along the road, come nearer to their guides at the
+    start of the drive"""
 
     @classmethod
     def at_rest(
-        cls, offset: Floats, guides: LaneGuides, line: Integers, guide: Integers, along: Floats
-    ) -> FollowedLines:
+        cls, offset: Floats, guides: LaneGuides, line: Integers, guide: Integers,
+        start: tuple[Floats, Floats],
+    ) -> FollowedLines:  # fmt: skip
         """Lines `offset` left of their guides, or of the reference lines for those without, of
-        agents that begin at arc lengths."""
+        agents that begin at arc lengths with speeds: `start`."""
+        along, speed = start
         nothing = np.full(len(offset), np.nan)
         before = (nothing, guide.copy(), offset.copy())
-        beside = np.zeros(len(offset))
+        beside, drift = np.zeros(len(offset)), np.zeros(len(offset))
         if not guides.is_empty:  # who begins where its lane leads over stands in the lane
             beside = guides.beside(guide, along)
             beside[np.abs(beside) < IN_THE_MIDDLE] = 0.0
+            slope = np.where(guide >= 0, guides.ahead(guide, along)[1], 0.0)
+            drift = -slope * np.maximum(speed, SLOW)
+            drift[drift * beside > 0.0] = 0.0  # where a lane ends there is no time to lose
         lateral = LateralMotion.at_rest(offset + beside)
-        begun = cls(lateral, guides, line, guide.copy(), guide, nothing.copy(), before)
+        begun = cls(
+            lateral, guides, line, guide.copy(), guide, nothing.copy(), before, drift
+        )  # fmt: skip
         begun._begin(np.flatnonzero(beside))
         return begun
 
@@ -77,6 +87,7 @@ class FollowedLines:
         return FollowedLines(
             self.lateral.take(rows), self.guides, self.line[rows], self.guide[rows],
             self.start[rows], self.asked[rows], (offset[rows], guide[rows], target[rows]),
+            self.drift[rows],
         )  # fmt: skip
 
     def offset(self, rows: Any, along: Floats) -> Floats:
@@ -158,7 +169,9 @@ class FollowedLines:
 
     def _begin(self, rows: Integers) -> None:
         """Lines of some agents with a guide, at the start of the drive, move onto it."""
+        rows = rows[self.lateral.target[rows] != 0.0]
         if len(rows):
+            self.lateral.seen_from(rows, np.zeros(len(rows)), self.drift[rows])
             target = np.full(len(self.guide), np.nan)
             target[rows] = 0.0
             self.lateral.move(target, np.full(len(target), BEGINNING))

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ...geometry.cross_section import CrossSection
 from ...ir.scene import SceneRoad
-from ..lanes.road_lanes import NARROW
+from .leading_over import led_over
 
 SPACING = 1.0
 """Meters between two nodes of a table, at most."""
 AROUND = 3
 """Nodes to each side over which the middle of a lane is averaged, twice: drivers do not follow each
 kink of a lane."""
-FULL = 3.5
-"""Meters: a lane that ends, and is narrower than this, leads over to the next lane."""
 STRAIGHT = 1e-6
 """Meters by which three nodes in a row may be off a straight line."""
 _OFFSET, _SLOPE, _BEND, _MIDDLE = range(4)
@@ -136,8 +133,8 @@ def _tables(road: SceneRoad, backward: bool) -> dict[int, Floats]:
     sign = -1.0 if backward else 1.0
     spacing = road.length / (count - 1)
     found = {}
-    led_over = _led_over(section, middles, stations)
-    for id, middle, led in zip(section.ids, middles, led_over, strict=True):
+    over = led_over(section, middles, stations)
+    for id, middle, led in zip(section.ids, middles, over, strict=True):
         offset = _averaged(led, road.closed)
         slope = np.gradient(offset, spacing)
         columns = sign * np.stack([offset, slope, np.gradient(slope, spacing), middle])
@@ -166,45 +163,6 @@ def lane_guide(road: SceneRoad, lane: int) -> tuple[Floats, Floats] | None:
 def _may_vary(road: SceneRoad) -> bool:
     lists = [lane.width for lane in road.lane_list] or [road.width]
     return any(len(values) > 1 for values in (*lists, road.center_offset))
-
-
-def _led_over(section: CrossSection, middles: Floats, stations: Floats) -> Floats:
-    """(L, nodes) the middles of lanes; of those that end, over to the next lane, and if that ends
-    as well on to the one after it."""
-    widths = np.array(
-        [np.broadcast_to(section.lane_width(id, stations), len(stations)) for id in section.ids]
-    )
-    most, least = widths.max(axis=1), widths.min(axis=1)
-    open_ = [lane.drivable and most[row] >= NARROW for row, lane in enumerate(section.lanes)]
-    ends = [drives and least[row] < NARROW for row, drives in enumerate(open_)]
-    out = middles.copy()
-    steps = {row: _next_lane(section, row, open_, ends) for row in np.flatnonzero(ends).tolist()}
-    # Who is nearest to a lane that goes on comes first: others lead over to where it leads.
-    for row, (far, side) in sorted(steps.items(), key=lambda item: item[1][0]):
-        if far:
-            missing = np.clip(1.0 - widths[row] / min(FULL, most[row]), 0.0, 1.0)
-            share = missing * missing * (3.0 - 2.0 * missing)
-            out[row] = middles[row] + share * (out[row + side] - middles[row])
-    return out
-
-
-def _next_lane(
-    section: CrossSection, row: int, open_: Sequence[bool], ends: Sequence[bool]
-) -> tuple[int, int]:
-    """How many lanes away from one that ends the nearest lane of its direction is that goes on, and
-    on which side; zeros for none. Of two as near, the one toward the middle of the road."""
-    inward = 1 if section.ids[row] > 0 else -1
-    for far in range(1, len(ends)):
-        for side in (inward, -inward):
-            between = range(row + side, row + side * (far + 1), side)
-            fits = 0 <= between[-1] < len(ends) and not ends[between[-1]]
-            if fits and all(open_[k] and _same_way(section, row, k) for k in between):
-                return far, side
-    return 0, 0
-
-
-def _same_way(section: CrossSection, one: int, other: int) -> bool:
-    return section.lanes[one].direction == section.lanes[other].direction
 
 
 def _averaged(values: Floats, closed: bool) -> Floats:
