@@ -53,13 +53,10 @@ def lets_in(
     left = world.motion.offset
     end = np.where(world.present & world.has_road & ~world.has_route, lanes.end(left), np.inf)
     end = np.where(world.bodies.walks, np.inf, end).reshape(shape)
-    speed = np.maximum(world.motion.speed, 0.0)
-    last = (PULL_OUT + speed * speed / (2.0 * STOPPING)).reshape(shape)
-    within = np.maximum(WITHIN, last + WITHIN_TIME * speed.reshape(shape))
+    last, within = _reach(np.maximum(world.motion.speed, 0.0).reshape(shape))
     leaves = end < within
-    nobody = np.full(len(rows), math.inf), np.zeros(len(rows))
     if not leaves.any():
-        return nobody
+        return np.full(len(rows), math.inf), np.zeros(len(rows))
     along, left, road, half, pace = (
         column.reshape(shape)
         for column in (
@@ -88,6 +85,13 @@ def lets_in(
     least, speed = _nearest_of(np.where(comes, gap + spare, np.inf), pace, rows)
     polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
     return np.where(polite | leaves.ravel()[rows], least, np.inf), speed
+
+
+def _reach(speed: Floats) -> tuple[Floats, Floats]:
+    """Meters before the end of its lane at which an agent at `speed` would begin to brake for it,
+    and those from which on the others make room for it."""
+    last = PULL_OUT + speed * speed / (2.0 * STOPPING)
+    return last, np.maximum(WITHIN, last + WITHIN_TIME * speed)
 
 
 def _nearest_of(gap: Floats, pace: Floats, rows: Integers) -> tuple[Floats, Floats]:
