@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.simulation.observing import lane_endings
+from roadlang_standard import drive_merge
 
 from .driven_roads import drive, drive_together
 
@@ -188,6 +190,12 @@ def test_who_turned_back_changes_one_lane_only() -> None:
         ego = one.trace.agents["ego"]
         assert ego.lane.max() == -2
         assert ego.speed.min() > 8.0, "those in the lane let it in"
+
+
+def test_those_beside_it_have_made_room_before_it_brakes_for_the_end_of_its_lane() -> None:
+    braking = drive_merge.STOPS * drive_merge.Merge().deceleration
+    assert drive_merge.PULL_OUT == lane_endings.PULL_OUT
+    assert braking >= lane_endings.STOPPING
 
 
 CUTTING_IN = """

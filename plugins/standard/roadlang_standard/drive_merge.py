@@ -51,18 +51,18 @@ SLOWER = 3.0
 """m/s: it falls back, or moves up, at most so fast beside the other lane. Who falls back faster is
 too slow for the gap when it comes."""
 TIGHT = 0.6
-"""Share of the usual distance of reaction for which a gap is large enough to stay beside it, until
-who is behind there lets it in."""
+"""Share of the usual reaction distance: it stays beside a gap with this much room, until the
+vehicle behind the gap lets it in."""
 CRAWLING = 5.0
-"""m/s: it does not fall back behind who is slower, but takes its turn, as at a zipper."""
+"""m/s: it does not fall back behind slower vehicles, but takes its turn, as in a zipper merge."""
 STOPS = 0.9
 """Share of its deceleration with which it begins to brake for the end of its lane."""
 ALIGNING_TIME = 1.5
 """Seconds in which it moves up to the middle of a gap."""
 FARTHEST = 1e6
-"""Meters: gaps behind count as no larger."""
+"""Meters: upper limit of the room behind, which is infinite where nobody follows."""
 MOVING_TIME = 3.0
-"""Seconds in which who moves up has to have made room for who is behind."""
+"""Seconds within which moving up has to make enough room for the vehicle behind."""
 WAITING, MOVING, DONE = 0.0, 1.0, 2.0
 _PHASE, _BEGAN, _TARGET, _CLOCK, _ORIGIN = range(5)
 

@@ -55,7 +55,11 @@ def _complete(
 @click.argument("words", nargs=-1, required=True, metavar="[VERB] NAME", shell_complete=_complete)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def show(words: tuple[str, ...], as_json: bool) -> None:
-    """Show the options of a kind or statement: `show sine`."""
+    """Show the options of a kind or statement: `show sine`.
+
+    Put the verb first where several kinds have the same name: `show emit svg`. Statements have
+    options, too: `show world`.
+    """
     from ..plugins.discovery import load_registry
     from ..plugins.guard import plugin_guard
     from ..semantics.statement_reference import BY_WORD
@@ -85,6 +89,8 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
 @click.option("--folder", metavar="FOLDER", help="Folder to write.  [default: roadlang-NAME]")
 def new(name: str, verbs: tuple[str, ...], folder: str | None) -> None:
     """Write a new plugin: a package with tests and types.
+
+    It has one kind for each verb and is ready to install.
 
     There are templates for the verbs agent, drive, drive_signal, emit, monitor, object, perturb
     and signal.

@@ -19,6 +19,8 @@ _LINE = 1.25
 _ROW_GAP = 0.3
 _LONGEST_NAME = 22
 _OUTCOME = 7.5
+_BOLD = 0.72
+"""Width of a bold letter, in font sizes: in DejaVu Sans, the widest of the usual fonts."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ class Legend:
     def _formula(self) -> float:
         """Pixels from the left at which formulas begin."""
         longest = max((len(row.name) for row in self.rows), default=0)
-        return (2.9 + 0.62 * min(longest, _LONGEST_NAME)) * self.size
+        return (2.9 + _BOLD * min(longest, _LONGEST_NAME)) * self.size
 
     def _lines(self, row: LegendRow) -> list[str]:
         room = self.width - self._formula - _OUTCOME * self.size

@@ -62,10 +62,12 @@ def _about_functions(checker: Checker, text: str) -> tuple[str, ...]:
 def _declared_names(checker: Checker, context: Context) -> tuple[str, ...]:
     """What the scene declares that fits, as far as it can be taken in at a glance."""
     names = [name for name in _fitting_names(checker, context).names if name != context.user]
+    if not names and not context.roles:
+        return ()
     if not names:
         own = checker.program.declarations.get(context.user)
         none = "no other" if own is not None and own.role in context.roles else "no"
-        return (f"this scene declares {none} {' or '.join(context.roles)}",) * bool(context.roles)
+        return (f"this scene declares {none} {' or '.join(context.roles)}",)
     shown = ", ".join(f"`{name}`" for name in names[:MOST_LISTED])
     more = f" and {len(names) - MOST_LISTED} more" if len(names) > MOST_LISTED else ""
     return (f"this scene declares {shown}{more}",)

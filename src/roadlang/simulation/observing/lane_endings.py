@@ -12,23 +12,22 @@ from ...ir.scene import SceneRoad
 from ..lanes.road_lanes import LanesHere
 from ..state.world import World
 from ..surroundings.leaders import SAME_LANE, Leaders
+from ..traffic.rules import COURTEOUS
 
 PULL_OUT, STOPPING = 8.0, 2.5
-"""Meters before the end of a lane at which who finds no room stops, and m/s^2: where it would have
-to begin to brake for that, there is room for it."""
+"""A vehicle that finds no gap stops so many meters before the end of its lane, and brakes for that
+with so many m/s^2. Those beside it have made room when it would have to begin to brake."""
 WITHIN, WITHIN_TIME = 60.0, 4.0
-"""Meters before the end of a lane, or seconds before who drives there would begin to brake, from
-which on those beside it make room."""
+"""Those beside a vehicle begin to make room at least so many meters before the end of its lane, and
+at least so many seconds before it would have to begin to brake."""
 JOINED = 60.0
 """Meters after the end of a lane at which who drives there is in the lane that goes on."""
 ROOM = 0.4
-"""Meters of the gap to one that drives that may be missing for each meter until it would begin to
-brake."""
+"""Meters that the gap to a vehicle in the lane that ends may still lack, for each meter that this
+vehicle can drive before it would have to begin to brake."""
 CLEAR, ROLLING = 2.0, 3.0
 """Meters from bumper to bumper in which one that stands can pull out; m/s from which on the gap may
 still open."""
-COURTEOUS = 4.0
-"""m/s^2: braking to let somebody in of who is as polite as can be."""
 
 
 def has_lane_endings(roads: list[SceneRoad]) -> bool:

@@ -28,7 +28,7 @@ PATIENCE = 3.0
 LONGEST_WAIT = 15.0
 """Seconds of waiting at a line without signals after which all others yield to an agent."""
 COURTEOUS = 4.0
-"""m/s^2 that the politest brakes for that, at most."""
+"""m/s^2: the hardest braking with which the most polite let others in."""
 BEFORE_ZONE = 0.5
 """Meters before the place where another crosses at which cars stop."""
 IN_ZONE = 1.0
