@@ -111,11 +111,11 @@ def colored(*verdicts: Verdict) -> Any:
 
 
 def test_a_row_of_the_legend_is_mark_name_formula_and_outcome() -> None:
-    """The name begins 19 px from the left, the formula 29 px + 6.2 px a letter of the name."""
+    """The name begins 19 px from the left, the formula 29 px + 7.2 px a letter of the name."""
     satisfied = replace(bend().requirements[0], name="phi1", text="always (e < 1m)")
     drawn = colored(satisfied).drawn(100.0, 50.0)
     assert written(drawn) == [
-        ("phi1", 119, 60), ("always (e < 1m)", pytest.approx(153.8), 60), (f"{RHO}4", 500, 60)
+        ("phi1", 119, 60), ("always (e < 1m)", pytest.approx(157.8), 60), (f"{RHO}4", 500, 60)
     ]  # fmt: skip
     (tick,) = of(drawn, "polyline")
     assert tick.get("stroke") == palette.SATISFIED
@@ -158,7 +158,7 @@ def test_a_long_name_is_cut_in_the_legend() -> None:
     for length, shown in ((22, "n" * 22), (23, "n" * 21 + "…")):
         rows = written(colored(replace(bend().requirements[0], name="n" * length)).drawn(0, 0))
         assert rows[0][0] == shown
-        assert rows[1][1] == pytest.approx(29 + 6.2 * 22)
+        assert rows[1][1] == pytest.approx(29 + 7.2 * 22)
 
 
 STATIONS = (0.0, 25.0, 50.0, 75.0, 100.0)
