@@ -46,6 +46,8 @@ def test_each_is_what_it_would_be_alone(text: str, mode: AutoresetMode) -> None:
     ends = 0
     for action in actions():
         if mode is AutoresetMode.DISABLED and over.any():
+            with pytest.raises(RuntimeError, match="an episode is over"):
+                together.step(action)
             seen, _ = together.reset(options={"reset_mask": over})
             for i in np.flatnonzero(over).tolist():
                 assert (seen[i] == alone[i].reset()[0]).all()

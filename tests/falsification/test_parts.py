@@ -9,7 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from roadlang.diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from roadlang.falsification.distinct import DistinctFailures
+from roadlang.falsification.evaluator import _is_of_draws
 from roadlang.falsification.grading import Grading
 from roadlang.falsification.outcome import Moment, Outcome
 from roadlang.falsification.search_loop import equal_parts
@@ -152,3 +154,19 @@ def test_a_batch_is_divided_among_workers_in_parts_of_eight_at_least(
     parts = equal_parts(candidates, workers)
     assert [part.stop - part.start for part in parts] == sizes
     assert [i for part in parts for i in range(candidates)[part]] == list(range(candidates))
+
+
+ODD = diagnose(Code.DEGENERATE_ROAD, name="main")
+BEYOND = replace(ODD, code=Code.POSITION_OFF_ROAD)
+DRAWN = replace(ODD, code=Code.DRAWN_VALUE_OUT_OF_BOUNDS)
+OURS = replace(ODD, code=Code.UNKNOWN_LANE)
+
+
+@pytest.mark.parametrize(
+    ("found", "is_of_draws"),
+    [((ODD,), True), ((DRAWN, BEYOND), True), ((BEYOND, OURS), False), ((OURS,), False)],
+)
+def test_a_fault_is_of_the_draws_if_each_part_of_it_is(
+    found: tuple[Diagnostic, ...], is_of_draws: bool
+) -> None:
+    assert _is_of_draws(DiagnosticError(*found)) is is_of_draws

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, Falsification, Scene
+from roadlang.cli.falsify import _print
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.falsification.evaluator import Evaluator, Proposal
 from roadlang.falsification.outcome import Outcome
@@ -43,6 +44,20 @@ def test_a_search_finds_failures_that_chance_seldom_finds() -> None:
     failing = [sum(o.is_failure for o in found.outcomes) for found in (guided, chance)]
     assert failing[0] > 5 * max(1, failing[1])
     assert len(guided.failures) > len(chance.failures)
+
+
+def test_the_first_ten_failures_are_printed_and_the_rest_is_counted(
+    search: Falsification, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(search, "failures", (search.failures * 12)[:12])
+    _print(search, Path("out"), as_json=False)
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines[:10]] == ["violated"] * 10
+    assert lines[10] == "  ... and 2 more"
+    assert lines[11].startswith("12 distinct of ")
+    monkeypatch.setattr(search, "failures", search.failures[:10])
+    _print(search, Path("out"), as_json=False)
+    assert "more" not in capsys.readouterr().out
 
 
 def test_every_random_number_is_an_axis(search: Falsification) -> None:

@@ -77,8 +77,7 @@ class _Writer:
             return self._mapping(value, depth)
         if dataclasses.is_dataclass(value):
             return self._record(value, depth)
-        converted = plain(value)
-        return json_text(converted) if type(converted) is kind else self.written(converted, depth)
+        return self.written(plain(value), depth)
 
     def _known(
         self, value: Any, depth: int, write: Callable[[Any, int], str], *, certain: bool = False
