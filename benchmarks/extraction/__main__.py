@@ -22,8 +22,8 @@ from benchmarks.extraction.baselines import Lines, best_threshold, classical, pa
 from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
 from roadlang_standard.extraction.aerial import Request
 from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.evidence import road_net
 from roadlang_standard.extraction.picture_kind import picture_kind
+from roadlang_standard.extraction.road_net import road_net
 from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
 from training.rendering.aerial import render_aerial
 

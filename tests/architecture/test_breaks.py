@@ -101,7 +101,11 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     ),
     (rules.rooms_that_compute_read_no_files, "geometry/road.py", "open('road.csv').read()"),
     (rules.rooms_that_compute_read_no_files, "evaluate/evaluation.py", "from pathlib import Path"),
-    (rules.rooms_that_compute_read_no_files, "stl/evaluate/kernels.py", "np.load('kernels.npy')"),
+    (
+        rules.rooms_that_compute_read_no_files,
+        "stl/evaluate/sliding_and_until.py",
+        "np.load('kernels.npy')",
+    ),
     (rules.the_core_names_no_shipped_kind, "world/networks.py", "DEFAULT = 'standard.auto'"),
     (rules.the_core_names_no_shipped_kind, "search/effort.py", "CHEAP = ('sine', 'bump')"),
     (rules.the_core_names_no_shipped_kind, "scenes/emitting.py", "FIRST = 'svg'"),

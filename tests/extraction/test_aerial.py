@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.aerial import Request, Seen, roads_of_evidence, roads_of_photo
-from roadlang_standard.extraction.evidence import evidence, road_net
 from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.extraction.road_net import evidence, road_net
 from training.rendering.aerial import render_aerial
 
 

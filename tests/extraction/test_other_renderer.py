@@ -10,7 +10,7 @@ import pytest
 
 from roadlang_standard.extraction.aerial import Request
 from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.evidence import road_net
+from roadlang_standard.extraction.road_net import road_net
 
 SIZE = 400
 PEN = 1.4  # OpenCV draws an anti-aliased line so much wider than it is told

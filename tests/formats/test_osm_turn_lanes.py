@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roadlang import testing
-from roadlang_formats.osm_map.lane_arrows import written_arrows
+from roadlang_formats.osm_reading.lane_arrows import written_arrows
 from tests.formats.test_read_osm import osm, read, way
 
 

@@ -15,7 +15,7 @@ from roadlang.ir.scene import Scene
 from roadlang.scenes.instantiate import driven_scenes_or_faults, instantiate
 from roadlang.scenes.sampling import sample_scenes
 from roadlang.testing import scenario
-from roadlang.world import arrangement
+from roadlang.world import placement_without_overlap
 from roadlang.world.index import index_scenario
 
 BASE = """
@@ -148,14 +148,14 @@ def _driven(scene: Scene) -> dict[str, object]:
 def places_found(text: str, n: int, monkeypatch: pytest.MonkeyPatch) -> int:
     """How often anything looked for a place while `n` scenes were sampled and made."""
     found = 0
-    settle = arrangement._Turn.settle
+    settle = placement_without_overlap._Turn.settle
 
     def counted(*arguments: Any) -> None:
         nonlocal found
         found += 1
         settle(*arguments)
 
-    monkeypatch.setattr(arrangement._Turn, "settle", counted)
+    monkeypatch.setattr(placement_without_overlap._Turn, "settle", counted)
     loaded = scenario(text)
     result = sample_scenes(loaded.scenario, loaded.registry, n)
     assert result.accepted == n

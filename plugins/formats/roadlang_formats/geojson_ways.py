@@ -7,7 +7,7 @@ from typing import Any
 
 from roadlang.api import DiagnosticError
 
-from .osm_map.records import OsmExtract, OsmNode, OsmWay
+from .osm_reading.records import OsmExtract, OsmNode, OsmWay
 
 Fault = Callable[[str], DiagnosticError]
 _DIGITS = 7

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from roadlang.api import Diagnostic, DiagnosticError
 
-    from .osm_map.records import OsmWay
+    from .osm_reading.records import OsmWay
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class GeoJson(StreetMap):
         from .geojson_ways import ways_of
         from .json_maps import read_json
         from .map_xml import fault_at, left_out_at
-        from .osm_map.network import network_of_ways
+        from .osm_reading.network import network_of_ways
 
         text, content = read_json(path)
 

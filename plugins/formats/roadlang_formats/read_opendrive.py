@@ -24,6 +24,6 @@ class OpenDriveMap(Reader):
     def read(self, path: Path) -> Any:
         """An `Extraction` in the coordinates of the file. Raises RL479."""
         from .map_xml import read_map_xml
-        from .opendrive_map.network import network_of
+        from .opendrive_reading.network import network_of
 
         return network_of(read_map_xml(path, "OpenDRIVE"), objects=self.objects)

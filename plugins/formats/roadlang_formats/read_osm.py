@@ -27,7 +27,7 @@ class OpenStreetMap(StreetMap):
     def read(self, path: Path) -> Any:
         """An `Extraction`. Raises RL479."""
         from .map_xml import read_map_xml
-        from .osm_map.network import network_of
+        from .osm_reading.network import network_of
 
         options = self.street_options(self.service)
         return network_of(read_map_xml(path, "osm"), options)

@@ -10,7 +10,7 @@ from roadlang.api import ANGLE, Flag, Length, Reader, option, pair_of
 from .place_on_earth import stated_origin
 
 if TYPE_CHECKING:
-    from .osm_map.network import OsmOptions
+    from .osm_reading.network import OsmOptions
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class StreetMap(Reader):
 
     def street_options(self, service: bool) -> OsmOptions:
         """As the network is made with them. `service`: with service roads."""
-        from .osm_map.network import OsmOptions
+        from .osm_reading.network import OsmOptions
 
         origin = stated_origin(self.origin)
         return OsmOptions(origin, self.lane_width, self.traffic == "left", service, self.buildings)

@@ -12,7 +12,7 @@ from .extract_contour import in_pixels
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
-    from .extraction.evidence import Net
+    from .extraction.road_net import Net
 
 Box = Annotated[ListOf[PixelPoint], list_of(PixelPoint, at_least=2)]
 """Two opposite corners."""

@@ -1,4 +1,4 @@
-"""Where agents and objects are, for many candidates or for one."""
+"""Answers where agents and objects are once they are placed, for many candidates or for one."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..evaluate.copies import CopyBatch
 from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
-from .arrangement import Arrangement
 from .copies import counts, is_group, most_copies
-from .neighbors import COPY
 from .placement_order import can_be_placed_again
+from .placement_without_overlap import Arrangement
 from .positions import starts_of
 from .roads import road_batch
+from .room_between import COPY
 from .routes import routes_of
 from .spots import UNREACHED
 

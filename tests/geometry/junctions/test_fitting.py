@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry.junctions.fitting import TIGHTEST, ConnectionEnds, fitted, sampled
+from roadlang.geometry.junctions.connection_curves import TIGHTEST, ConnectionEnds, fitted, sampled
 
 EVERYWHERE = np.zeros((0, 3))
 

@@ -7,8 +7,8 @@ from xml.etree.ElementTree import Element, indent, tostring
 
 import numpy as np
 
-from roadlang_formats.opendrive_map.both_ways import REVERSE_OF
-from roadlang_formats.opendrive_map.left_hand import LEFT_HAND_OF
+from roadlang_formats.opendrive_reading.both_ways import REVERSE_OF
+from roadlang_formats.opendrive_reading.left_hand import LEFT_HAND_OF
 from roadlang_formats.place_on_earth import map_origin
 
 from .connecting_roads import ConnectingRoad, put_connecting_road

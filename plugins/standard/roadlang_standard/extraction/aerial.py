@@ -12,7 +12,6 @@ from roadlang.geometry import Floats
 
 from .dead_end_extension import extend_dead_ends
 from .drafting import Draft, draft, typical_width_of
-from .evidence import Net, evidence, road_net
 from .evidence_pruning import drop_unworthy, prune_by_discounted_length
 from .found_network import FoundNetwork
 from .graph import Graph, trace
@@ -21,6 +20,7 @@ from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
 from .linking import dead_ends, link
 from .masks import without_holes, without_specks
+from .road_net import Net, evidence, road_net
 from .scale import resized, view_scales
 from .skeleton import skeleton
 from .smoothing import stations

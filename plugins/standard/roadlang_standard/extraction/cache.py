@@ -19,8 +19,8 @@ import numpy as np
 from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
 from .crosscheck import checked_roads
-from .evidence import Net, road_net
 from .found_network import FoundNetwork, FoundRoad
+from .road_net import Net, road_net
 from .tones import Image
 
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from .aerial import Request, roads_of_photo
 from .classical import roads_by_ribbons
-from .evidence import Net
 from .found_network import FoundNetwork, FoundRoad
 from .photo_confidence import calibrated
+from .road_net import Net
 from .scale import resized
 from .tones import Image
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Floats, norm
 from .arms import nearest_on
-from .fitting import along
+from .connection_curves import along
 
 Pieces: TypeAlias = tuple[tuple[float, float], ...]
 """(length, curvature) in order"""

@@ -15,7 +15,7 @@ from .area import ring_with_faces, surface
 from .arms import ArmKey, ArmLane, ArmLine
 from .conflicts import conflicts_of, line_shares
 from .connecting import SHARPEST, Connected, pair_widths
-from .fitting import sampled
+from .connection_curves import sampled
 from .lane_pairs import LanePair
 from .model import Connection, Junction, LaneEnd, Point, Problem, Refusal
 from .places import JunctionSite

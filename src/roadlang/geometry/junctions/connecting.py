@@ -10,7 +10,7 @@ import numpy as np
 
 from ..arrays import Booleans, Floats
 from .arms import DEFAULT_TRIM, ArmKey, ArmLine, Face
-from .fitting import ConnectionEnds, Fits, fitted
+from .connection_curves import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, lane_pairs
 from .places import SHORTEST_ROAD, SHORTEST_STUB, JunctionSite
 from .sweeping import swept_arms

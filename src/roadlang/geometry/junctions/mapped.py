@@ -17,7 +17,7 @@ from .arc_splines import Pieces, arc_spline
 from .arms import ArmKey, ArmLine, Face
 from .building import junction_of
 from .connecting import Connected
-from .fitting import ConnectionEnds, Fits, fitted
+from .connection_curves import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, turn_of
 from .model import Junction, JunctionPlan
 from .places import JunctionSite

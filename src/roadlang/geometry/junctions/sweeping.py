@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arrays import Booleans, Floats
 from .arms import ArmKey, ArmLine
-from .fitting import Fits, along, sampled
+from .connection_curves import Fits, along, sampled
 
 TOLERANCE = 0.004
 """Meters by which surfaces may overlap unnoticed."""

@@ -13,8 +13,8 @@ from ..arrays import Floats
 from .area import surface
 from .arms import ArmKey, ArmLine
 from .connecting import Connected, connected, pair_widths, push
+from .connection_curves import Fits, along
 from .corners import SMALLEST_RADIUS
-from .fitting import Fits, along
 from .lane_pairs import ArmLanes, LanePair
 from .places import JunctionSite
 from .sweeping import TOLERANCE, ring_round, road_beyond, valid

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...geometry.junctions.connection_curves import ConnectionEnds, Fits, fitted, sampled
 from ...geometry.junctions.corners import SMALLEST_RADIUS
-from ...geometry.junctions.fitting import ConnectionEnds, Fits, fitted, sampled
 
 EXTENSIONS = np.arange(0.0, 25.0)
 """Meters before and after a tight bend from which on a wider one may replace it."""

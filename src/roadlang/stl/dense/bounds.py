@@ -14,7 +14,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from ..evaluate.kernels import GREATEST, LEAST, Extreme
+from ..evaluate.sliding_and_until import GREATEST, LEAST, Extreme
 from ..evaluate.static_truth import static_truth
 from ..evaluate.unseen import unseen_range
 from ..formula import formulas as f

@@ -11,8 +11,8 @@ import numpy as np
 
 from ...diagnostics import Code
 from ..errors import check_word, stl_error
-from ..evaluate.kernels import GREATEST, LEAST
-from ..evaluate.operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
+from ..evaluate.graph_operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
+from ..evaluate.sliding_and_until import GREATEST, LEAST
 from ..evaluate.trace import FloatArray, Positions
 from ..formula import formulas as f
 from ..formula import terms as t

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..evaluate.kernels import Extreme
+from ..evaluate.sliding_and_until import Extreme
 from ..evaluate.trace import FloatArray
 from ..evaluate.windows import BoolArray, IntArray
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..evaluate.kernels import GREATEST, LEAST, Extreme, slide_between, unbounded_until
+from ..evaluate.sliding_and_until import GREATEST, LEAST, Extreme, slide_between, unbounded_until
 from ..evaluate.trace import FloatArray
 from ..evaluate.windows import BoolArray, IntArray
 from ..formula.interval import Interval

@@ -11,9 +11,9 @@ from ..formula import terms as t
 from ..formula.normal_form import normal_form
 from .axis import SamplePositions
 from .evaluation import at_start, everywhere
-from .kernels import GREATEST, LEAST, Extreme
-from .operations import BOOLEAN
+from .graph_operations import BOOLEAN
 from .schedule import Span
+from .sliding_and_until import GREATEST, LEAST, Extreme
 from .trace import FloatArray, Positions, SampledSignals, Signals
 from .windows import BoolArray, Windows
 

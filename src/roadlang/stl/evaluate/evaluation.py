@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..formula import formulas as f
 from .axis import SamplePositions
 from .graph import FormulaGraph
-from .operations import BOOLEAN, ROBUST, Function
+from .graph_operations import BOOLEAN, ROBUST, Function
 from .schedule import EvaluationPlan
 from .trace import FloatArray, InfiniteSignal, Positions, SampledSignals, Signals
 

@@ -11,8 +11,7 @@ import numpy as np
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
-from .kernels import GREATEST, LEAST
-from .operations import (
+from .graph_operations import (
     OF_INFINITIES,
     ROBUST,
     TERM_FUNCTIONS,
@@ -28,6 +27,7 @@ from .operations import (
     least,
     negative,
 )
+from .sliding_and_until import GREATEST, LEAST
 
 
 def can_be_infinite(formula: f.Formula) -> bool:

@@ -20,8 +20,7 @@ from .ahead import extended_axis
 from .axis import SamplePositions
 from .evaluation import finite_first, run_at_start
 from .graph import FormulaGraph, can_be_infinite
-from .kernels import GREATEST, LEAST, Extreme
-from .operations import (
+from .graph_operations import (
     BOOLEAN,
     ROBUST,
     AtUnseen,
@@ -37,6 +36,7 @@ from .operations import (
     least,
     negative,
 )
+from .sliding_and_until import GREATEST, LEAST, Extreme
 from .static_truth import static_truth
 from .trace import FloatArray, SampledSignals
 from .unseen import unseen_range

@@ -8,8 +8,7 @@ import numpy as np
 
 from .axis import SamplePositions
 from .graph import FormulaGraph, FormulaNode
-from .kernels import GREATEST, slide, slide_between, until
-from .operations import (
+from .graph_operations import (
     AtUnseen,
     Extend,
     GivenNumbers,
@@ -21,6 +20,7 @@ from .operations import (
     Sliding,
 )
 from .order_statistics import greatest_level
+from .sliding_and_until import GREATEST, slide, slide_between, until
 from .trace import FloatArray, InfiniteSignal, SampledSignals
 from .weights import UnseenWeights, WeighedWindows, weighed_windows
 from .windows import BoolArray, Windows

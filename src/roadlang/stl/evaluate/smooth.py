@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from ...diagnostics import Code
 from ..errors import check_positive, stl_error
 from ..formula import formulas as f
-from . import operations as o
+from . import graph_operations as o
 from .axis import SamplePositions
 from .evaluation import finite_first
 from .graph import FormulaGraph
-from .kernels import LEAST
 from .order_statistics import greatest_level
 from .schedule import EvaluationPlan, ScheduledStep
+from .sliding_and_until import LEAST
 from .trace import FloatArray, Positions, SampledSignals, Signals
 from .weights import WeighedWindows
 from .windows import IntArray, Windows

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..formula.interval import UNBOUNDED
-from .operations import Measuring
+from .graph_operations import Measuring
 from .stream_nodes import Clock, Sample, Stream
 from .weights import enough_weight
 

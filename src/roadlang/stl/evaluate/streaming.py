@@ -14,11 +14,18 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon
 from ..formula.interval import UNBOUNDED, NeighborWindow
-from . import operations as op
+from . import graph_operations as op
 from .graph import FormulaGraph
-from .kernels import GREATEST
-from .operations import Measuring, NumberOperation, PointwiseOperation, Reaching, Read, Sliding
+from .graph_operations import (
+    Measuring,
+    NumberOperation,
+    PointwiseOperation,
+    Reaching,
+    Read,
+    Sliding,
+)
 from .position_text import position_text
+from .sliding_and_until import GREATEST
 from .stream_measures import StreamMeasure
 from .stream_neighbors import StreamNext, StreamPrevious
 from .stream_nodes import (

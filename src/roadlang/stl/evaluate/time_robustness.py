@@ -11,7 +11,7 @@ from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
 from .evaluation import at_start, everywhere
-from .operations import BOOLEAN
+from .graph_operations import BOOLEAN
 from .trace import FloatArray, Positions, SampledSignals, Signals
 from .windows import BoolArray
 

@@ -12,7 +12,7 @@ from ..formula import formulas as f
 from .axis import SamplePositions
 from .beyond_end import TraceEnd
 from .evaluation import at_start, reversed_at_start
-from .operations import BOOLEAN
+from .graph_operations import BOOLEAN
 from .ranges import range_at_start
 from .satisfaction import is_satisfied
 from .trace import FloatArray, Positions, SampledSignals, Signals

@@ -14,7 +14,7 @@ from .trace import FloatArray
 from .windows import BoolArray, IntArray, Windows
 
 if TYPE_CHECKING:
-    from .operations import Measuring
+    from .graph_operations import Measuring
 
 
 @dataclass(frozen=True)

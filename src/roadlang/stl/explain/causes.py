@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..evaluate.axis import SamplePositions
 from ..evaluate.evaluation import everywhere
-from ..evaluate.operations import BOOLEAN
+from ..evaluate.graph_operations import BOOLEAN
 from ..evaluate.trace import FloatArray, SampledSignals
 from ..formula import formulas as f
 from ..formula.normal_form import normal_form

@@ -22,12 +22,12 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import CopyKinds, counts, element_of, kinds_of, most_copies
 from .named_roads import length_of_rows, name_of_road, named_road
-from .neighbors import COPY, PlacedRectangles, legend_neighbors, missing_room, room_among
 from .placement_order import can_be_placed_again, placement_order
 from .poses import poses_of
 from .positions import Others
 from .road_poses import RoadPoses
 from .road_strips import depth_in_lanes
+from .room_between import COPY, PlacedRectangles, legend_neighbors, missing_room, room_among
 from .tight_bends import lacking_in_bends
 
 TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)

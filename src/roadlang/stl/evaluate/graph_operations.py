@@ -12,7 +12,7 @@ import numpy as np
 from ...diagnostics import Code
 from ..errors import stl_error
 from ..formula.interval import Interval, Reach
-from .kernels import Extreme
+from .sliding_and_until import Extreme
 from .trace import FloatArray
 
 Function: TypeAlias = Callable[..., FloatArray]
