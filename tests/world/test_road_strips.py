@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from roadlang.evaluate.candidates import CandidateBatch
+from roadlang.geometry import Footprints
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.road_strips import RoadStrips, road_strips
+from roadlang.world.road_strips import RoadStrips, depth_in_lanes, road_strips
 from tests.straight_road import STRAIGHT
 
 RING = """
@@ -55,3 +56,44 @@ def test_each_candidate_has_rectangles_of_its_own_where_the_road_is_drawn(
     assert found.boxes.width == pytest.approx(8.0)
     highest = [np.abs(found.boxes.y[found.group == number]).max() for number in range(3)]
     assert len(set(highest)) == 3
+
+
+CROSSED = (
+    STRAIGHT
+    + "road other { draw with waypoints { points: [(50m, -90m), (50m, 90m)] } width: 6m }\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "x", "y", "road", "start", "depth"),
+    [
+        (STRAIGHT, 30.0, 5.5, None, 0.0, 0.0),
+        (STRAIGHT, 30.0, 4.6, None, 0.0, 0.4),
+        (STRAIGHT, 30.0, 4.6, "other", 30.0, 0.4),
+        (STRAIGHT, 30.0, 4.6, "main", 30.0, 0.0),
+        (STRAIGHT, 30.0, 4.6, "main", 40.0, 0.4),
+        (STRAIGHT, 199.0, 4.6, "main", 1.0, 0.4),
+        (CROSSED, 30.0, 4.6, "main", 30.0, 0.0),
+        (CROSSED, 53.5, 9.0, "main", 53.5, 0.5),
+        (CROSSED, 53.5, 9.0, "other", 99.0, 0.0),
+        (RING, 0.0, -3.5, "ring", 3.0, 0.0),
+        (RING, 0.0, -3.5, "ring", 120.0 + 60.0 * np.pi - 1.0, 0.0),
+        (RING, 0.0, -3.5, "ring", 90.0, 0.5),
+    ],
+)
+def test_what_stands_in_lanes_does_so_by_its_depth_save_right_beside_where_it_stands(
+    acceptance: Callable[[str], Acceptance],
+    text: str,
+    x: float,
+    y: float,
+    road: str | None,
+    start: float,
+    depth: float,
+) -> None:
+    """A box of 2 m by 2 m. At the seam of a closed road, both ends are right beside it."""
+    place = [np.array([value]) for value in (x, y, 0.0, 2.0, 2.0)]
+    scenario = acceptance(text).scenario
+    batch = CandidateBatch(scenario, 0, np.zeros(1, np.int64), np.zeros(1, np.int64))
+    rows = np.zeros(1, np.int64)
+    found = depth_in_lanes(Footprints(*place), rows, [road], np.array([start]), batch, False)
+    assert found == pytest.approx([depth], abs=1e-6)
