@@ -14,6 +14,7 @@ from roadlang.falsification.distinct import DistinctFailures
 from roadlang.falsification.evaluator import _is_of_draws
 from roadlang.falsification.grading import Grading
 from roadlang.falsification.outcome import Moment, Outcome
+from roadlang.falsification.outcome_rows import row_of
 from roadlang.falsification.search_loop import equal_parts
 from roadlang.falsification.statistics import (
     best_so_far,
@@ -25,6 +26,22 @@ from roadlang.falsification.statistics import (
 
 def driven(index: int, violated: str = "", **robustness: float | None) -> Outcome:
     return Outcome(index, (0.5,), False, None, {}, robustness, tuple(violated.split()))
+
+
+def test_a_row_of_a_table_has_draws_coordinates_of_passes_and_the_moment_of_a_failure() -> None:
+    safe = replace(driven(3, a=1.0), point=(0.1, 0.2), draws={"end": 90.0})
+    row = {
+        "evaluation": 3, "random": False, "end": 90.0, "main/perturb 1:0": 0.2, "a": 1.0,
+        "violated": "",
+    }  # fmt: skip
+    assert row_of(safe, ["end", "main/perturb 1:0"]) == row
+    moment = Moment("a", 1.5, "ego", 2.0, 3.0, station=4.0, partner="lead")
+    where = {"time": 1.5, "agent": "ego", "x": 2.0, "y": 3.0, "station": 4.0, "partner": "lead"}
+    fails = replace(safe, violated=("a", "b"), moment=moment)
+    more = {f"violation {name}": value for name, value in where.items()}
+    assert row_of(fails, ["end", "main/perturb 1:0"]) == {**row, "violated": "a b", **more}
+    nowhere = row_of(replace(fails, moment=None), ["end", "main/perturb 1:0"])
+    assert nowhere == {**row, "violated": "a b", **dict.fromkeys(more)}
 
 
 def invalid(index: int, violation: float) -> Outcome:

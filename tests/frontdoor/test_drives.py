@@ -37,6 +37,20 @@ class Sled(Simulator):
         )
 
 
+@dataclass(frozen=True)
+class Two(Simulator):
+    """Two that stand still, apart."""
+
+    name: ClassVar[str] = "two"
+
+    def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
+        still = {"time": TIME, "y": 0.0, "heading": 0.0, "speed": 0.0}
+        return testing.trace(
+            testing.agent_trace("ego", x=0.0, station=0.0, **still),
+            testing.agent_trace("late", x=90.0, station=90.0, **still),
+        )
+
+
 def drives(text: str = TEXT, n: int = 4) -> DriveSet:
     return testing.sample(text, n, kinds=[Sled]).run()
 
@@ -120,3 +134,17 @@ def test_a_figure_is_called_after_the_worst_expectation() -> None:
     (figure,) = [drive.svg() for drive in plain]
     assert "scene 0" in figure
     assert "robustness" not in figure
+
+
+def test_a_figure_of_a_drive_shows_the_first_of_those_who_decide_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    text = TEXT.split("expect")[0] + "agent late is car on main at 90m\nsimulate with two\n"
+    shown: list[str] = []
+    monkeypatch.setattr(
+        "roadlang.session.drives.drive_figure", lambda *given: shown.append(given[2])
+    )
+    for rule in ("", "expect near: always (gap(late, ego) < 1m)\n"):
+        (drive,) = testing.sample(text + rule, 1, kinds=[Two]).run()
+        drive.svg()
+    assert shown == ["ego", "late"]

@@ -51,3 +51,14 @@ def test_a_profile_has_the_robustness_of_the_operand_at_every_station(sample: Sa
 )
 def test_other_formulas_have_no_profile(sample: Sample, formula: str) -> None:
     assert verdict(sample, formula).profiles == ()
+
+
+def test_a_scene_without_any_copy_has_no_profile_of_what_is_said_of_copies(sample: Sample) -> None:
+    text = STRAIGHT + BUMP + "agent cars is car on main at 10m..20m { count: integer(0, 1) }\n"
+    scenes = sample(text + "expect e: always (deviation(bent, main) < cars.start)\n", 8).scenes
+    assert {len(scene.agents) for scene in scenes} == {0, 1}
+    for scene in scenes:
+        (found,) = scene.expectations
+        least = [min(profile.values) for profile in found.profiles]
+        assert least == pytest.approx([agent.x - 3.0 for agent in scene.agents])
+        assert (found.tightest is None) is (not scene.agents)
