@@ -13,21 +13,23 @@ GRID = (
 
 
 @pytest.mark.parametrize(
-    ("least", "n", "found", "missing"),
+    ("least", "n", "found", "missing", "tried"),
     [
-        ("0m", None, 4, ()),  # all of the grid
-        ("2.5m", None, 2, ()),  # those of it that are accepted
-        ("0m", 3, 3, ()),
-        ("0m", 6, 4, (4, 5)),
-        ("2.5m", 3, 2, (2,)),
-        ("2.5m", 2, 2, ()),
+        ("0m", None, 4, (), 4),  # all of the grid
+        ("2.5m", None, 2, (), 4),  # those of it that are accepted
+        ("0m", 3, 3, (), 3),
+        ("0m", 6, 4, (4, 5), 4),
+        ("2.5m", 3, 2, (2,), 4),
+        ("2.5m", 2, 2, (), 4),
+        ("2.5m", 1, 1, (), 3),
     ],
 )
 def test_a_grid_has_the_scenes_that_it_has(
-    least: str, n: int | None, found: int, missing: tuple[int, ...]
+    least: str, n: int | None, found: int, missing: tuple[int, ...], tried: int
 ) -> None:
     scenes = roadlang.loads(GRID.replace("LEAST", least)).sample(n)
     assert len(scenes) == found
+    assert scenes.result.candidates == tried
     assert scenes.result.missing == missing
     assert [scene.index for scene in scenes] == list(range(found))
 

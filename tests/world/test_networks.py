@@ -224,6 +224,19 @@ def test_things_of_one_kind_are_numbered_from_zero(sample: Sample) -> None:
     assert {thing.group for thing in scene.objects} == {"town/building", "town/tree"}
 
 
+def test_things_of_a_picture_are_as_large_as_they_are_drawn_with_defaults_for_the_rest(
+    sample: Sample,
+) -> None:
+    (scene,) = sample(TOWN).scenes
+    options = {thing.kind: dict(thing.options) for thing in scene.objects}
+    assert options == {
+        "tree": {"length": 12.0, "width": 12.0, "height": 8.0, "color": "#2e7d32"},
+        "building": {"length": 12.0, "width": 12.0, "height": 7.0, "color": "#b71c1c"},
+    }
+    sizes = [(thing.length, thing.width, thing.height) for thing in scene.objects]
+    assert sorted(sizes) == [(12.0, 12.0, 7.0), (12.0, 12.0, 8.0)]
+
+
 def test_any_road_of_the_network_may_be_drawn(sample: Sample) -> None:
     text = TOWN + "road street from town { select: any }\n"
     scenes = sample(text, 60).scenes
