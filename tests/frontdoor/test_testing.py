@@ -12,6 +12,7 @@ import pytest
 
 from roadlang import DiagnosticError, testing
 from roadlang.api import Backend, Length, Perturber, RoadBatch, Scene, option
+from roadlang.plugins.discovery import registry_of
 from roadlang.session.scene_set import SceneSet
 
 TEXT = """\
@@ -89,6 +90,35 @@ def test_a_kind_that_no_plugin_could_bring_is_refused() -> None:
 
     with pytest.raises(TypeError, match="Nameless"):
         testing.registry_with(Nameless)
+
+
+@dataclass(frozen=True)
+class Sine(Shift):
+    """Named as a kind that ships with roadlang."""
+
+    name: ClassVar[str] = "sine"
+
+
+@dataclass(frozen=True)
+class Tilt(Shift):
+    """A kind of another plugin alone."""
+
+    name: ClassVar[str] = "tilt"
+
+
+def test_kinds_under_test_replace_installed_ones_but_none_that_ships(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    installed = {"other": testing.plugin_of(Shift, Sine, Tilt)}
+    monkeypatch.setattr(
+        testing, "registry_of", lambda tested, **_: registry_of({**installed, **tested})
+    )
+    registry = testing.registry_with(Shift, Sine)
+    found = {
+        name: sorted(e.origin.plugin for e in registry.entries if e.name == name)
+        for name in ("sidestep", "tilt", "sine")
+    }
+    assert found == {"sidestep": ["tested"], "tilt": ["other"], "sine": ["standard", "tested"]}
 
 
 def test_a_road_to_perturb_by_hand() -> None:
