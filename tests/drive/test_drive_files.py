@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import ClassVar
 
+import numpy as np
 import pytest
 
 from roadlang import testing
@@ -56,6 +57,8 @@ def test_files_of_drives_are_beside_the_traces(tmp_path: Path) -> None:
     written(tmp_path, n=2)
     assert (tmp_path / "scene-0001.drive.txt").read_text() == "scene-0001 ['ego'] 21\n"
     assert (tmp_path / "scene-0001.trace.csv").is_file()
+    with np.load(tmp_path / "scene-0001.ego.gps.npz") as readings:
+        assert len(readings["time"]) == len(readings["arrival"]) > 0
 
 
 def test_backends_of_scenes_alone_write_nothing_of_drives(tmp_path: Path) -> None:

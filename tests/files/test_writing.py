@@ -252,3 +252,4 @@ def test_a_file_that_cannot_be_replaced_stays_and_the_reason_is_told(
     with pytest.raises(DiagnosticError, match=reason):
         replace_file(tmp_path / "a.rl", "after")
     assert (tmp_path / "a.rl").read_text() == "before"
+    assert [path.name for path in tmp_path.iterdir()] == ["a.rl"]

@@ -25,6 +25,10 @@ def nowhere(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path
 
 
+def test_the_project_is_where_the_package_or_the_checkout_has_it() -> None:
+    assert (engine.project() / "project.godot").is_file()
+
+
 def executable(path: Path, text: str) -> Path:
     path.write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
     path.chmod(0o755)
