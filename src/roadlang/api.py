@@ -278,6 +278,8 @@ def __getattr__(name: str) -> Any:
     ):  # every `from roadlang.api import` asks for it, those in steps of drives too
         raise AttributeError(name)
     current = current_name(__name__, name, _RENAMED)
+    if current in globals():
+        return globals()[current]
     if current not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     found = getattr(import_module(_HOME[current], __package__), current)
