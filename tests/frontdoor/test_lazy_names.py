@@ -18,13 +18,3 @@ def test_names_that_are_not_there_are_missing_attributes(package: str) -> None:
     for name in list(module.__all__)[::7]:
         found = getattr(module, name)
         assert getattr(module, name) is found
-
-
-@pytest.mark.parametrize(("old", "new"), [("Whole", "Integer"), ("Stretch", "ViolatedSegment")])
-def test_an_old_name_of_the_interface_is_the_new_one_with_a_warning(old: str, new: str) -> None:
-    api = import_module("roadlang.api")
-    for _ in range(2):
-        with pytest.warns(
-            DeprecationWarning, match=f"roadlang.api.{old} is now roadlang.api.{new}"
-        ):
-            assert getattr(api, old) is getattr(api, new)
