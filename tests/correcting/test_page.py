@@ -14,11 +14,12 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang import load
+from roadlang import correcting, load
 from roadlang.correcting.picture_roads import PictureRoads
 from roadlang.correcting.server import CorrectionServer
 from tests.report.browser import Page, browser
 
+PAGE = Path(correcting.__file__).parent / "page"
 SCENE = """# two roads and a stripe that is none
 image photo from "plan.png" { scale: 0.5m/px }
 network town from photo {
@@ -207,7 +208,7 @@ def test_the_wheel_zooms_where_it_points_and_a_drag_moves(page: Page) -> None:
 def request(address: str, content: bytes | None = None, **headers: str) -> tuple[int, Any]:
     asked = urllib.request.Request(address, data=content, headers=headers)
     try:
-        with urllib.request.urlopen(asked) as answer:
+        with urllib.request.urlopen(asked, timeout=60) as answer:
             return answer.status, answer.read()
     except urllib.error.HTTPError as error:
         return error.code, None
@@ -253,6 +254,46 @@ def test_nobody_without_the_secret_is_answered(server: CorrectionServer) -> None
     assert request(server.address + "start")[0] == 200
     assert request(server.address + "../server.py")[0] == 404
     assert request(server.address + "%2e%2e/server.py")[0] == 404
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [("", "text/html"), ("page.css", "text/css"), ("page.js", "text/javascript")],
+)
+def test_the_files_of_the_page_are_sent_with_their_types(
+    server: CorrectionServer, name: str, kind: str
+) -> None:
+    with urllib.request.urlopen(server.address + name, timeout=60) as answer:
+        assert answer.headers["Content-Type"] == f"{kind}; charset=utf-8"
+        assert answer.read() == (PAGE / (name or "page.html")).read_bytes()
+
+
+def test_what_is_sent_is_answered_by_what_is_asked_for(
+    server: CorrectionServer, scene: Path
+) -> None:
+    """Only the path of the stripe below is left after the one above was dismissed."""
+    sent = json.dumps({"drawn": [], "dismissed": [[[200, 60]]], "confirmed": []}).encode()
+    status, content = request(server.address + "roads", sent)
+    assert (status, list(json.loads(content))) == (200, ["roads", "missed"])
+    (road,) = json.loads(content)["roads"]
+    assert np.mean(road["points"], axis=0)[1] == pytest.approx(180.5, abs=1.0)
+    assert json.loads(content)["missed"] == []
+    assert scene.read_text() == SCENE
+    assert request(server.address + "elsewhere", sent)[0] == 404
+    assert request(server.address + "elsewhere")[0] == 404
+    scene.write_text(SCENE.replace("town", "village"))
+    status, content = request(server.address + "save", sent)
+    assert (status, list(json.loads(content))) == (200, ["error"])
+    assert not server.done.is_set()
+    assert request(server.address + "done", sent) == (200, b"{}")
+    assert server.done.is_set()
+
+
+def test_a_drawn_road_that_is_none_is_refused_in_words(server: CorrectionServer) -> None:
+    sent = {"drawn": [[[9, 9], [9, 9]]], "dismissed": [], "confirmed": [[200, 5]]}
+    answer = json.loads(request(server.address + "roads", json.dumps(sent).encode())[1])
+    assert list(answer) == ["error"]
+    assert answer["error"].startswith("This road cannot be drawn: ")
 
 
 @pytest.mark.parametrize(

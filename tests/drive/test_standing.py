@@ -18,6 +18,20 @@ SCENE = replace(bend(), objects=(TREE, BOX), agents=(EGO,))
 STANDING = {one.name: AgentTrace.standing(one, TIME) for one in (EGO, TREE, BOX)}
 
 
+def test_what_stands_is_at_rest_where_the_scene_has_it() -> None:
+    place = {"x": 4.0, "y": 5.0, "heading": 0.5}
+    box = replace(BOX, **place, start=7.0, offset=-2.0, length=1.5, width=1.25)
+    stands = AgentTrace.standing(box, TIME)
+    at = {**place, "station": 7.0, "cross_track_error": -2.0, "present": 1.0}
+    rest = ("speed", "acceleration", "steering", "progress", "contacts", "route_progress",
+            "red_light", "collision")  # fmt: skip
+    for member, value in {**at, **dict.fromkeys(rest, 0.0)}.items():
+        np.testing.assert_array_equal(getattr(stands, member), [value] * 3, err_msg=member)
+    assert (stands.name, stands.length, stands.width) == ("box", 1.5, 1.25)
+    nowhere = AgentTrace.standing(replace(box, start=None, offset=None), TIME)
+    assert (nowhere.station[0], nowhere.cross_track_error[0]) == (0.0, 0.0)
+
+
 @pytest.mark.parametrize("column", ["x", "y", "heading"])
 def test_what_stands_throughout_is_left_out_but_for_agents(column: str) -> None:
     moved: dict[str, Any] = {column: np.array([0.0, 0.0, 0.1])}
