@@ -137,6 +137,12 @@ def test_marks_of_arc_length_stand_every_round_length_at_the_right_edge() -> Non
     labels = written(drawn)
     assert [label for label, _, _ in labels] == ["0 m", *map(str, range(5, 100, 5)), "100 m"]
     assert [(x, y) for _, x, y in labels][3] == pytest.approx((150, 307.8), abs=0.02)
+    boxes = list(furniture.station_boxes(straight_ribbon(), PAGE, FONT))
+    assert len(boxes) == 21
+    # Two digits of 8 px at (150, 307.8); a line of text is 1.1 font sizes high.
+    box = boxes[3]
+    assert (box.left, box.right) == pytest.approx((145.76, 154.24), abs=0.02)
+    assert (box.top, box.bottom) == pytest.approx((300.6, 309.4), abs=0.02)
 
 
 def test_marks_count_from_the_root_of_a_road() -> None:

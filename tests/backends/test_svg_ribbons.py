@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang.ir.scene_lane import SceneLane
-from roadlang_standard.svg import ghost, palette
+from roadlang_standard.svg import ghost, labels, palette
 from roadlang_standard.svg.lanes import bands, lane_lines
 from roadlang_standard.svg.ribbon import ribbon_of, unfolded
 from roadlang_standard.svg.roads import roads
@@ -245,12 +245,14 @@ def test_a_road_is_left_out_where_junctions_take_its_place() -> None:
 
 def test_the_name_of_a_road_stands_beyond_its_end() -> None:
     ribbon = straight_ribbon()
-    assert written(ghost.end_label(ribbon, [], FONT, "black")) == [
+    assert written(labels.end_label(ribbon, [], FONT, "black")) == [
         ("main", *near_pair(1013, 253.5))
     ]
-    assert written(ghost.end_label(ribbon, [ribbon], FONT, "black"))[0][1] == pytest.approx(1026)
+    assert written(labels.end_label(ribbon, [ribbon], FONT, "black"))[0][1] == pytest.approx(1026)
     elsewhere = straight_ribbon(y=22.9)
-    assert written(ghost.end_label(ribbon, [elsewhere], FONT, "black"))[0][1] == pytest.approx(1013)
+    assert written(labels.end_label(ribbon, [elsewhere], FONT, "black"))[0][1] == pytest.approx(
+        1013
+    )
 
 
 def near_pair(x: float, y: float) -> tuple[object, object]:
@@ -258,8 +260,8 @@ def near_pair(x: float, y: float) -> tuple[object, object]:
 
 
 def test_names_are_needed_where_there_are_several_roads() -> None:
-    assert ghost.names([straight_ribbon()], FONT) == ""
-    assert len(written(ghost.names([straight_ribbon(), straight_ribbon(10.0)], FONT))) == 2
+    assert labels.road_names([straight_ribbon()], FONT) == ""
+    assert len(written(labels.road_names([straight_ribbon(), straight_ribbon(10.0)], FONT))) == 2
 
 
 def test_an_original_is_outlined_and_its_middle_dashed() -> None:
@@ -342,7 +344,7 @@ def test_versions_and_routes_are_translucent_in_the_colors_of_agents() -> None:
 
 def test_names_on_the_map_have_a_halo_of_the_ground() -> None:
     halo = ("stroke", "paint-order", "text-anchor")
-    assert painted(ghost.end_label(straight_ribbon(), [], FONT, "red"), "text", *halo) == [
+    assert painted(labels.end_label(straight_ribbon(), [], FONT, "red"), "text", *halo) == [
         [palette.GROUND, "stroke", "middle"]
     ]
 

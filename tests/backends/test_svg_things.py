@@ -20,6 +20,7 @@ from roadlang.ir.scene_junctions import (
 from roadlang.scenes.turn_arrows import arrow
 from roadlang_standard.svg import actors, palette, shapes, trees
 from roadlang_standard.svg.junctions import curbs, heads, paint
+from roadlang_standard.svg.labels import Box, actor_labels
 from tests.backends.handmade_scenes import actor, bend
 from tests.backends.svg_shapes import PAGE, Shape, ends, numbers, of, points, straight, written
 
@@ -189,23 +190,35 @@ def test_outlines_are_neither_too_thin_nor_too_thick(width: float, line: float) 
 
 
 def test_labels_stand_above_and_give_way_to_each_other() -> None:
-    """A car of 40 px: its label is half of that and 6 px above; the next finds its place below."""
-    cars = [actor(name, "car", 50, 25, length=4.0) for name in ("one", "two", "six", "ten")]
-    labels = written(actors.labels(scene(*cars), PAGE, FONT))
-    assert [(name, x) for name, x, _ in labels] == [(c.name, 500) for c in cars]
-    assert [y for _, _, y in labels] == near(224, 283, 212.5, 201)
+    """A car of 40 px: its label is half of that and 6 px above; the next find their places below,
+    to the left, to the right, and higher up."""
+    cars = [actor(n, "car", 50, 25, length=4.0) for n in ("one", "two", "six", "ten", "all")]
+    labels = written(actor_labels(scene(*cars), PAGE, FONT))
+    assert [name for name, _, _ in labels] == [car.name for car in cars]
+    # Beside the car stand 20 px of it, 2 px, and half of a label of 25.6 px.
+    assert [x for _, x, _ in labels] == near(500, 500, 465.2, 534.8, 500)
+    assert [y for _, _, y in labels] == near(224, 283, 253.5, 253.5, 212.5)
 
 
 def test_labels_need_not_give_way_to_those_beside_them() -> None:
-    """Three letters take 16.8 px."""
-    for apart, y in ((1.7, 224), (1.6, 283)):
+    """Three letters take 21.6 px, and 2 px on either side."""
+    for apart, y in ((2.6, 224), (2.5, 283)):
         cars = [actor(n, "car", x, 25, length=4.0) for n, x in (("one", 50), ("two", 50 + apart))]
-        assert written(actors.labels(scene(*cars), PAGE, FONT))[1][2] == pytest.approx(y)
+        assert written(actor_labels(scene(*cars), PAGE, FONT))[1][2] == pytest.approx(y)
+
+
+def test_labels_give_way_to_what_else_is_written() -> None:
+    """A mark of arc length stands where the label of the first car would be: it moves below. Where
+    everything is taken, it stands above."""
+    car = actor("one", "car", 50, 25, length=4.0)
+    for taken, y in ((Box.around(515, 226, 10, 8), 283), (Box(0, 0, 1000, 1000), 224)):
+        ((_, _, base),) = written(actor_labels(scene(car), PAGE, FONT, [taken]))
+        assert base == pytest.approx(y)
 
 
 def test_a_small_thing_has_its_label_clear_of_its_drawing() -> None:
     ant = actor("ant", "car", 50, 25, length=0.2, width=0.1)
-    ((_, _, y),) = written(actors.labels(scene(ant), PAGE, FONT))
+    ((_, _, y),) = written(actor_labels(scene(ant), PAGE, FONT))
     assert y == 250 - 7.5 - 6
 
 
@@ -214,7 +227,7 @@ def test_objects_are_labeled_unless_there_are_many(count: int, labeled: bool) ->
     poles = tuple(actor(f"pole{i}", "pole", 5.0 * i, 0) for i in range(count))
     house = actor("house", "acme.building", 0, 0)
     names = [
-        name for name, _, _ in written(actors.labels(scene(objects=(*poles, house)), PAGE, FONT))
+        name for name, _, _ in written(actor_labels(scene(objects=(*poles, house)), PAGE, FONT))
     ]
     assert names == ([pole.name for pole in poles] if labeled else [])
 

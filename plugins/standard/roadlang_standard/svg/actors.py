@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from . import palette, shapes, trees
-from .markup import group, text, title
+from .markup import group, title
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
@@ -20,43 +19,21 @@ if TYPE_CHECKING:
 _CARS = ("car", "van", "bus")
 _TWO_WHEELERS = ("bicycle", "motorcycle")
 _GREENERY = ("tree", "bush")
-_UNLABELED = ("tree", "bush", "building")
-_SHORTEST_AGENT = 15.0
-_SMALLEST_OBJECT = 3.0
-_MOST_LABELED_OBJECTS = 12
-_MOST_COPIES_LABELED = 4
+SHORTEST_AGENT = 15.0
+"""Pixels, of the longer side of its drawing."""
+SMALLEST_OBJECT = 3.0
 _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 
 def objects(scene: Scene, viewport: Viewport) -> str:
     """Everything that does not move; trees last, their crowns over the rest."""
     ordered = sorted(scene.objects, key=lambda actor: actor.category in _GREENERY)
-    return group(_drawn(ordered, viewport, _SMALLEST_OBJECT), class_="objects")
+    return group(_drawn(ordered, viewport, SMALLEST_OBJECT), class_="objects")
 
 
 def agents(scene: Scene, viewport: Viewport) -> str:
     """Everything that moves."""
-    return group(_drawn(scene.agents, viewport, _SHORTEST_AGENT), class_="agents")
-
-
-def labels(scene: Scene, viewport: Viewport, size: float) -> str:
-    """Names beside agents and the objects worth naming, with a halo, not on top of each other."""
-    actors = list(scene.agents)
-    worthy = [actor for actor in scene.objects if actor.category not in _UNLABELED]
-    if len(worthy) <= _MOST_LABELED_OBJECTS:
-        actors += worthy
-    return group(
-        _labels(_named(actors), viewport, size),
-        class_="labels",
-        font_size=size,
-        font_weight="600",
-        fill=palette.INK,
-        stroke="#ffffff",
-        stroke_width=3.2,
-        stroke_opacity=0.92,
-        paint_order="stroke",
-        stroke_linejoin="round",
-    )
+    return group(_drawn(scene.agents, viewport, SHORTEST_AGENT), class_="agents")
 
 
 def _drawn(actors: Sequence[SceneActor], viewport: Viewport, least: float) -> list[str]:
@@ -124,42 +101,3 @@ def _color(actor: SceneActor) -> str:
 def _hint(actor: SceneActor) -> str:
     place = f" at {actor.start:.1f} m on {actor.road}" if actor.start is not None else ""
     return f"{actor.name}: {_plain(actor.kind)}{place}"
-
-
-def _named(actors: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
-    """Each thing with its label; a group with many copies gets one, with their number."""
-    sizes = Counter(actor.group for actor in actors)
-    labeled: list[tuple[SceneActor, str]] = []
-    seen: set[str] = set()
-    for actor in actors:
-        if sizes[actor.group] <= _MOST_COPIES_LABELED:
-            labeled.append((actor, actor.name))
-        elif actor.group not in seen:
-            seen.add(actor.group)
-            labeled.append((actor, f"{actor.group} ({sizes[actor.group]})"))
-    return labeled
-
-
-def _labels(
-    named: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float
-) -> Iterator[str]:
-    placed: list[tuple[float, float, float]] = []
-    for actor, label in named:
-        x, y = viewport.place([actor.x, actor.y]).tolist()
-        extent = max(actor.length, actor.width) * viewport.pixels_per_meter
-        drop = max(extent, _SHORTEST_AGENT) / 2 + 0.6 * size
-        wide = 0.56 * size * len(label)
-        candidates = [(x, y - drop), (x, y + drop + 0.7 * size)]
-        candidates += [(x, y - drop - step * 1.15 * size) for step in (1, 2, 3)]
-        spot = next((c for c in candidates if _free(*c, wide, size, placed)), candidates[0])
-        placed.append((*spot, wide))
-        yield text(label, *spot, text_anchor="middle")
-
-
-def _free(
-    x: float, y: float, wide: float, size: float, placed: Sequence[tuple[float, float, float]]
-) -> bool:
-    return all(
-        abs(x - other_x) > (wide + other_wide) / 2 or abs(y - other_y) > 1.1 * size
-        for other_x, other_y, other_wide in placed
-    )

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from . import actors, furniture, ghost, palette, photo, profiles
+from . import actors, furniture, ghost, labels, palette, photo, profiles
 from .agent_routes import agent_routes
 from .ids import network_ids
 from .legend import legend_of
@@ -74,6 +74,7 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
     """The map alone, clipped to its rectangle."""
     selection = select(scene)
     ribbons = Ribbons(scene, viewport)
+    measured = _measured(scene, selection, ribbons) if style.stations else []
     parts = [
         furniture.ground(viewport),
         photo.beneath(style.photo, viewport, style.fade) if style.photo is not None else "",
@@ -82,44 +83,45 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         roads(scene, ribbons, selection.full, viewport),
         ghost.versions((ribbons[name] for name in selection.versions), style.font),
         ghost.routes((ribbons[name] for name in selection.routes), style.font),
-        ghost.names(_single_roads(scene, selection, ribbons), style.font) if style.labels else "",
+        _road_names(scene, selection, ribbons, style),
         ghost.ghost_lines(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         violations(scene, ribbons),
         actors.objects(scene, viewport),
-        *_stations(scene, selection, ribbons, viewport, style),
+        *(furniture.station_marks(ribbon, viewport, style.font) for ribbon in measured),
         network_ids(scene, selection.full, viewport, style.font) if style.ids else "",
         agent_routes(scene, viewport, style.font),
         actors.agents(scene, viewport),
         tight_places(scene, ribbons, style.font) if style.profiles and style.labels else "",
-        actors.labels(scene, viewport, style.font) if style.labels else "",
+        labels.actor_labels(scene, viewport, style.font, _taken(measured, viewport, style))
+        if style.labels
+        else "",
     ]
     return group(parts, class_="map", clip_path=f"url(#{clip})")
 
 
-def _single_roads(
-    scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon]
-) -> list[Ribbon]:
-    """What is drawn in full and is no road of a network."""
+def _road_names(
+    scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon], style: Style
+) -> str:
+    """Of what is drawn in full and is no road of a network."""
+    if not style.labels:
+        return ""
+    full = [r.name for r in scene.roads if r.name in selection.full and r.network is None]
+    return labels.road_names((ribbons[name] for name in full), style.font)
+
+
+def _measured(scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon]) -> list[Ribbon]:
+    """What is drawn with marks of its arc length."""
     return [
         ribbons[road.name]
         for road in scene.roads
-        if road.name in selection.full and road.network is None
+        if road.name in selection.measured and not road.network
     ]
 
 
-def _stations(
-    scene: Scene,
-    selection: Selection,
-    ribbons: Mapping[str, Ribbon],
-    viewport: Viewport,
-    style: Style,
-) -> list[str]:
-    if not style.stations:
-        return []
-    alone = [
-        road.name for road in scene.roads if road.name in selection.measured and not road.network
+def _taken(measured: list[Ribbon], viewport: Viewport, style: Style) -> list[labels.Box]:
+    return [
+        box for ribbon in measured for box in furniture.station_boxes(ribbon, viewport, style.font)
     ]
-    return [furniture.station_marks(ribbons[name], viewport, style.font) for name in alone]
 
 
 def _heading(scene: Scene, style: Style, x: float, base: float) -> str:

@@ -7,7 +7,9 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from . import palette
+from .labels import Box
 from .markup import element, group, text
+from .wrapping import LETTER
 
 if TYPE_CHECKING:
     from roadlang.api import Scene
@@ -111,6 +113,24 @@ def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:
 
 
 def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
+    for label, (x1, y1, x2, y2), (x, y) in _places(ribbon, spacing, size):
+        yield element("line", x1=x1, y1=y1, x2=x2, y2=y2, stroke_width=0.9)
+        if math.isfinite(x) and math.isfinite(y):
+            yield text(label, x, y + 0.28 * size, text_anchor="middle",
+                       stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
+
+
+def station_boxes(ribbon: Ribbon, viewport: Viewport, size: float) -> Iterator[Box]:
+    """What the numbers of `station_marks` take up."""
+    spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
+    for label, _, (x, y) in _places(ribbon, spacing, size):
+        yield Box.around(x, y + 0.28 * size, LETTER * 0.8 * size * len(label), 0.8 * size)
+
+
+def _places(
+    ribbon: Ribbon, spacing: float, size: float
+) -> Iterator[tuple[str, list[float], list[float]]]:
+    """Of each mark: what is written, both ends of its tick, the middle of its text."""
     import numpy as np
 
     last = float(ribbon.reference[-1])
@@ -121,13 +141,9 @@ def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
     edge, out = marks.line(-1.0), -marks.left
     lines = np.column_stack([edge + 1.5 * out, edge + 6.0 * out]).tolist()
     spots = edge + (6.0 + 0.9 * size) * out
-    for s, (x1, y1, x2, y2), (x, y) in zip(places.tolist(), lines, spots.tolist(), strict=True):
-        yield element("line", x1=x1, y1=y1, x2=x2, y2=y2, stroke_width=0.9)
-        if not (math.isfinite(x) and math.isfinite(y)):
-            continue
+    for s, line, spot in zip(places.tolist(), lines, spots.tolist(), strict=True):
         label = _length_text(s) if s == 0 or s + spacing > last else _bare(s, last)
-        yield text(label, x, y + 0.28 * size, text_anchor="middle",
-                   stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
+        yield label, line, spot
 
 
 def round_length(meters: float) -> float:

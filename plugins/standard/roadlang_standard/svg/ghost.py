@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from . import palette
-from .markup import element, group, path_data, text
+from .labels import end_label
+from .markup import element, group, path_data
 
 if TYPE_CHECKING:
     from .ribbon import Ribbon
@@ -78,26 +79,6 @@ def routes(roads: Iterable[Ribbon], size: float) -> str:
         )  # fmt: skip
         bands.append(end_label(ribbon, shown[:index], size, color))
     return group(bands, class_="routes")
-
-
-def names(roads: Iterable[Ribbon], size: float) -> str:
-    """The names of roads where they end, of several that are drawn in full."""
-    shown = list(roads)
-    if len(shown) < 2:
-        return ""
-    labels = [end_label(ribbon, shown[:i], size, palette.INK) for i, ribbon in enumerate(shown)]
-    return group(labels, class_="road-names")
-
-
-def end_label(ribbon: Ribbon, before: Sequence[Ribbon], size: float, color: str) -> str:
-    """The name of a road a little beyond its end, clear of those of roads that end there too."""
-    x, y = ribbon.center[-1].tolist()
-    left_x, left_y = ribbon.left[-1].tolist()
-    crowd = sum(bool(abs(other.center[-1] - (x, y)).max() < 2 * size) for other in before)
-    ahead = (1.3 * crowd + 1.3) * size
-    return text(ribbon.name, x - ahead * left_y, y + ahead * left_x + 0.35 * size,
-                text_anchor="middle", font_size=size, font_weight="600", fill=color,
-                stroke=palette.GROUND, stroke_width=3.0, paint_order="stroke")  # fmt: skip
 
 
 def context(others: Iterable[Ribbon]) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from . import palette
 from .markup import element, group, rho, text
 from .violations import broken
-from .wrapping import letters, wrapped
+from .wrapping import BOLD_LETTER, letters, wrapped
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, Verdict
@@ -19,8 +19,6 @@ _LINE = 1.25
 _ROW_GAP = 0.3
 _LONGEST_NAME = 22
 _OUTCOME = 7.5
-_BOLD = 0.72
-"""Width of a bold letter, in font sizes: in DejaVu Sans, the widest of the usual fonts."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +44,7 @@ class Legend:
     def _formula(self) -> float:
         """Pixels from the left at which formulas begin."""
         longest = max((len(row.name) for row in self.rows), default=0)
-        return (2.9 + _BOLD * min(longest, _LONGEST_NAME)) * self.size
+        return (2.9 + BOLD_LETTER * min(longest, _LONGEST_NAME)) * self.size
 
     def _lines(self, row: LegendRow) -> list[str]:
         room = self.width - self._formula - _OUTCOME * self.size

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 LETTER = 0.53
 """Width of an average letter of the figure's font, as a share of its size."""
+BOLD_LETTER = 0.72
+"""The same of a bold letter in DejaVu Sans, the widest of the usual fonts."""
 
 
 def letters(width: float, size: float) -> int:

@@ -1,0 +1,130 @@
+"""Names of agents, objects and roads on the map, clear of each other."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from . import palette
+from .actors import SHORTEST_AGENT
+from .markup import group, text
+from .wrapping import BOLD_LETTER
+
+if TYPE_CHECKING:
+    from roadlang.api import Scene, SceneActor
+
+    from .ribbon import Ribbon
+    from .viewport import Viewport
+
+_UNLABELED = ("tree", "bush", "building")
+_MOST_LABELED_OBJECTS = 12
+_MOST_COPIES_LABELED = 4
+_GAP = 0.2
+"""Font sizes, to either side of a label"""
+_HEIGHT = 1.1
+"""Font sizes from one line of text to the next"""
+
+
+@dataclass(frozen=True)
+class Box:
+    """A rectangle that something takes up, in pixels."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    @classmethod
+    def around(cls, x: float, base: float, width: float, size: float) -> Box:
+        """Of text of a font size, whose middle is at `x` and whose base line at `base`."""
+        half, middle = 0.5 * _HEIGHT * size, base - 0.35 * size
+        return cls(x - width / 2, middle - half, x + width / 2, middle + half)
+
+    def overlaps(self, other: Box) -> bool:
+        """Whether both take up some of the same pixels; no box does that is nowhere (NaN)."""
+        return (
+            self.left < other.right
+            and other.left < self.right
+            and self.top < other.bottom
+            and other.top < self.bottom
+        )
+
+
+def actor_labels(scene: Scene, viewport: Viewport, size: float, taken: Iterable[Box] = ()) -> str:
+    """Names beside agents and the objects worth naming, with a halo, not on top of each other and
+    where possible clear of what is `taken`."""
+    actors = list(scene.agents)
+    worthy = [actor for actor in scene.objects if actor.category not in _UNLABELED]
+    if len(worthy) <= _MOST_LABELED_OBJECTS:
+        actors += worthy
+    return group(
+        _labels(_named(actors), viewport, size, list(taken)),
+        class_="labels",
+        font_size=size,
+        font_weight="600",
+        fill=palette.INK,
+        stroke="#ffffff",
+        stroke_width=3.2,
+        stroke_opacity=0.92,
+        paint_order="stroke",
+        stroke_linejoin="round",
+    )
+
+
+def _named(actors: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
+    """Each thing with its label; a group with many copies gets one, with their number."""
+    sizes = Counter(actor.group for actor in actors)
+    labeled: list[tuple[SceneActor, str]] = []
+    seen: set[str] = set()
+    for actor in actors:
+        if sizes[actor.group] <= _MOST_COPIES_LABELED:
+            labeled.append((actor, actor.name))
+        elif actor.group not in seen:
+            seen.add(actor.group)
+            labeled.append((actor, f"{actor.group} ({sizes[actor.group]})"))
+    return labeled
+
+
+def _labels(
+    named: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float, taken: list[Box]
+) -> Iterator[str]:
+    for actor, label in named:
+        x, y = viewport.place([actor.x, actor.y]).tolist()
+        extent = max(actor.length, actor.width) * viewport.pixels_per_meter
+        drop = max(extent, SHORTEST_AGENT) / 2 + 0.6 * size
+        wide = (BOLD_LETTER * len(label) + 2 * _GAP) * size
+        beside = max(extent, SHORTEST_AGENT) / 2 + 0.2 * size + wide / 2
+        spots = [
+            (x, y - drop),
+            (x, y + drop + 0.7 * size),
+            (x - beside, y + 0.35 * size),
+            (x + beside, y + 0.35 * size),
+            *((x, y - drop - step * 1.15 * size) for step in (1, 2, 3)),
+        ]
+        boxes = [Box.around(*spot, wide, size) for spot in spots]
+        free = [not any(box.overlaps(other) for other in taken) for box in boxes]
+        chosen = free.index(True) if any(free) else 0
+        taken.append(boxes[chosen])
+        yield text(label, *spots[chosen], text_anchor="middle")
+
+
+def road_names(roads: Iterable[Ribbon], size: float) -> str:
+    """The names of roads where they end, of several that are drawn in full."""
+    shown = list(roads)
+    if len(shown) < 2:
+        return ""
+    labels = [end_label(ribbon, shown[:i], size, palette.INK) for i, ribbon in enumerate(shown)]
+    return group(labels, class_="road-names")
+
+
+def end_label(ribbon: Ribbon, before: Sequence[Ribbon], size: float, color: str) -> str:
+    """The name of a road a little beyond its end, clear of those of roads that end there too."""
+    x, y = ribbon.center[-1].tolist()
+    left_x, left_y = ribbon.left[-1].tolist()
+    crowd = sum(bool(abs(other.center[-1] - (x, y)).max() < 2 * size) for other in before)
+    ahead = (1.3 * crowd + 1.3) * size
+    return text(ribbon.name, x - ahead * left_y, y + ahead * left_x + 0.35 * size,
+                text_anchor="middle", font_size=size, font_weight="600", fill=color,
+                stroke=palette.GROUND, stroke_width=3.0, paint_order="stroke")  # fmt: skip
