@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from roadlang.falsification.axes import _ascending, _coordinate
 from roadlang.falsification.distinct import DistinctFailures
 from roadlang.falsification.evaluator import _is_of_draws
 from roadlang.falsification.grading import Grading
@@ -187,3 +188,24 @@ def test_a_fault_is_of_the_draws_if_each_part_of_it_is(
     found: tuple[Diagnostic, ...], is_of_draws: bool
 ) -> None:
     assert _is_of_draws(DiagnosticError(*found)) is is_of_draws
+
+
+@pytest.mark.parametrize(
+    ("cells", "ends"),
+    [((1.0,), [1.0]), ((0.25, 0.25, 1), [0.25, 0.25, 1.0]), ((0.0, 1.0 + 1e-10), [0.0, 1.0])],
+)
+def test_cells_of_an_axis_end_in_order_at_one(cells: tuple[float, ...], ends: list[float]) -> None:
+    assert _ascending(iter(cells)) == ends
+
+
+@pytest.mark.parametrize("cells", [(), (0.5, 0.25, 1.0), (-0.1, 1.0), (0.5, 1.1)])
+def test_cells_that_are_none_are_refused(cells: tuple[float, ...]) -> None:
+    with pytest.raises(ValueError, match="its cells end at"):
+        _ascending(iter(cells))
+
+
+def test_the_simplest_value_is_in_the_unit_interval() -> None:
+    assert [_coordinate(place) for place in (0, 0.5, 0.999)] == [0.0, 0.5, 0.999]
+    for place in (-0.001, 1.0, float("nan")):
+        with pytest.raises(ValueError, match="its simplest value is at"):
+            _coordinate(place)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from roadlang.report import tables
 from roadlang.report.draw_charts import MOST, draw_charts, separation
+from roadlang.report.page_text import _units
 from roadlang.report.results import ResultRow, Results
 from roadlang.report.tables import table_record
 
@@ -112,3 +114,13 @@ def test_charts_are_of_the_draws_that_set_failures_apart_the_most_first() -> Non
 def test_there_are_six_charts_at_most() -> None:
     rows = [row(n, n >= 2, **{f"d{k}": float(n) for k in range(9)}) for n in range(4)]
     assert draw_charts(rows, {}).count("<figure>") == MOST == 6
+
+
+def test_units_are_those_of_draws_and_of_robustness() -> None:
+    scene = SimpleNamespace(units={"speed": "m/s", "turn": "rad"})
+    judged = [SimpleNamespace(verdict=SimpleNamespace(name="apart"), unit="m")]
+    views: Any = [
+        SimpleNamespace(drive=SimpleNamespace(scene=scene), judged=judged),
+        SimpleNamespace(drive=SimpleNamespace(scene=SimpleNamespace(units={"at": "m"})), judged=[]),
+    ]
+    assert _units(views) == {"speed": "m/s", "turn": "rad", "apart": "m", "at": "m"}

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import roadlang
+from roadlang.scenes.bend_warnings import _aside
 
 ROAD = """road main {
   draw with segments { pieces: [straight(40m), arc(%sm, 170deg), straight(40m)] }, lanes: 2
@@ -56,3 +58,38 @@ def test_who_has_no_route_cuts_no_bend(radius: str, times: int) -> None:
     """A truck needs 7.6 m; to the inside of a bend by 60 degrees it would have room enough."""
     bend = ROAD.replace("170deg", "-60deg").replace("lanes: 2", "lanes: 1") % radius
     assert warned(bend + CAR % ("truck", "10m")) == times * ["RL619"]
+
+
+@pytest.mark.parametrize(
+    ("radius", "length", "least", "cuts", "aside"),
+    [
+        (5.0, 12.0, 10.0, True, 5.0 * (1.0 / np.cos(0.5 * 12.0 / 5.0) - 1.0)),
+        (5.0, 40.0, 10.0, True, 5.0 * (1.0 / np.cos(0.5 * 12.0 / 5.0) - 1.0)),
+        (-5.0, 40.0, 10.0, True, 5.0 * (1.0 / np.cos(0.5 * 12.0 / 5.0) - 1.0)),
+        (5.0, 40.0, 10.0, False, 5.0 * (1.0 - np.cos(12.0 / 5.0))),
+        (5.0, 6.0, 10.0, False, 5.0 * (1.0 - np.cos(6.0 / 5.0))),
+        (5.0, 3.0, 10.0, False, 5.0 * (1.0 - np.cos(3.0 / 5.0))),
+        (4.0, 12.0, 10.0, False, 6.0 * (1.0 - np.cos(2.8))),
+        (4.0, 12.0, 10.0, True, 6.0 * (1.0 / np.cos(1.4) - 1.0)),
+        (9.9, 40.0, 10.0, False, 0.1 * (1.0 - np.cos(12.0 / 9.9))),
+        (10.0, 40.0, 10.0, True, 0.0),
+        (30.0, 40.0, 10.0, True, 0.0),
+        (np.inf, 40.0, 10.0, False, 0.0),
+    ],
+)
+def test_how_far_who_turns_less_sharply_leaves_an_arc(
+    radius: float, length: float, least: float, cuts: bool, aside: float
+) -> None:
+    """Over 3, 6 and 12 m of it, where it is longest, and round 2.8 rad at most."""
+    s = np.arange(0.0, length + 0.75, 0.5)
+    heading = s / radius
+    steps = np.sinc(0.25 / radius / np.pi) * 0.5 if np.isfinite(radius) else 0.5
+    middle = heading[:-1] + 0.25 / radius
+    x = np.concatenate([[0.0], np.cumsum(steps * np.cos(middle))])
+    y = np.concatenate([[0.0], np.cumsum(steps * np.sin(middle))])
+    found = _aside(np.stack([x, y, heading], axis=1), least, cuts)
+    assert found == pytest.approx(aside, rel=0.02, abs=0.01)
+
+
+def test_where_no_lane_is_nobody_leaves_it() -> None:
+    assert _aside(np.zeros((0, 3)), 10.0, True) == 0.0
