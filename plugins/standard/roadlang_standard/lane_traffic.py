@@ -52,11 +52,10 @@ class LaneTraffic:
         import numpy as np
 
         gap = np.where(counts, self.gap, np.inf)
-        first = gap.argmin(axis=1)[:, None] if gap.shape[1] else None
-        if first is None:
+        if not gap.shape[1]:
             return np.full(len(gap), np.inf), np.zeros(len(gap))
-        least = np.take_along_axis(gap, first, axis=1)[:, 0]
-        pace = np.take_along_axis(self.pace, first, axis=1)[:, 0]
+        each, first = np.arange(len(gap)), gap.argmin(axis=1)
+        least, pace = gap[each, first], self.pace[each, first]
         return least, np.where(np.isfinite(least), pace, 0.0)
 
 
@@ -128,15 +127,11 @@ def target_among(near: Neighbors, name: str) -> tuple[Booleans, Floats, Floats, 
         return nothing > 0.0, nothing, nothing, nothing, nothing
     mine = members(near, name)
     away = np.where(mine, np.abs(near.ahead), np.inf)
-    first = away.argmin(axis=1)[:, None]
-
-    def of(column: Floats) -> Floats:
-        return np.asarray(np.take_along_axis(column, first, axis=1)[:, 0])
-
+    nearest = np.arange(count), away.argmin(axis=1)
     return (
         np.asarray(mine.any(axis=1)),
-        of(near.ahead),
-        of(near.left),
-        of(near.pace),
-        of(near.length),
+        near.ahead[nearest],
+        near.left[nearest],
+        near.pace[nearest],
+        near.length[nearest],
     )

@@ -82,7 +82,7 @@ class DriverGroup:
                 out.put(group.rows[chosen], found)
                 if found.line_offset is not None:
                     own_line[group.rows[chosen]] = False
-                    _move_lines(world, group.rows[chosen], found)
+                    _move_lines(view, group.rows[chosen], found)
         if out.has_open:
             self._ask_earlier(world, in_charge, own_line, view, out)
             _keep_to_lines(world, view, out)
@@ -155,7 +155,7 @@ class DriverGroup:
                 found = _decided(group, chosen, view, accelerates, moves)
                 if found.line_offset is not None and moves.any():
                     own_line[rows[moves]] = False
-                    _move_lines(world, rows, found, moves)
+                    _move_lines(view, rows, found, moves)
                 out.fill(rows, found)
 
 
@@ -177,17 +177,19 @@ def signals_of(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, Kin
 
 
 def _move_lines(
-    world: World, rows: Integers, found: ControlBatch, moves: Booleans | None = None
+    view: View, rows: Integers, found: ControlBatch, moves: Booleans | None = None
 ) -> None:
     """`moves`: whose line is moved, by default that of all."""
     assert found.line_offset is not None
+    world = view.world
     target = np.full(len(world.present), math.nan)
     time = np.zeros(len(world.present))
     offset = found.line_offset
     target[rows] = offset if moves is None else np.where(moves, offset, math.nan)
     if found.line_time is not None:
         time[rows] = found.line_time
-    world.followed.move(target, time, world.motion.along, world.motion.speed)
+    if world.followed.move(target, time, world.motion.along, world.motion.speed):
+        view.lines_moved()
 
 
 def _decided(

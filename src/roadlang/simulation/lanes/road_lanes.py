@@ -11,7 +11,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene import SceneRoad
-from ...ir.surroundings import LaneChoice, LanePlaces
+from ...ir.surroundings import LanePlaces
 from .speed_zones import SpeedZones
 
 SPACING = 1.0
@@ -89,9 +89,7 @@ class RoadLanes:
         there = np.arange(self._widest) < self._count[row][:, None]
         there &= (road >= 0)[:, None]
         sign = np.where(backward, -1.0, 1.0)[:, None]
-        ends = np.take_along_axis(
-            self._ends[first + low], backward.astype(np.int64)[:, None, None], axis=2
-        )[:, :, 0]
+        ends = self._ends[first + low, :, backward.astype(np.int64)]
         into = share * self._spacing[row][:, None]
         return LanesHere(
             there, self._ids[row], self._kinds[row], self._drivable[row], self._limits[first + low],
@@ -119,7 +117,7 @@ class LanesHere:
 
     def take(self, rows: Integers) -> LanesHere:
         """Those at some of the places."""
-        return LanesHere(**{field.name: getattr(self, field.name)[rows] for field in fields(self)})
+        return LanesHere(*(getattr(self, name)[rows] for name in _COLUMNS))
 
     @property
     def middles(self) -> Floats:
@@ -152,16 +150,18 @@ class LanesHere:
         index = self.index(offset)
         return np.where(index >= 0, _of(self.ends, index), math.inf)
 
-    def choose(self, which: LaneChoice | Floats | Integers, offset: Floats) -> Integers:
-        """(N,) the lane that agents at `offset` mean, -1 for none."""
-        if isinstance(which, str) and which in _SIDES:
+    def choose(self, which: str, offset: Floats) -> Integers:
+        """(N,) the lane that agents at `offset` mean by a word, -1 for none."""
+        if which in _SIDES:
             return self._beside(which, offset)
-        if isinstance(which, str):
-            fits = self.there & (self.kinds == which)
-            away = np.where(fits, np.abs(self.middles - offset[:, None]), math.inf)
-            return np.where(fits.any(axis=1), away.argmin(axis=1), -1)
-        wanted = np.broadcast_to(np.asarray(which), offset.shape)[:, None]
-        fits = self.there & (self.ids == wanted)
+        fits = self.there & (self.kinds == which)
+        away = np.where(fits, np.abs(self.middles - offset[:, None]), math.inf)
+        return np.where(fits.any(axis=1), away.argmin(axis=1), -1)
+
+    def numbered(self, lane: Floats | Integers | int, rows: Integers) -> Integers:
+        """The lane of a number at some of the places, -1 for none."""
+        wanted = np.broadcast_to(np.asarray(lane), rows.shape)[:, None]
+        fits = self.there[rows] & (self.ids[rows] == wanted)
         return np.where(fits.any(axis=1), fits.argmax(axis=1), -1)
 
     def _beside(self, side: str, offset: Floats) -> Integers:
@@ -180,12 +180,13 @@ class LanesHere:
         return np.where(fits & _of(self.drivable, there), there, -1)
 
 
+_COLUMNS = tuple(field.name for field in fields(LanesHere))
 _SIDES = ("left", "right", "inner", "outer")
 
 
 def _of(columns: Any, index: Integers) -> Any:
     """(N,) one column of each row."""
-    return np.take_along_axis(columns, np.maximum(index, 0)[:, None], axis=1)[:, 0]
+    return columns[np.arange(len(index)), np.maximum(index, 0)]
 
 
 def lane_values(columns: Floats, index: Integers) -> Floats:

@@ -122,12 +122,12 @@ class FollowedLines:
             guided = guided | moving
         return offset + middle, turned, bent, guided
 
-    def move(self, target: Floats, time: Floats | None, along: Floats, speed: Floats) -> None:
+    def move(self, target: Floats, time: Floats | None, along: Floats, speed: Floats) -> bool:
         """Where `target` is a number, and not that of the present move, moves that begin now and
-        take `time` seconds; without a time, the line is there at once."""
+        take `time` seconds; without a time, the line is there at once. Whether any line may have
+        changed."""
         if not self.guided:
-            self.lateral.move(target, time)
-            return
+            return self.lateral.move(target, time)
         has_guides = self.guides.first[self.line] >= 0
         # Who has no lane stays as far beside the road as it began.
         has_guides &= (self.guide >= 0) | (self.start >= 0) | (target != self.lateral.start)
@@ -136,7 +136,7 @@ class FollowedLines:
         if len(new):
             beside[new] = self._moved_to(new, target[new], along[new], speed[new])
             self.asked[new] = target[new]
-        self.lateral.move(beside, time)
+        return self.lateral.move(beside, time) or len(new) > 0
 
     def target(self, agent: int, along: float) -> float:
         """Where the line of an agent is to be, left of the reference line at an arc length."""

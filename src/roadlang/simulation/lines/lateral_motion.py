@@ -54,12 +54,12 @@ class LateralMotion:
             self.powers[:, rows], self.offset[rows], self.moves,
         )  # fmt: skip
 
-    def move(self, target: Floats, time: Floats | None) -> None:
+    def move(self, target: Floats, time: Floats | None) -> bool:
         """Where `target` is a number, and not that of the present move, moves that begin now and
-        take `time` seconds; without a time, the line is there at once."""
+        take `time` seconds; without a time, the line is there at once. Whether any begins."""
         new = np.flatnonzero(np.isfinite(target) & (target != self.target))
         if not len(new):
-            return
+            return False
         seconds = np.zeros(len(new)) if time is None else time[new]
         smooth = np.isfinite(seconds) & (seconds > 0.0)
         lasting = np.where(smooth, seconds, 1.0)
@@ -73,6 +73,7 @@ class LateralMotion:
         self.share[new] = np.where(smooth, 0.0, 1.0)
         self.offset[new] = np.where(smooth, place, target[new])
         self.moves = self.moves or bool(smooth.any())
+        return True
 
     def seen_from(self, rows: Integers, shift: Floats, drift: Floats) -> None:
         """From now on, lines of some agents are measured from others, which are `shift` meters to

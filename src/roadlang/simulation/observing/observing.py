@@ -17,13 +17,15 @@ from ..lanes.road_lanes import LanesHere, RoadLanes, lane_values
 from ..lanes.speed_zones import has_limit
 from ..state.world import World
 from ..surroundings.leaders import Leaders, Pairing, leaders
-from ..surroundings.neighbors import Nearby, StandingObjects
+from ..surroundings.neighbors import Nearby
 from ..surroundings.obstacles import Obstacles
+from ..surroundings.standing_objects import StandingObjects
 from ..traffic.right_of_way import RightOfWayGrants
 from ..vehicles.poses import Poses, line_frames
 from .bend_speeds import BendSpeeds
 from .lane_changes import zipper
 from .lane_endings import has_lane_endings, lets_in
+from .lanes_seen import LanesSeen
 from .lazy_observations import LazyObservations
 from .sensing import Sensing
 
@@ -95,8 +97,7 @@ class Surroundings:
         if not len(rows):
             return lanes
         # The reference line of a route is the middle of its lane, not that of the road.
-        lane = lanes.take(rows)
-        middle = lane_values(lane.middles, lane.choose(place.lane[rows], np.zeros(len(rows))))
+        middle = lane_values(lanes.middles[rows], lanes.numbered(place.lane[rows], rows))
         shift = np.zeros(len(road))
         shift[rows] = np.where(np.isfinite(middle), middle, 0.0)
         return replace(lanes, borders=lanes.borders - shift[:, None])
@@ -130,7 +131,8 @@ class View:
     sensing: Sensing | None = None
     """what agents have sensed; None: they see the truth"""
     _ahead: Leaders | None = field(default=None)
-    _lanes: LanesHere | None = field(default=None)
+    _obstacle: Floats | None = field(default=None)
+    _lanes: LanesSeen | None = field(default=None)
     _nearby: Nearby | None = field(default=None)
 
     def of(self, chosen: Integers) -> ObservationBatch:
@@ -201,12 +203,18 @@ class View:
 
     def obstacle_ahead(self, rows: Any) -> Floats:
         """(N,) gap to the next object in the way, infinite for none."""
-        gap: Floats = self.surroundings.obstacles(self.world).ahead(self.world)[rows]
+        if self._obstacle is None:
+            self._obstacle = self.surroundings.obstacles(self.world).ahead(self.world)
+        gap: Floats = self._obstacle[rows]
         return gap
+
+    def lines_moved(self) -> None:
+        """Agents follow other lines from now on."""
+        self._obstacle = None
 
     def lane_end(self, rows: Integers) -> Floats:
         """(N,) how far ahead of agents their lane becomes too narrow to drive in."""
-        return self._current_lanes().take(rows).end(self.world.motion.offset[rows])
+        return np.asarray(self._current_lanes().ends[rows])
 
     def right_of_way(
         self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None
@@ -223,10 +231,10 @@ class View:
             speed = np.where(sooner, changes[1][rows], speed)
             stop = np.minimum(stop, changes[2][rows])
         if surroundings.has_lane_endings and temper is not None:
-            lanes, ahead = self._current_lanes(), self._leaders()
+            lanes, ahead = self._current_lanes().here, self._leaders()
             merging, pace = lets_in(world, lanes, ahead, rows, temper[0])
             gap, speed = np.minimum(gap, merging), np.where(merging < gap, pace, speed)
-        stop = np.minimum(stop, surroundings.obstacles(world).ahead(world)[rows])
+        stop = np.minimum(stop, self.obstacle_ahead(rows))
         return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
 
     def junction_ahead(self, rows: Integers) -> tuple[Floats, Floats, Floats]:
@@ -241,14 +249,7 @@ class View:
 
     def lane_place(self, rows: Integers) -> LanePlaces:
         """In which lanes agents are."""
-        world = self.world
-        place = self._current_lanes().take(rows).place(world.motion.offset[rows])
-        routed = world.has_route[rows]
-        if not routed.any():
-            return place
-        along = world.track.wrapped(world.motion.along)[rows]
-        limit = np.where(routed, world.table.speed_limit(rows, along), place.speed_limit)
-        return replace(place, speed_limit=limit)
+        return self._current_lanes().place(rows)
 
     def speed_limit_ahead(
         self, rows: Integers, braking: Floats | float, on: Floats | float
@@ -268,9 +269,7 @@ class View:
 
     def of_lane(self, rows: Integers, which: LaneChoice | Floats, quantity: str) -> Floats:
         """(N,) a quantity of one lane of each agent, NaN where there is none."""
-        lanes = self._current_lanes().take(rows)
-        index = lanes.choose(which, self.world.motion.offset[rows])
-        return lane_values(getattr(lanes, quantity), index)
+        return self._current_lanes().of_lane(rows, which, quantity)
 
     def readings(self, rows: Integers) -> Mapping[str, Reading]:
         """What some agents have got from their sensors."""
@@ -282,7 +281,7 @@ class View:
             self._nearby = self.surroundings.nearby(self.world, self.poses)
         return self._nearby.of(rows, distance)
 
-    def _current_lanes(self) -> LanesHere:
+    def _current_lanes(self) -> LanesSeen:
         if self._lanes is None:
-            self._lanes = self.surroundings.lanes(self.world)
+            self._lanes = LanesSeen(self.world, self.surroundings.lanes(self.world))
         return self._lanes

@@ -3,65 +3,20 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...ir.scene import SceneActor
 from ...ir.surroundings import Neighbors
+from ..lines.lines import Lines
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .standing_objects import StandingObjects
 
 LONGER = 1.6
 """How much farther along a line than as the crow flies what is near may be: a half circle."""
-
-
-@dataclass
-class StandingObjects:
-    """The objects of scenes, and where they are along the lines of agents: found once for each
-    line."""
-
-    count: int = 0
-    """K, the most objects of a scene"""
-    _found: dict[int, tuple[Floats, Floats]] = field(default_factory=dict)
-
-    @classmethod
-    def of(cls, world: World) -> StandingObjects:
-        """Of the scenes of a world."""
-        return cls(max((len(scene.objects) for scene in world.scenes), default=0))
-
-    def places(self, world: World, agents: Integers) -> tuple[Floats, Floats]:
-        """(N, K) arc length along the lines of agents, and how far left of them; NaN for none."""
-        along = np.full((len(agents), self.count), math.nan)
-        left = along.copy()
-        for number, agent in enumerate(agents):
-            objects = world.scenes[agent // world.slots].objects
-            if not objects or not world.filled[agent]:
-                continue
-            row = int(world.track.row[agent])
-            if row not in self._found:
-                self._found[row] = _on_line(world, row, objects)
-            found = self._found[row]
-            along[number, : len(objects)], left[number, : len(objects)] = found
-        return along, left
-
-
-def _on_line(world: World, row: int, objects: tuple[SceneActor, ...]) -> tuple[Floats, Floats]:
-    """(K,) the places of objects on one line: at its nearest node, and straight on from there."""
-    lines = world.track.lines
-    start = row * lines.cells
-    stop = start + int(lines.last[row]) + 1
-    x, y = (np.array([getattr(actor, name) for actor in objects], dtype=float) for name in "xy")
-    off_x, off_y = x[:, None] - lines.x[start:stop], y[:, None] - lines.y[start:stop]
-    cell = (off_x * off_x + off_y * off_y).argmin(axis=1)
-    heading = lines.heading[start + cell]
-    cosine, sine = np.cos(heading), np.sin(heading)
-    chosen = np.arange(len(objects)), cell
-    beyond = cosine * off_x[chosen] + sine * off_y[chosen]
-    left = cosine * off_y[chosen] - sine * off_x[chosen]
-    return lines.origin[row] + cell * lines.spacing[row] + beyond, left
 
 
 class Nearby:
@@ -69,6 +24,11 @@ class Nearby:
 
     def __init__(self, world: World, poses: Poses, objects: StandingObjects) -> None:
         self._world, self._poses, self._objects = world, poses, objects
+
+    @cached_property
+    def _kinds(self) -> Any:
+        actors = self._world.actors
+        return np.array([actor.kind if actor is not None else "" for actor in actors], object)
 
     def of(self, rows: Integers, distance: float) -> Neighbors:
         """(N, K) what is within a distance of some agents, from center to center."""
@@ -89,13 +49,10 @@ class Nearby:
         ahead, beside, line = self._along(rows, others, there, distance)
         heading, speed = poses.heading[others], world.motion.speed[others]
         turned = heading - line
-        kinds = np.array(
-            [actor.kind if actor is not None else "" for actor in world.actors], object
-        )
         return {
             "there": there & np.isfinite(ahead),
             "name": world.names[others],
-            "kind": kinds[others],
+            "kind": self._kinds[others],
             "x": poses.x[others],
             "y": poses.y[others],
             "heading": heading,
@@ -134,55 +91,56 @@ class Nearby:
         """(P,) the same for pairs, at the nearest node of the line of `agent` near it."""
         world, poses, lines = self._world, self._poses, self._world.track.lines
         out = np.full((3, len(agent)), math.nan)
-        for pair, (first, second) in enumerate(zip(agent, other, strict=True)):
-            x, y = poses.x[second], poses.y[second]
-            if max(abs(x - poses.x[first]), abs(y - poses.y[first])) > distance:
-                continue
-            row, along = int(world.track.row[first]), world.motion.along[first]
-            spacing, origin = lines.spacing[row], lines.origin[row]
-            last = int(lines.last[row])
-            low = min(max(int((along - LONGER * distance - origin) / spacing), 0), last)
-            high = min(max(int((along + LONGER * distance - origin) / spacing) + 2, low + 1), last)
-            nodes = row * lines.cells + np.arange(low, max(high, low + 1))
-            off_x, off_y = x - lines.x[nodes], y - lines.y[nodes]
-            near = int((off_x * off_x + off_y * off_y).argmin())
-            heading = lines.heading[nodes[near]]
-            cosine, sine = np.cos(heading), np.sin(heading)
-            beyond = cosine * off_x[near] + sine * off_y[near]
-            out[0, pair] = origin + (low + near) * spacing + beyond - along
-            out[1, pair] = cosine * off_y[near] - sine * off_x[near]
-            out[2, pair] = heading
+        x, y = poses.x[other], poses.y[other]
+        close = np.abs(x - poses.x[agent]) <= distance
+        close &= np.abs(y - poses.y[agent]) <= distance
+        pairs = np.flatnonzero(close)
+        if not len(pairs):
+            return out
+        agent, x, y = agent[pairs], x[pairs], y[pairs]
+        row, along = world.track.row[agent], world.motion.along[agent]
+        spacing, origin = lines.spacing[row], lines.origin[row]
+        last, first = lines.last[row].astype(np.int64), row * lines.cells
+        low = ((along - LONGER * distance - origin) / spacing).astype(np.int64)
+        low = np.minimum(np.maximum(low, 0), last)
+        high = ((along + LONGER * distance - origin) / spacing).astype(np.int64) + 2
+        high = np.maximum(np.minimum(np.maximum(high, low + 1), last), low + 1)
+        node = _nearest_nodes(lines, (first + low, first + high), x, y)
+        heading = lines.heading[node]
+        cosine, sine = np.cos(heading), np.sin(heading)
+        off_x, off_y = x - lines.x[node], y - lines.y[node]
+        beyond = cosine * off_x + sine * off_y
+        out[0, pairs] = origin + (node - first) * spacing + beyond - along
+        out[1, pairs] = cosine * off_y - sine * off_x
+        out[2, pairs] = heading
         return out
 
     def _standing(self, rows: Integers) -> dict[str, Any]:
         """The objects, (N, K)."""
-        world, count = self._world, self._objects.count
+        world = self._world
         along, left = self._objects.places(world, rows)
-        scenes = [world.scenes[row // world.slots].objects for row in rows]
-
-        def column(name: str, default: Any, kind: Any = np.float64) -> Any:
-            out = np.full((len(rows), count), default, dtype=kind)
-            for row, objects in enumerate(scenes):
-                out[row, : len(objects)] = [getattr(record, name) for record in objects]
-            return out
-
-        zero = np.zeros((len(rows), count))
-        there = np.isfinite(along) & world.has_road[rows][:, None]
+        zero = np.zeros(along.shape)
         return {
-            "there": there,
-            "name": column("name", "", object),
-            "kind": column("kind", "", object),
-            **{
-                name: column(name, math.nan)
-                for name in ("x", "y", "heading", "length", "width")
-            },
+            "there": np.isfinite(along) & world.has_road[rows][:, None],
+            **self._objects.columns(world, rows),
             "speed": zero,
             "ahead": _around(along - world.motion.along[rows][:, None], world, rows),
             "left": left - world.motion.offset[rows][:, None],
             "pace": zero,
             "drift": zero,
-            "walks": np.zeros((len(rows), count), dtype=bool),
-        }  # fmt: skip
+            "walks": np.zeros(along.shape, dtype=bool),
+        }
+
+
+def _nearest_nodes(lines: Lines, span: tuple[Integers, Integers], x: Floats, y: Floats) -> Integers:
+    """(P,) numbers of the nodes, from the first of a span of them up to before the second, that are
+    nearest to points."""
+    out = np.empty(len(x), dtype=np.int64)
+    bounds = zip(*(end.tolist() for end in span), strict=True)
+    for pair, (begin, end) in enumerate(bounds):
+        off_x, off_y = x[pair] - lines.x[begin:end], y[pair] - lines.y[begin:end]
+        out[pair] = begin + (off_x * off_x + off_y * off_y).argmin()
+    return out
 
 
 def _around(ahead: Floats, world: World, rows: Integers) -> Floats:
