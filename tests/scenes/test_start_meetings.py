@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from roadlang import testing
+from roadlang.scenes.start_meetings import _most
+from tests.backends.handmade_scenes import actor
 
 ROAD = """
 road pass {{
@@ -38,3 +42,42 @@ def test_a_speed_that_is_written_stays() -> None:
     bus, truck = speeds(30.0, option="start_speed: 40km/h, ")
     assert bus == pytest.approx(40.0 / 3.6)
     assert truck < 6.0
+
+
+ARC = "road pass { draw with segments { pieces: [arc(radius: 50m, angle: 150deg)] }, lanes: 2 }\n"
+FIRST = {"length": 12.0, "width": 2.5, "start": 20.0, "offset": -1.75, "facing": "forward"}
+LAST = {"length": 4.0, "width": 2.0, "start": 60.0, "offset": 1.75, "facing": "back"}
+WAITS = math.sqrt(6.0 * (0.5 * (40.0 - 8.0) - 2.0))
+"""m/s: from there each stops 2 m before the middle of the 32 m between them"""
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "radius", "most"),
+    [
+        ({}, {}, 25, WAITS),
+        ({"length": 4.0}, {"length": 12.0}, 25, WAITS),
+        ({}, {"start": 31.0}, 25, math.sqrt(6.0 * max(0.0, 1.5 - 2.0))),
+        ({}, {"start": 33.0}, 25, math.sqrt(6.0 * (0.5 * 5.0 - 2.0))),
+        ({}, {"facing": "forward"}, 25, math.inf),  # one behind the other
+        ({"facing": "back"}, {"facing": "back"}, 25, math.inf),
+        ({"facing": "back"}, {"facing": "forward"}, 25, math.inf),  # away from each other
+        ({"length": 7.0}, {}, 25, math.inf),  # both short
+        ({"length": 7.0}, {"length": 7.0, "offset": 1.0}, 25, math.inf),
+        ({"length": 7.1}, {"length": 6.9, "offset": 1.0}, 25, math.sqrt(6.0 * (0.5 * 33.0 - 2.0))),
+        ({"offset": 0.0}, {"offset": 2.24}, 25, math.inf),  # in each other's way, in any bend
+        ({"offset": 0.0}, {"offset": 2.25}, 25, WAITS),
+        # 0.16 (12^2 + 4^2) / R + 0.3 m are needed beside 1.25 m
+        ({}, {}, 26, WAITS),
+        ({}, {}, 28, math.inf),
+        ({}, {"start": 260.0}, 25, math.inf),  # too far ahead to matter
+    ],
+)
+def test_how_fast_two_that_come_toward_each_other_begin_at_most(
+    first: dict[str, Any], last: dict[str, Any], radius: float, most: float
+) -> None:
+    (scene,) = testing.sample(ARC.replace("50m", f"{radius}m"), 1)
+    (road,) = scene.record.roads
+    one = replace(actor("one", "bus", 0, 0), **{**FIRST, **first})
+    other = replace(actor("other", "car", 0, 0), **{**LAST, **last})
+    assert _most(one, other, road) == pytest.approx(most)
+    assert _most(other, one, road) == pytest.approx(most)
