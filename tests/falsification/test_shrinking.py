@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from typing import Any
+
 import pytest
 
 from roadlang import Falsification
 from roadlang.falsification.evaluator import Proposal
+from roadlang.falsification.outcome import Outcome
+from roadlang.falsification.shrinking import influences, shrunk
 from roadlang.testing import scenario
 from tests.falsification.slider import TEXT, Slider
 
@@ -47,3 +52,54 @@ def test_what_matters_comes_first(search: Falsification) -> None:
     speed = found[("ego/drive 1/speed",)]
     assert speed is not None
     assert speed > worst
+
+
+class Formula:
+    """Evaluates points by a formula: the robustness of `a` and of `b`, violated below 0."""
+
+    simplest = (0.0, 0.0, 0.0)
+    ordered = (True, True, False)
+
+    def __init__(self, rho: Callable[..., tuple[float, float]]) -> None:
+        self.rho = rho
+        self.tried: list[tuple[float, ...]] = []
+
+    def evaluate(self, proposals: Sequence[Proposal]) -> list[Outcome]:
+        self.tried += [proposal.point for proposal in proposals]
+        return [self.outcome(proposal.point) for proposal in proposals]
+
+    def outcome(self, point: tuple[float, ...]) -> Outcome:
+        robustness = dict(zip("ab", self.rho(*point), strict=True))
+        violated = tuple(name for name, rho in robustness.items() if rho < 0.0)
+        return Outcome(0, point, False, None, {}, robustness, violated)
+
+
+@pytest.mark.parametrize(
+    ("rho", "start", "end"),
+    [
+        (lambda x, y, z: (-1.0, 1.0), (0.9, 0.8, 0.7), (0.0, 0.0, 0.0)),
+        (lambda x, y, z: (0.3 - x, 1.0), (0.8, 0.8, 0.7), (0.4, 0.0, 0.0)),
+        (lambda x, y, z: (0.3 - z, 1.0), (0.8, 0.8, 0.8), (0.0, 0.0, 0.8)),  # z has no half way
+        (lambda x, y, z: (0.01 - x, 1.0), (0.8, 0.0, 0.0), (0.05, 0.0, 0.0)),  # steps of .05
+        (lambda x, y, z: (0.3 - x, 0.6 - y), (0.8, 0.8, 0.0), (0.4, 0.0, 0.0)),  # `a` alone counts
+        (lambda x, y, z: (1.0, 0.6 - y), (0.8, 0.8, 0.0), (0.0, 0.8, 0.0)),
+        # of two that cannot both go, the one with which it fails worst
+        (lambda x, y, z: (0.5 - x - 2.0 * y if x + y > 0.7 else 1.0, 1.0), (0.8, 0.8, 0.0),
+         (0.0, 0.8, 0.0)),
+    ],
+)  # fmt: skip
+def test_draws_go_to_their_simplest_values_or_half_way_while_the_first_violation_stays(
+    rho: Any, start: tuple[float, ...], end: tuple[float, ...]
+) -> None:
+    evaluator: Any = Formula(rho)
+    assert shrunk(evaluator.outcome(start), evaluator).point == pytest.approx(end)
+
+
+def test_influences_are_of_the_first_violation_with_draws_at_their_medians() -> None:
+    evaluator: Any = Formula(lambda x, y, z: (x - 1.0 + 0.1 * y, z - 1.0))
+    found = influences(evaluator.outcome((0.0, 0.0, 0.0)), evaluator, ["x", "y", "z"])
+    assert found == pytest.approx({
+        ("x", "y"): -0.45, ("x",): -0.5, ("x", "z"): -0.5, ("y",): -0.95, ("y", "z"): -0.95,
+        ("z",): -1.0,
+    })  # fmt: skip
+    assert list(found) == [("x", "y"), ("x",), ("x", "z"), ("y",), ("y", "z"), ("z",)]

@@ -139,3 +139,26 @@ def test_a_new_waypoint_comes_where_the_road_passes(at: tuple[float, float], num
     new = handles(more)[number]
     assert (new.x, new.y) == at
     assert removed(more, new) == text
+
+
+FIRST = "road first { draw with waypoints { points: [(0m, 0m), (60m, 0m)] } }\n"
+THIRD = "road third { draw with waypoints { points: [(0m, 30m), (60m, 30m)] } }\n"
+BUMP = "road second from first { perturb with bump { at: 30m, height: 1m, length: 20m } }\n"
+DRIVEN = "agent ego is car on third at 5m\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "held"),
+    [
+        (FIRST + THIRD, {"first", "third"}),
+        (FIRST + BUMP + THIRD, {"second", "third"}),
+        (FIRST + BUMP + THIRD + DRIVEN, {"second", "third", "ego"}),
+        (FIRST + BUMP + DRIVEN.replace("third", "first"), {"first", "second", "ego"}),
+    ],
+    ids=["drawn", "perturbed", "driven", "driven as drawn"],
+)
+def test_the_last_road_of_each_chain_has_handles_and_one_that_is_driven(
+    text: str, held: set[str]
+) -> None:
+    (scene,) = roadlang.loads(text).sample(1)
+    assert {handle.name for handle in handles_of(text, scene.record)} == held

@@ -24,7 +24,15 @@ from roadlang.api import (
 )
 from roadlang.ir.dimension import ANGLE, CURVATURE, LENGTH, PURE, SPEED, Dimension
 from roadlang.plugins.describing import bounds_text, default_text, type_text, value_text
-from roadlang.plugins.option_types import QuantityType
+from roadlang.plugins.option_types import (
+    FlagType,
+    IntervalType,
+    ListType,
+    OptionType,
+    PointType,
+    QuantityType,
+    UnionType,
+)
 from roadlang.plugins.options import schema_of
 
 
@@ -93,3 +101,26 @@ def test_an_option_has_a_type_a_default_and_bounds(
 )
 def test_a_value_is_written_as_in_a_scene_file(value: Any, dimension: Dimension, text: str) -> None:
     assert value_text(value, QuantityType(dimension)) == text
+
+
+METERS = QuantityType(LENGTH)
+
+
+@pytest.mark.parametrize(
+    ("value", "type_", "text"),
+    [
+        ((1.0, math.inf), IntervalType(METERS), "[1m, inf]"),
+        ((1.0, 2.5), ListType(METERS), "[1m, 2.5m]"),
+        (((0.0, 1.0), (2.0, 3.0)), ListType(PointType(LENGTH)), "[(0m, 1m), (2m, 3m)]"),
+        ((80.0, 5.0), PointType(LENGTH, SPEED), "(80m, 5m/s)"),
+        ((1.0, 2.0, 3.0), PointType(LENGTH, in_space=True), "(1m, 2m, 3m)"),
+        (1.5, UnionType((FlagType(), METERS)), "1.5m"),
+        (False, UnionType((FlagType(), METERS)), "false"),
+        (1.5, UnionType((FlagType(),)), "1.5"),
+        ("two words", METERS, '"two words"'),
+    ],
+)
+def test_lists_points_and_choices_are_written_with_their_units(
+    value: Any, type_: OptionType, text: str
+) -> None:
+    assert value_text(value, type_) == text

@@ -235,6 +235,8 @@ def test_things_of_a_picture_are_as_large_as_they_are_drawn_with_defaults_for_th
     }
     sizes = [(thing.length, thing.width, thing.height) for thing in scene.objects]
     assert sorted(sizes) == [(12.0, 12.0, 7.0), (12.0, 12.0, 8.0)]
+    (painted,) = sample(TOWN.replace('"B": building', '"B": crosswalk')).scenes
+    assert [thing.height for thing in painted.standing if thing.kind == "crosswalk"] == [0.0]
 
 
 def test_any_road_of_the_network_may_be_drawn(sample: Sample) -> None:

@@ -155,11 +155,8 @@ def _robustness(formula: stl.Formula, value: Signal, count: int) -> Floats:
             if op in ("==", "!="):
                 over = np.abs(over) if op == "!=" else -np.abs(over)
             return over
-    parts = [_robustness(part, value, count) for part in formula.parts]
-    match formula:
-        case stl.Not():
-            return -parts[0]
         case stl.LogicalJunction():
             join = np.minimum if formula.least else np.maximum
+            parts = [_robustness(part, value, count) for part in formula.parts]
             return np.asarray(join.reduce(parts))
     raise AssertionError(f"not in normal form: {formula}")
