@@ -49,6 +49,9 @@ def test_drives_of_a_search_lie_on_the_scales_beside_them() -> None:
     (best,) = (part.attrib["d"] for part in chart.iter() if part.get("class") == "best")
     levels = [float(y) for y in re.findall(r"(?:M[\d.]+ |V)([\d.]+)", best)]
     assert levels == pytest.approx([dots[0][1], failing[1]], abs=0.2)
+    first, last, title = (at[words, False][0] for words in ("0", "4", "evaluation"))
+    assert title == pytest.approx((first + last) / 2.0, abs=0.2)
+    assert (first, last) == pytest.approx((dots[0][0], dots[-1][0]), abs=0.2)
 
 
 def test_a_label_that_would_lie_on_another_is_left_out() -> None:
