@@ -60,6 +60,8 @@ FAULTS = [
     (OPTIONS, "count: 3, spacing: 5", "RL202", "5", "5m"),
     (OPTIONS, "count: -3, spacing: 5m", "RL208", "-3", None),
     (OPTIONS, "lane: 7", "RL613", "7", None),
+    (OPTIONS, "drive with traffic, drive with change_lane { to: -4 }", "RL613", "-4", None),
+    (OPTIONS, "drive with traffic, drive with merge { to: 0 }", "RL613", "0", None),
     (OPTIONS, "lane: outr", "RL223", "outr", "outer"),
     (OPTIONS, "lane: lead.lane", "RL231", "lead.lane", None),
     (OPTIONS, "facing: backward", "RL223", "backward", "back"),

@@ -23,6 +23,7 @@ class Bicycle(AgentKind):
     """A bicycle with its rider."""
 
     name: ClassVar[str] = "bicycle"
+    also_called: ClassVar[tuple[str, ...]] = ("bike", "cyclist")
     category: ClassVar[str] = "bicycle"
     length: Length = length_option(1.8)
     width: Length = width_option(0.6)

@@ -23,6 +23,7 @@ class Motorcycle(AgentKind):
     """A motorcycle."""
 
     name: ClassVar[str] = "motorcycle"
+    also_called: ClassVar[tuple[str, ...]] = ("motorbike",)
     category: ClassVar[str] = "motorcycle"
     length: Length = length_option(2.2)
     width: Length = width_option(0.8)

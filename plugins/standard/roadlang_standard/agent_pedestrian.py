@@ -15,6 +15,7 @@ class Pedestrian(AgentKind):
     """A pedestrian."""
 
     name: ClassVar[str] = "pedestrian"
+    also_called: ClassVar[tuple[str, ...]] = ("person", "human", "walker")
     category: ClassVar[str] = "pedestrian"
     length: Length = option(0.4, above=0, maximum=2, help="front-to-back depth")
     width: Length = option(0.6, above=0, maximum=2, help="shoulder width")

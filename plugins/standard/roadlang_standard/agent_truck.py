@@ -23,6 +23,7 @@ class Truck(AgentKind):
     """A truck."""
 
     name: ClassVar[str] = "truck"
+    also_called: ClassVar[tuple[str, ...]] = ("lorry",)
     category: ClassVar[str] = "truck"
     length: Length = length_option(9.0)
     width: Length = width_option(2.5)

@@ -16,6 +16,7 @@ class AllWayStop(JunctionControl):
     """All-way stop: vehicles go in the order in which they arrive."""
 
     name: ClassVar[str] = "all_way_stop"
+    also_called: ClassVar[tuple[str, ...]] = ("four_way_stop",)
 
     def right_of_way(self, junction: Junction) -> RightOfWay:
         """The same at every junction."""

@@ -16,6 +16,7 @@ class RightFirst(JunctionControl):
     """Priority to the right; left turns yield to oncoming traffic."""
 
     name: ClassVar[str] = "right_first"
+    also_called: ClassVar[tuple[str, ...]] = ("right_before_left",)
 
     def right_of_way(self, junction: Junction) -> RightOfWay:
         """The same at every junction."""

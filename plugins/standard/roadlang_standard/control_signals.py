@@ -17,6 +17,7 @@ class Signals(JunctionControl):
     """Traffic signals: opposite roads have green together, every other road alone."""
 
     name: ClassVar[str] = "signals"
+    also_called: ClassVar[tuple[str, ...]] = ("traffic_lights", "traffic_light", "lights")
     green: Duration = option(20.0, above=0, maximum=600, help="green time of each phase")
     yellow: Duration = option(3.0, minimum=0, maximum=60, help="yellow time after each green")
     all_red: Duration = option(

@@ -25,6 +25,7 @@ class CarFollow(SlowsForBends):
     driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
+    also_called: ClassVar[tuple[str, ...]] = ("idm", "acc")
     keeps_distance: ClassVar[bool] = True
     speed: Speed = target_speed_option()
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")

@@ -55,6 +55,7 @@ class ChangeLane(Controller):
 
     name: ClassVar[str] = "change_lane"
     leaves_open: ClassVar[str] = "the rest of the drive"
+    lane_options: ClassVar[tuple[str, ...]] = ("to",)
     to: Integer = option(
         words=("left", "right", *BESIDE),
         minimum=-32,

@@ -76,6 +76,7 @@ class Merge(Controller):
 
     name: ClassVar[str] = "merge"
     leaves_open: ClassVar[str] = "the rest of the drive"
+    lane_options: ClassVar[tuple[str, ...]] = ("to",)
     to: Integer = option(
         "left",
         words=("left", "right"),

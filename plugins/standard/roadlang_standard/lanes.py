@@ -34,6 +34,7 @@ class BikeLane(LaneKind):
     """A lane for bicycles, 1.5 m wide."""
 
     name: ClassVar[str] = "bike"
+    also_called: ClassVar[tuple[str, ...]] = ("bicycle", "cycle")
     default_width: ClassVar[float] = 1.5
     users: ClassVar[tuple[str, ...]] = ("bicycle",)
 
@@ -52,6 +53,7 @@ class ShoulderLane(LaneKind):
     """A paved strip beside the outer lane, 1.5 m wide."""
 
     name: ClassVar[str] = "shoulder"
+    also_called: ClassVar[tuple[str, ...]] = ("hard_shoulder", "emergency")
     default_width: ClassVar[float] = 1.5
     direction: ClassVar[Literal["none"]] = "none"
     default_marking: ClassVar[Literal["none"]] = "none"
@@ -62,6 +64,7 @@ class SidewalkLane(LaneKind):
     """A sidewalk behind a curb, 2 m wide."""
 
     name: ClassVar[str] = "sidewalk"
+    also_called: ClassVar[tuple[str, ...]] = ("pavement", "footpath", "footway")
     is_default: ClassVar[bool] = True
     default_width: ClassVar[float] = 2.0
     direction: ClassVar[Literal["both"]] = "both"

@@ -40,6 +40,7 @@ class Building(ObjectKind):
     """A building."""
 
     name: ClassVar[str] = "building"
+    also_called: ClassVar[tuple[str, ...]] = ("house",)
     category: ClassVar[str] = "building"
     length: Length = length_option(12.0)
     width: Length = width_option(10.0)
@@ -100,6 +101,7 @@ class Cone(ObjectKind):
     """A traffic cone."""
 
     name: ClassVar[str] = "cone"
+    also_called: ClassVar[tuple[str, ...]] = ("pylon", "traffic_cone")
     category: ClassVar[str] = "cone"
     length: Length = length_option(0.35)
     width: Length = width_option(0.35)

@@ -19,7 +19,8 @@ from ..ir.scenario import (
     ScenarioActor,
     ScenarioImage,
 )
-from ..ir.values import PassCall, TextValue
+from ..ir.values import PassCall, TextValue, Value
+from ..plugins.kinds import Controller
 from ..plugins.registry import Registry
 from ..world.placement_faults import missing_scale, unknown_lane
 from .fixed_closed_roads import fixed_closed_roads
@@ -51,7 +52,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
     ]
     for actor in (*source.agents, *source.objects):
         if actor.on in scenario.roads:
-            fault = _lane_fault(actor, scenario) or position_fault(actor, scenario)
+            fault = next(_lane_faults(actor, scenario), None) or position_fault(actor, scenario)
             found += [fault] if fault is not None else []
     found += [*fixed_overlaps(scenario), *fixed_closed_roads(scenario), *equal_outputs(scenario)]
     found += unsupported_parts(scenario)
@@ -97,10 +98,27 @@ def _file_has_scale(source: FileSource) -> bool:
     return scale_in_file(path, content, header.format if header else "") is not None
 
 
-def _lane_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnostic | None:
-    lane = actor.options.get("lane")
+def _lane_faults(actor: ScenarioActor, scenario: IndexedScenario) -> Iterator[Diagnostic]:
+    """RL613 for the lane that an actor begins in, and for those that its controllers move to."""
     lanes = road_lane_ids(scenario.roads[str(actor.on)], scenario)
-    if lane is None or lanes is None or isinstance(lane, TextValue | PassCall):
+    if lanes is None:
+        return
+    written = [(actor.options.get("lane"), actor.span_of("lane"))]
+    for call in actor.drive:
+        kind = scenario.kind(call)[1]
+        if issubclass(kind, Controller):
+            places = [call.option_spans.get(name, call.span) for name in kind.lane_options]
+            written += zip(map(call.options.get, kind.lane_options), places, strict=True)
+    for value, span in written:
+        lane = None if value is None else _fixed_number(value, scenario)
+        fault = None if lane is None else unknown_lane(actor, lane, lanes, span)
+        if fault is not None:
+            yield fault
+
+
+def _fixed_number(value: Value, scenario: IndexedScenario) -> int | None:
+    """None for words, for lanes by other agents, and for what is drawn."""
+    if isinstance(value, TextValue | PassCall):
         return None
-    low, high = scenario.value_bounds.of(lane)
-    return unknown_lane(actor, round(low), lanes) if low == high else None
+    low, high = scenario.value_bounds.of(value)
+    return round(low) if low == high else None

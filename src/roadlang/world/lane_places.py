@@ -143,7 +143,7 @@ def no_lane_of_kind(actor: ScenarioActor, word: str, section: CrossSection) -> D
 
 def _place_of(actor: ScenarioActor, lanes: LaneBatch, id: int) -> int:
     ids = lanes.pattern.ids
-    fault = unknown_lane(actor, id, ids)
+    fault = unknown_lane(actor, id, ids, actor.span_of("lane"))
     if fault is not None:
         raise DiagnosticError(fault)
     return ids.index(id)

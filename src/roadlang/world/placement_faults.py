@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnostics import Code, Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..ir.scenario import ScenarioActor, ScenarioImage
 
 DEFAULT_APART = 0.5
@@ -17,9 +17,11 @@ def missing_scale(image: ScenarioImage, world_file: str | None = None) -> Diagno
     return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
 
 
-def unknown_lane(actor: ScenarioActor, lane: int, known: tuple[int, ...]) -> Diagnostic | None:
-    """RL613, where the lanes of a road have other numbers."""
+def unknown_lane(
+    actor: ScenarioActor, lane: int, known: tuple[int, ...], span: Span | None
+) -> Diagnostic | None:
+    """RL613 at `span`, where the lanes of the road of an actor have other numbers."""
     if lane in known:
         return None
     help_ = f"its lanes are {', '.join(map(str, known))}"
-    return diagnose(Code.UNKNOWN_LANE, actor.span_of("lane"), road=actor.on, lane=lane, help=help_)
+    return diagnose(Code.UNKNOWN_LANE, span, road=actor.on, lane=lane, help=help_)

@@ -60,6 +60,9 @@ class Controller(Kind):
     """what it leaves to the controller before it, such as "steering": a warning says so where it is
     the first controller of an agent"""
 
+    lane_options: ClassVar[tuple[str, ...]] = ()
+    """options that hold the id of a lane: on a road without that lane, it is an error (RL613)"""
+
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.
 

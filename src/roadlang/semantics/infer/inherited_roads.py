@@ -19,6 +19,17 @@ def road_of(checker: Checker, statement: ast.Actor) -> ast.Expression | None:
     return None if found is None else found.on
 
 
+def goes_in_circles(checker: Checker, statement: ast.Actor) -> bool:
+    """Whether positions by one another lead back to something that was passed: reported as a
+    circular definition."""
+    seen: set[str] = set()
+    found: ast.Actor | None = statement
+    while found is not None and found.name.text not in seen:
+        seen.add(found.name.text)
+        found = named_in_position(checker, found)
+    return found is not None
+
+
 def named_in_position(checker: Checker, statement: ast.Actor) -> ast.Actor | None:
     """The agent or object that a position is by (`ahead_of(ego, 20m)`), None of other positions."""
     call = statement.at

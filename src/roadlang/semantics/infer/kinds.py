@@ -139,13 +139,13 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
         return
     known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
-    meant = meant_name(name, qualified if "." in name else known)
+    meant = _called(checker, verb, name) or meant_name(name, qualified if "." in name else known)
     if {verb, *verbs_with(checker, ("agent", "object"), name)} == {"agent", "object"}:
         meant = None  # `object b is car` means the agent, not an object with a similar name
     help_ = [] if meant else _of_other_verbs(checker, verb, name) or _not_installed(checker, name)
     if not (meant or help_):
         help_ = _word_of_option(checker, verb, name) or _described(checker, verb, name)
-    if not (meant or help_):
+    if not meant and (not help_ or verb == "lane"):  # a lane is no agent: which lanes there are
         help_ += _listing(verb, registry.names(verb))
     if not meant:
         help_ += registry.hints
@@ -187,6 +187,13 @@ def _described(checker: Checker, verb: str, word: str) -> list[str]:
         for name, line in lines.items()
         if is_named(line)
     ]
+
+
+def _called(checker: Checker, verb: str, word: str) -> str | None:
+    """The kind of a verb that has another name as well."""
+    kinds = (loaded(entry) for entry in checker.registry.of(verb))
+    found = (kind for kind in kinds if isinstance(kind, ResolvedKind))
+    return next((kind.entry.name for kind in found if word in kind.kind.also_called), None)
 
 
 def _of_other_verbs(checker: Checker, verb: str, name: str) -> list[str]:

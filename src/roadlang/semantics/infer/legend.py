@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Code, nearest
+from ...diagnostics import Code
 from ...ir.read_only import FrozenDict
 from ...ir.values import Entries, TextValue, Value
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
+from ..suggestions import meant_name
 from ..types.expression_types import MappingType, TypedExpression
 from .kinds import find_kind
 
@@ -59,7 +60,7 @@ def _is_kind(
     checker: Checker, verb: str, text: str, value: ast.Expression, schema: OptionSchema
 ) -> bool:
     known = checker.registry.has(verb, text) or checker.registry.is_planned(verb, text)
-    if not known and (meant := nearest(text, schema.words)):
+    if not known and (meant := meant_name(text, schema.words)):
         checker.report(
             Code.UNKNOWN_KIND, value.span, name=text, noun=f"kind of {verb}", meant=meant
         )

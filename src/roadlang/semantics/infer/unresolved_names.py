@@ -6,6 +6,7 @@ from ...diagnostics import Code, KnownNames, nearest
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
+from ..suggestions import meant_name
 from ..types.expression_types import TypedExpression, unknown
 from .habits import is_side_as_lane, name_help
 from .kinds import MOST_LISTED, find_kind
@@ -20,9 +21,11 @@ def report_unresolved(checker: Checker, name: ast.Name, context: Context) -> Typ
     declared = nearest(name.text, _fitting_names(checker, context)) or nearest(
         name.text, checker.program.declarations
     )
+    if declared == context.user and context.verbs:
+        declared = None  # `object zebra is zebra_crossing` does not mean itself
     kinds = [kind for verb in context.verbs for kind in checker.registry.names(verb)]
     words = (*context.words, *kinds)
-    word = nearest(name.text, words)
+    word = meant_name(name.text, words)
     if context.words and (word or not (declared or is_side_as_lane(name, context))):
         listed = ", ".join(f"`{word}`" for word in words)
         return checker.report(

@@ -20,7 +20,7 @@ from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
-from ..infer.inherited_roads import road_of
+from ..infer.inherited_roads import goes_in_circles, road_of
 from ..infer.kinds import find_default
 from ..types.dimensions import unit_missing
 from ..types.expression_types import CoordinatesType, KindCallType, Quantity, TypedExpression
@@ -172,6 +172,8 @@ def _by_another(
             assert isinstance(other, ast.Actor)
             road, own_road = road_of(checker, other), road_of(checker, statement)
             if road is None or own_road is None:
+                if goes_in_circles(checker, other):
+                    return None
                 name, member = value.name, "place on a road"
                 checker.report(Code.START_WITHOUT_ROAD, typed.span, name=name, member=member)
                 return None
@@ -205,7 +207,9 @@ def _point(
     from ..types.assignable import check_assignable
 
     if statement.on is not None and network is None:
-        checker.report(Code.POINT_ON_ROAD, typed.span, name=statement.name.text)
+        road = statement.on.span.text
+        help_ = f"write a length, such as `at 20m`, or leave `on {road}` out"
+        checker.report(Code.POINT_ON_ROAD, typed.span, name=statement.name.text, help=help_)
         return None
     schema = OptionSchema("at", PointOption(LENGTH), None, Constraints())
     return check_assignable(checker, typed, schema)

@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...diagnostics import Code, Fix, Label, Span, diagnose, did_you_mean, nearest
+from ...diagnostics import Code, Fix, Label, Span, diagnose
 from ...syntax.tree import nodes as ast
 from ...syntax.words import LABELED_PASS_VERBS
+from ..suggestions import meant_name, suggestion
 from .namespaces import Namespace
 from .program import Declaration, Program
 
@@ -78,10 +79,12 @@ def _declaration(program: Program, override: PlacedOverride) -> Declaration | No
 def _report_unknown(program: Program, name: ast.Name, space: Namespace) -> None:
     if program.incomplete:
         return
-    known = sorted({*space.declared, *space.aliases})
-    meant = nearest(name.text, known)
+    within = {
+        f"{alias}.{name}" for alias, inner in space.aliases.items() for name in inner.declared
+    }
+    meant = meant_name(name.text, sorted({*space.declared, *space.aliases, *within}))
     fixes = [Fix(name.span, meant)] if meant else []
-    help_ = did_you_mean(name.text, known)
+    help_ = suggestion(name.text, meant) if meant else ()
     program.diagnostics.append(
         diagnose(Code.UNKNOWN_NAME, name.span, name=name.text, help=help_, fixes=fixes)
     )

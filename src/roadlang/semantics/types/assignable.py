@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...diagnostics import Code, Fix, nearest
+from ...diagnostics import Code, Fix
 from ...ir.values import Items, Reference, TextValue, Value
 from ...plugins import option_types as opt
 from ...plugins.describing import word_text
 from ...plugins.options import Constraints, OptionSchema
 from ..checker import Checker
+from ..suggestions import meant_name
 from . import expression_types as ty
 from .describe_option import describe
 from .dimensions import common_dimension, dimension_of, unit_missing
@@ -241,7 +242,7 @@ def _word(
     places = [item.span for item in typed.items if item.value == TextValue(wrong[0])]
     place = places[0] if places else typed.span
     is_written = place.text.strip('"') == wrong[0]
-    near = nearest(wrong[0], limits.words) if is_written else None
+    near = meant_name(wrong[0], limits.words) if is_written else None
     meant = None if near is None else word_text(near)
     checker.report(
         Code.UNKNOWN_OPTION_VALUE, place, word=wrong[0], help=f"the words are {words}", meant=meant
