@@ -31,6 +31,11 @@ def test_gymnasium_has_nothing_to_complain_about(text: str) -> None:
     assert [str(w.message) for w in found if "render" not in str(w.message)] == []
 
 
+def test_there_is_no_step_before_the_first_reset() -> None:
+    with pytest.raises(RuntimeError, match="comes before the first step"):
+        env(ALONE).step(STRAIGHT_ON)
+
+
 def test_rewards_and_ends_are_plain_finite_numbers() -> None:
     """What `check_env` lets pass: infinite rewards, and numpy's numbers."""
     one = env(ALONE)

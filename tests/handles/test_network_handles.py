@@ -13,6 +13,7 @@ from roadlang.handles.handle import Handle
 from roadlang.handles.handles import dragged, handles_of, removed
 from roadlang.handles.networks import SPACING
 from roadlang.ir.scene import Scene
+from roadlang.syntax.network_edits import network_moves_of
 
 PICTURE = '''image plan from """
 .......#.......
@@ -97,6 +98,23 @@ def test_a_moved_place_goes_back() -> None:
     before, after = scene_of(TOWN), scene_of(text)
     for old, new in zip(before.roads, after.roads, strict=True):
         assert old.length == pytest.approx(new.length, abs=0.05)
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_a_place_that_is_moved_again_leaves_the_others_where_they_are(number: int) -> None:
+    at, by = [(20.0, 42.0), (90.0, 42.0), (140.0, 42.0)], [(1.0, 2.0), (2.0, -1.0), (-1.5, 0.5)]
+    written = [", ".join(f"({x}m, {y}m)" for x, y in places) for places in (at, by)]
+    text = TOWN.replace("lanes: 2", "moved_at: [{}], moved_by: [{}]".format(*written))
+    place = tuple(a + b for a, b in zip(at[number], by[number], strict=True))
+    handle = min(handles(text), key=lambda found: math.dist((found.x, found.y), place))
+    assert math.dist((handle.x, handle.y), place) < 0.6
+    changed = dragged(text, scene_of(text), handle, (handle.x + 0.5, handle.y - 0.25), "nudges")
+    assert changed is not None
+    moves = network_moves_of(changed, "town")
+    assert moves is not None
+    expected = [*by[:number], (by[number][0] + 0.5, by[number][1] - 0.25), *by[number + 1 :]]
+    np.testing.assert_allclose(moves.at, at)
+    np.testing.assert_allclose(moves.by, expected, atol=0.01)
 
 
 def test_what_would_fold_the_network_stays() -> None:
