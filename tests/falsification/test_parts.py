@@ -123,7 +123,15 @@ def test_a_failure_is_distinct_if_it_is_farther_than_one_from_all_that_are(seed:
 
 @pytest.mark.parametrize(
     ("successes", "trials", "low", "high"),
-    [(0, 0, 0.0, 1.0), (0, 100, 0.0, 0.0362), (100, 100, 0.9638, 1.0), (7, 50, 0.0582, 0.2674)],
+    [
+        (0, 0, 0.0, 1.0),
+        (0, 100, 0.0, 0.0362),
+        (100, 100, 0.9638, 1.0),
+        (7, 50, 0.0582, 0.2674),
+        (1, 10, 0.0025, 0.4450),
+        (9, 10, 0.5550, 0.9975),
+        (1, 1, 0.025, 1.0),
+    ],
 )
 def test_intervals_of_clopper_and_pearson(
     successes: int, trials: int, low: float, high: float

@@ -9,6 +9,7 @@ import pytest
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.geometry import Curve, Road
+from roadlang_standard.csv_table import read_table
 from roadlang_standard.read_csv import Csv
 
 RING = [(50 * np.cos(a), 50 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 40, endpoint=False)]
@@ -38,6 +39,28 @@ def test_separators_and_heads_are_found_out(tmp_path: Path, text: str) -> None:
     assert isinstance(curve, Curve)
     assert curve.length == pytest.approx(100)
     assert not curve.closed
+
+
+@pytest.mark.parametrize(
+    ("head", "names"),
+    [
+        ("", ("x", "y")),
+        ("Y;X\n", ("y", "x")),
+        ("# y_m; X_m\n", ("y_m", "x_m")),
+        ("# y_m; x_m\n# drawn; twice\n", ("y_m", "x_m")),  # the first comment has them
+        ("# y_m; x_m\nx; y\n", ("x", "y")),  # but a line of their own counts for more
+        ("# 1; 2\n", ("x", "y")),  # a row that was left out
+        ("a; b; c\n", ("x", "y")),  # of another table
+    ],
+)
+def test_names_are_in_the_first_comment_or_in_a_line_of_their_own(
+    tmp_path: Path, head: str, names: tuple[str, ...]
+) -> None:
+    path = tmp_path / "road.csv"
+    path.write_text(head + "1;2\n3;4\n")
+    table = read_table(path)
+    assert table.names == names
+    assert table.rows.tolist() == [[1.0, 2.0], [3.0, 4.0]]
 
 
 def test_widths_make_a_road(tmp_path: Path) -> None:
