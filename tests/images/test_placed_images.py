@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import cv2
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 
 from roadlang.geometry.local_projection import LocalProjection
 from roadlang.images.image_file import OpenedImage, open_image
+from roadlang.images.placed_pixels import _to_degrees
 from tests.geometry.test_local_projection import kruger
 from tests.images.geotiffs import written_geotiff
 
@@ -139,6 +142,31 @@ def test_other_grids_need_pyproj_and_keep_their_scale(
     assert found.shown.warning is not None
     assert found.shown.warning.code == "RL439"
     assert "EPSG:2056 needs `pyproj`: pip install" in found.shown.warning.message
+
+
+class Grids:
+    """Stands in for `pyproj`: a grid in hundredths of degrees, and one that it does not know."""
+
+    class exceptions:
+        class CRSError(Exception):
+            pass
+
+    class Transformer:
+        @staticmethod
+        def from_crs(grid: str, to: str, *, always_xy: bool) -> Any:
+            assert (to, always_xy) == ("EPSG:4326", True)
+            if grid != "EPSG:2056":
+                raise Grids.exceptions.CRSError
+            return SimpleNamespace(transform=lambda x, y: (x / 100.0, y / 100.0))
+
+
+def test_pyproj_is_asked_for_longitude_and_latitude(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pyproj", Grids)
+    degrees, reason = _to_degrees("EPSG:2056")
+    assert degrees is not None
+    assert (degrees(700.0, 4700.0), reason) == ((47.0, 7.0), "")
+    for grid, name in (("EPSG:1", "EPSG:1"), ('PROJCS["odd"]', "of its .prj file")):
+        assert _to_degrees(grid) == (None, f"its grid {name} is not known to `pyproj`")
 
 
 def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:
