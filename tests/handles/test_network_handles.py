@@ -143,3 +143,32 @@ def test_only_networks_that_were_found_are_moved() -> None:
     text = BENT.replace("{ perturb", "{ moved_at: [(0m, 0m)], moved_by: [(1m, 0m)], perturb")
     with pytest.raises(DiagnosticError, match="an image or a file"):
         roadlang.loads(text).sample(1)
+
+
+STREET = '''image NAME from """
+...............
+.#############.
+...............
+""" { scale: 12m/px, legend: { "#": road } }
+network of_NAME from NAME
+'''
+ROAD = "road over_NAME from of_NAME { select: longest }\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "sorts"),
+    [
+        (STREET, {"street"}),
+        (STREET + ROAD, {"place"}),
+        (STREET + ROAD + (STREET + ROAD).replace("NAME", "other"), {"place"}),
+        (STREET + ROAD + STREET.replace("NAME", "other"), {"place", "street"}),
+    ],
+    ids=["alone", "under a road", "two of them", "one of two"],
+)
+def test_a_network_that_a_road_runs_all_over_leaves_the_handles_to_it(
+    text: str, sorts: set[str]
+) -> None:
+    found = handles(text.replace("NAME", "first"))
+    assert {handle.sort for handle in found} == sorts
+    if "street" in sorts and "place" in sorts:
+        assert {h.name for h in found if h.sort == "street"} == {"of_other"}
