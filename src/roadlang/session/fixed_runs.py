@@ -67,9 +67,10 @@ def _refused_start(call: PassCall, scenario: IndexedScenario) -> tuple[Diagnosti
     sources += [one.source for one in scenario.networks.values()]
     try:
         searcher = build(call, fixed_candidate(indexed), single=True)
+        written = axes_written(indexed)
         try:
             with searcher.guarded:
-                searcher.kind.start(axes_written(indexed), 0)
+                searcher.kind.start(written, 0)
         except DiagnosticError:
             if any(isinstance(source, FileSource) for source in sources):
                 return ()
