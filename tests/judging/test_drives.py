@@ -130,8 +130,11 @@ def test_a_formula_of_a_group_must_hold_for_each_member() -> None:
     assert rho_of(slow, trace(*group)) == pytest.approx(-0.5)
 
 
-def test_what_the_engine_does_not_record_is_refused() -> None:
-    blind = agent("ego", TIME, steering=np.full_like(TIME, np.nan))
+@pytest.mark.parametrize("missing", [slice(None), slice(-1, None)])
+def test_what_the_engine_does_not_record_throughout_is_refused(missing: slice) -> None:
+    steering = np.zeros_like(TIME)
+    steering[missing] = np.nan
+    blind = agent("ego", TIME, steering=steering)
     straight = condition({"always": {"<": ["a", 0.1]}}, a=("steering", {"agent": "ego"}))
     with pytest.raises(DiagnosticError, match="RL701"):
         rho_of(straight, trace(blind))

@@ -46,9 +46,9 @@ def _refused_size(scenario: IndexedScenario) -> tuple[Diagnostic, ...]:
 
     indexed = index_scenario(scenario.source, scenario.registry)
     try:
-        sampler = sampler_of(indexed)
+        sampler, drawn = sampler_of(indexed), drawn_values(indexed)
         with sampler.guarded:
-            sampler.kind.size(drawn_values(indexed))
+            sampler.kind.size(drawn)
     except DiagnosticError as error:
         return error.diagnostics
     return ()
