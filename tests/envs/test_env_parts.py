@@ -1,0 +1,90 @@
+"""Spaces, actions and rewards of environments, each by itself."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from gymnasium.spaces import Box, Dict
+
+from roadlang.api import ReadingArray
+from roadlang.envs.episode_rewards import reward_function
+from roadlang.envs.observed import joined, observation_space, row_of
+from roadlang.envs.spaces import checked_actions
+
+VECTOR: Any = SimpleNamespace(
+    low=np.array([-1.0, 0.0], np.float32), high=np.array([1.0, 9.0], np.float32)
+)
+
+
+def test_an_agent_without_sensors_observes_a_box() -> None:
+    space = observation_space(VECTOR, {})
+    assert space == Box(VECTOR.low, VECTOR.high, (2,), np.float32)
+
+
+def test_readings_have_boxes_of_their_own_within_their_types() -> None:
+    arrays = {
+        "ranges": ReadingArray((4,), "float32", low=0.0, high=50.0),
+        "kinds": ReadingArray((2, 3), "uint8", low=-5.0, high=1000.0),
+        "few": ReadingArray((1,), "int16", low=-3.0, high=7.0),
+    }
+    space = observation_space(VECTOR, {"front": arrays})
+    assert isinstance(space, Dict)
+    assert space["state"] == observation_space(VECTOR, {})
+    front: Any = space["sensors"]
+    assert front["front"]["ranges"] == Box(0.0, 50.0, (4,), np.float32)
+    assert front["front"]["kinds"] == Box(0, 255, (2, 3), np.uint8)
+    assert front["front"]["few"] == Box(-3, 7, (1,), np.int16)
+
+
+def test_batches_are_joined_and_taken_apart_by_rows() -> None:
+    first = {"state": np.array([[1.0], [2.0]]), "sensors": {"gps": {"x": np.array([[3], [4]])}}}
+    second = {"state": np.array([[5.0]]), "sensors": {"gps": {"x": np.array([[6]])}}}
+    both = joined([first, second])
+    assert both["state"].tolist() == [[1.0], [2.0], [5.0]]
+    assert both["sensors"]["gps"]["x"].tolist() == [[3], [4], [6]]
+    row = row_of(both, 1)
+    assert (row["state"].tolist(), row["sensors"]["gps"]["x"].tolist()) == ([2.0], [4])
+
+
+def test_actions_are_held_within_their_space() -> None:
+    held = checked_actions([[-2.0, 0.5], [np.inf, -np.inf]], 2)
+    assert held.tolist() == [[-1.0, 0.5], [1.0, -1.0]]
+    for wrong in ([[1.0, 0.0]], [[1.0], [0.0]], [1.0, 0.0]):
+        with pytest.raises(ValueError, match="actions have the shape"):
+            checked_actions(wrong, 2)
+    with pytest.raises(ValueError, match="not a number"):
+        checked_actions([[0.0, 0.0], [np.nan, 0.0]], 2)
+
+
+def happened(**margins: list[float]) -> Any:
+    return SimpleNamespace(
+        moved=np.array([0.5, 2.0]), speed=np.array([1.0, 4.0]),
+        margins={name: np.array(values) for name, values in margins.items()},
+    )  # fmt: skip
+
+
+def reward(given: Any, names: tuple[str, ...], now: Any) -> list[float]:
+    pool: Any = SimpleNamespace(reward=names)
+    return np.asarray(reward_function(given, pool)(now)).tolist()  # type: ignore[no-any-return]
+
+
+def test_the_reward_is_the_way_or_the_least_margin_or_what_a_function_says() -> None:
+    now = happened(near=[3.0, -1.0], slow=[1.0, 2.0])
+    assert reward(None, (), now) == [0.5, 2.0]
+    assert reward("near", ("near",), now) == [3.0, -1.0]
+    assert reward(None, ("near", "slow"), now) == [1.0, -1.0]
+    assert reward(lambda step: 2 * step.speed, ("near",), now) == [2.0, 8.0]
+    assert reward(lambda step: 3, (), now) == [3.0, 3.0]
+
+
+@pytest.mark.parametrize(
+    ("found", "fault"),
+    [([1.0], "has the shape"), ([[1.0, 2.0]], "has the shape"), ([1.0, np.nan], "not finite"),
+     (np.inf, "not finite")],
+)  # fmt: skip
+def test_rewards_that_are_none_are_refused(found: Any, fault: str) -> None:
+    with pytest.raises(ValueError, match=fault):
+        reward(lambda step: found, (), happened())
