@@ -32,3 +32,17 @@ def test_the_check_finds_what_overlaps_and_what_is_off_its_lane() -> None:
     assert sorted(fault.split(" ")[0] for fault in faults(record)) == ["ego", "other"]
     record["agents"][0]["y"] += 1.5
     assert any("left of its road" in fault for fault in faults(record))
+
+
+@pytest.mark.parametrize("row", ["agent row is car", "object row is box"])
+def test_a_row_for_which_there_is_no_room_is_placed_anew_as_a_whole(row: str) -> None:
+    text = f"""
+    road main {{ draw with waypoints {{ points: [(0m, 0m), (160m, 0m)] }}, width: 8m }}
+    agent stone is car on main at 80m
+    {row} on main at random {{ count: 3, spacing: 12m }}
+    """
+    for scene in testing.sample(text, 8):
+        things = (*scene.record.agents, *scene.record.objects)
+        starts = [thing.start for thing in things if thing.group == "row"]
+        assert starts == pytest.approx([starts[0], starts[0] + 12.0, starts[0] + 24.0])
+        assert faults(json.loads(scene.to_json())) == []
