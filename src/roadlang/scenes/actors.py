@@ -18,7 +18,7 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.read_only import frozen
 from ..ir.record_columns import records_of
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
-from ..ir.scene import Call, SceneActor, SceneSensor
+from ..ir.scene import SceneActor, SceneSensor
 from ..ir.values import Measure, PassCall, RandomValue
 from ..plugins.common_options import common_options
 from ..plugins.finding import find_entry
@@ -29,6 +29,7 @@ from ..world.copies import counts, element_of, is_group, kinds_of, most_copies
 from ..world.named_roads import name_of_road
 from ..world.networks import network_root
 from ..world.placement import placed
+from .own_copies import Drives, of_own_copies
 from .routes import may_be_on_network, on_network, scene_routes
 from .scene_rows import SceneRows
 from .start_speeds import start_speeds
@@ -38,8 +39,6 @@ _DEFAULT_HEIGHT = 1.5
 _POSE = ("x", "y", "heading", "length", "width", "start", "offset", "lane", "backward", "road")
 Kinds = list[tuple[str, float, Any, str, str]]
 """The name, the height, the options, the category and the role of the kind of each copy."""
-Drives = list[tuple[Call, ...]]
-"""The controllers of each copy, or, where all copies have the same, of all."""
 Sensors = list[tuple[SceneSensor, ...]]
 """The sensors of each copy, or of all."""
 
@@ -115,6 +114,8 @@ def _copies_of(actor: ScenarioActor, rows: SceneRows) -> list[tuple[SceneActor, 
     speeds = start_speeds(actor, where, drives, rows) if is_agent else rows.same(())
     routes = scene_routes(actor, rows) if is_agent else rows.same(())
     names = _names(actor, max(present, default=0))
+    if is_group(actor):
+        drives = of_own_copies(drives, actor.name, [names[:count] for count in present])
     columns = {
         "name": [name for count in present for name in names[:count]],
         "drive": _of_copies(drives, present, ()),
