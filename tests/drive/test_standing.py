@@ -19,7 +19,7 @@ STANDING = {one.name: AgentTrace.standing(one, TIME) for one in (EGO, TREE, BOX)
 
 
 def test_what_stands_is_at_rest_where_the_scene_has_it() -> None:
-    place = {"x": 4.0, "y": 5.0, "heading": 0.5}
+    place: dict[str, Any] = {"x": 4.0, "y": 5.0, "heading": 0.5}
     box = replace(BOX, **place, start=7.0, offset=-2.0, length=1.5, width=1.25)
     stands = AgentTrace.standing(box, TIME)
     at = {**place, "station": 7.0, "cross_track_error": -2.0, "present": 1.0}

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from roadlang_formats.gltf.meshes import Faces
 from roadlang_formats.gltf.shapes import _SHAPES, _block, body
 
-Row = tuple[str | float, ...]
+Row = tuple[Any, ...]
 # A wheel: along and across (from, to), its radius. Other parts: height (from, to), the least and
 # the greatest x, the greatest y, and how far forward they reach at their bottom and top.
 # fmt: off

@@ -44,7 +44,7 @@ class Two(Simulator):
     name: ClassVar[str] = "two"
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
-        still = {"time": TIME, "y": 0.0, "heading": 0.0, "speed": 0.0}
+        still: dict[str, Any] = {"time": TIME, "y": 0.0, "heading": 0.0, "speed": 0.0}
         return testing.trace(
             testing.agent_trace("ego", x=0.0, station=0.0, **still),
             testing.agent_trace("late", x=90.0, station=90.0, **still),

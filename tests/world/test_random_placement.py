@@ -43,6 +43,6 @@ def test_a_row_for_which_there_is_no_room_is_placed_anew_as_a_whole(row: str) ->
     """
     for scene in testing.sample(text, 8):
         things = (*scene.record.agents, *scene.record.objects)
-        starts = [thing.start for thing in things if thing.group == "row"]
+        starts = [thing.start or 0.0 for thing in things if thing.group == "row"]
         assert starts == pytest.approx([starts[0], starts[0] + 12.0, starts[0] + 24.0])
         assert faults(json.loads(scene.to_json())) == []
