@@ -44,6 +44,7 @@ def test_edits_are_counted_as_by_their_definition_up_to_the_most(a: str, b: str,
         # As many edits away: the one that is more alike, then the one with more letters before.
         ("tre", ["tire", "tree"], "tree"),
         ("loweer", ["lowest", "lower"], "lower"),
+        ("lowar", ["lower", "loyar"], "lower"),
         # One edit in up to four letters, two from five on.
         ("ab", ["ba"], "ba"),
         ("ab", ["abcd"], None),

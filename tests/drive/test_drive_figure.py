@@ -54,6 +54,25 @@ def test_roads_and_paths_are_drawn_to_scale_with_y_up() -> None:
     assert [text.text for text in root.findall("text")] == ["a < b"]
 
 
+@pytest.mark.parametrize("shown", ["roads", "agents", "nothing"])
+def test_a_figure_is_of_what_it_shows_wherever_that_is(shown: str) -> None:
+    far = road("main", lambda x: 500.0, 85.2, width=(8.0,) * 400)
+    far = replace(far, x=tuple(1000.0 + value for value in far.x))
+    ego = moving("ego", y=500.0)
+    ego = replace(ego, x=1000.0 + ego.x)
+    agents = {"ego": ego} if shown == "agents" else {}
+    scene = replace(bend(), roads=(far,) if shown == "roads" else (), objects=(), agents=())
+    text = drive_figure(scene, Trace(ego.time, agents), "ego", None, "far", None)
+    root = ElementTree.fromstring(text.replace(' xmlns="http://www.w3.org/2000/svg"', ""))
+    assert [line(part)[0] for part in root.findall("polygon")] == (
+        [(24, 18)] if shown == "roads" else []
+    )
+    assert [line(part)[0] for part in root.findall("polyline")] == (
+        [(24, 58)] if shown == "agents" else []
+    )
+    assert float(root.get("height") or 0) == 34 + 48
+
+
 def test_a_road_is_as_wide_as_its_drivable_lanes_at_each_place() -> None:
     narrowing = tuple(np.linspace(8.0, 6.0, 400).tolist())
     (main,) = figure(roads=(road("main", lambda x: 0.0, 85.2, width=narrowing),)).findall("polygon")
