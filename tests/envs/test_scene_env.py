@@ -57,6 +57,17 @@ def test_scenes_are_taken_as_sampled_and_as_read_from_files() -> None:
         np.testing.assert_array_equal(one, other)
 
 
+def test_margins_are_those_of_the_expectations_of_the_first_scene() -> None:
+    judged, plain = (
+        roadlang.loads(text).sample(1)[0].record for text in (ALONE, ALONE.split("expect")[0])
+    )
+    one = SceneEnv([plain, judged])
+    one.reset(options={"scene": 1})
+    assert one.step(STRAIGHT_ON)[4]["margins"] == {}
+    with pytest.raises(roadlang.DiagnosticError, match="a scene has no `expect` of this name"):
+        SceneEnv([judged, plain]).reset(options={"scene": 1})
+
+
 def test_a_seed_decides_the_scenes_and_each_reset_draws_one() -> None:
     one, other = env(ALONE, scenes=20), env(ALONE, scenes=20)
     drawn = [one.reset(seed=3 if i == 0 else None)[1]["scene"] for i in range(10)]
