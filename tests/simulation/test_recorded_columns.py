@@ -14,6 +14,7 @@ from roadlang.api import AgentTrace, Trace
 from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.plugins.discovery import load_registry
+from roadlang.simulation.signals.recorded_columns import _rate
 
 BEND = """
 road main { draw with segments { pieces: [straight(20m), arc(20m, 90deg), straight(20m)] } }
@@ -64,3 +65,20 @@ def test_what_has_not_been_read_travels_to_other_processes() -> None:
 def test_a_trace_has_no_other_members() -> None:
     with pytest.raises(AttributeError, match="`heigth`"):
         getattr(driven(), "heigth")  # noqa: B009 - mypy would find it
+
+
+@pytest.mark.parametrize(
+    ("values", "rate"),
+    [
+        ([], []),
+        ([3.0], [0.0]),
+        ([3.0, 5.0], [4.0, 4.0]),
+        ([0.0, 1.0, 4.0], [2.0, 4.0, 6.0]),
+        ([0.0, 1.0, 4.0, 0.0], [2.0, 4.0, -1.0, -8.0]),
+    ],
+)
+def test_a_rate_is_of_the_samples_beside_and_nothing_of_one_alone(
+    values: list[float], rate: list[float]
+) -> None:
+    found = _rate(np.array(values), 0.5 * np.arange(len(values)))
+    assert found.tolist() == pytest.approx(rate)
