@@ -8,12 +8,13 @@ from typing import Any
 from roadlang import testing
 from roadlang.ir.trace import AgentTrace, Trace
 
-from .routed_scenes import drive_scenes
+from .routed_scenes import CONTROL_STEP, drive_scenes
 
 
 def drive(text: str, n: int = 1, seed: int = 0, **options: Any) -> list[Trace]:
-    """The traces of `n` scenes of a text."""
+    """The traces of `n` scenes of a text, by default with few decisions a second."""
     scenes = testing.sample(text, n, seed=seed)
+    options = {"control_step": CONTROL_STEP, **options}
     return [one.trace for one in scenes.run("builtin", **options)]
 
 

@@ -25,6 +25,9 @@ CROSSING = "\n".join(
     + ["." * ARM + "#" + "." * ARM] * ARM
 )
 """Four roads of 15 cells each, north, west, east and south of a junction."""
+CONTROL_STEP = 0.1
+"""Seconds for which a decision holds in tests: with the default of the engine most of them show the
+same and take twice as long."""
 TEE = "\n".join(["#" * (2 * ARM + 1)] + ["." * ARM + "#" + "." * ARM] * ARM)
 
 
@@ -130,7 +133,8 @@ def call(kind: str, **options: Any) -> Call:
 
 
 def drive_scenes(scenes: Sequence[Scene], **settings: Any) -> list[Trace]:
-    """The traces of scenes in the embedded engine."""
+    """The traces of scenes in the embedded engine, by default with few decisions a second."""
     registry = load_registry()
+    settings = {"control_step": CONTROL_STEP, **settings}
     _, simulator = simulator_of(scenes[0], registry, "builtin", settings)
     return list(simulator.drive_all(scenes, [python_controllers(s, registry) for s in scenes]))

@@ -63,8 +63,9 @@ road street from wide { then: narrow, taper: 60m }
 """
 
 
-def tapered(agents: str, turn: str = "30deg", before: str = "") -> Trace:
-    return drive(before + TAPERED.format(turn=turn) + agents, duration=16.0)[0]
+def tapered(agents: str, turn: str = "30deg", before: str = "", control_step: float = 0.1) -> Trace:
+    text = before + TAPERED.format(turn=turn) + agents
+    return drive(text, duration=16.0, control_step=control_step)[0]
 
 
 def off_lane(trace: AgentTrace) -> float:
@@ -78,7 +79,8 @@ def test_agents_of_both_directions_stay_in_the_middle_of_their_lanes(controller:
     with_speed = f"drive with {controller} {{ speed: 40km/h }}"
     trace = tapered(
         f"agent ego is car on street at 30m {{ {with_speed} }}\n"
-        f"agent back is car on street at 200m {{ facing: back, {with_speed} }}\n"
+        f"agent back is car on street at 200m {{ facing: back, {with_speed} }}\n",
+        control_step=0.04,
     )
     for name in ("ego", "back"):
         agent = trace.agents[name]

@@ -105,11 +105,11 @@ def test_a_drive_of_ours_is_replayed_as_it_was(kind: str, tmp_path: Path) -> Non
     agent ego is car on main at 5m { start_speed: 10m/s, drive with pure_pursuit { speed: 12m/s } }
     """
     )
-    (first,) = drive(text, duration=10, step=0.04)
+    (first,) = drive(text, duration=10, step=0.04, control_step=0.04)
     file = tmp_path / f"trace.{kind}"
     file.write_text({"csv": to_csv, "json": to_json}[kind](first), encoding="utf-8")
     again = text.replace("pure_pursuit { speed: 12m/s }", f'replay {{ file: "{file}" }}')
-    (second,) = drive(again, duration=10, step=0.04)
+    (second,) = drive(again, duration=10, step=0.04, control_step=0.04)
     for column in ("x", "y", "heading", "speed", "station", "cross_track_error"):
         one, other = (getattr(trace.agents["ego"], column) for trace in (first, second))
         assert other == pytest.approx(one, abs=1e-5 if column != "cross_track_error" else 1e-3)
