@@ -65,6 +65,20 @@ def test_headers_of_a_distribution(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert point.installed.requires == ["roadlang>=0.1", 'numpy>=1.24; extra == "fast"']
 
 
+def test_what_is_installed_anew_or_taken_away_is_noticed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "path", [str(_site(tmp_path))])
+    assert [point.name for point in entry_points("roadlang")] == ["hello"]
+    file = tmp_path / "acme_roads-1.2.dist-info" / "entry_points.txt"
+    fresh = file.with_name("fresh")
+    fresh.write_text(POINTS.replace("hello", "jello"))
+    fresh.replace(file)
+    assert [point.name for point in entry_points("roadlang")] == ["jello"]
+    file.unlink()
+    assert entry_points("roadlang") == []
+
+
 def test_the_first_of_a_path_is_the_one_that_counts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import Any
 
 import pluggy
@@ -74,19 +75,32 @@ def _load(candidate: Candidate) -> tuple[list[KindEntry], list[BrokenPlugin], li
     if candidate.kinds is not None:
         return *entries_of(candidate.kinds, candidate.origin), []
     plugin = candidate.load()
+    if candidate.origin.is_shipped:
+        return _shipped(plugin, candidate.origin)
+    return _hooked(plugin, candidate.origin)
+
+
+@cache
+def _shipped(plugin: Any, origin: Origin) -> tuple[list[KindEntry], list[BrokenPlugin], list[str]]:
+    """What a plugin in the wheel brings, which is the same whenever it is asked."""
+    return _hooked(plugin, origin)
+
+
+def _hooked(plugin: Any, origin: Origin) -> tuple[list[KindEntry], list[BrokenPlugin], list[str]]:
+    """What the hooks of a plugin bring."""
     # A manager for each plugin: one that raises in a hook would take the others' results along.
     manager = pluggy.PluginManager(GROUP)
     manager.add_hookspecs(hookspecs)
-    manager.register(plugin, candidate.origin.plugin)
+    manager.register(plugin, origin.plugin)
     manager.check_pending()
     if not manager.get_hookcallers(plugin):
         raise KindFault("it implements no hook of roadlang (is `@hookimpl` missing?)")
     entries: list[KindEntry] = []
     broken: list[BrokenPlugin] = []
     for kinds in manager.hook.roadlang_kinds():
-        good, bad = entries_of(kinds, candidate.origin)
+        good, bad = entries_of(kinds, origin)
         entries, broken = [*entries, *good], [*broken, *bad]
-    entries, twice = _once_each(entries, candidate.origin)
+    entries, twice = _once_each(entries, origin)
     broken += twice
     planned = [text for texts in manager.hook.roadlang_planned() for text in texts]
     if not (entries or broken or planned):
