@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -36,6 +37,11 @@ def grid(side: int = 3, block: float = 80.0, width: float = 7.0) -> RoadNetwork:
             if j + 1 < side:
                 lines.append([here, (i * block, (j + 1) * block)])
     return network_of_polylines(lines, width)
+
+
+@cache
+def grid_graph() -> LaneGraph:
+    return graph_of(grid())
 
 
 def through(graph: LaneGraph, *points: tuple[float, float]) -> PlannedRoute:
@@ -71,14 +77,14 @@ def assert_drivable(graph: LaneGraph, route: PlannedRoute) -> None:
 
 
 def test_the_shortest_way_round_a_block() -> None:
-    graph = graph_of(grid())
+    graph = grid_graph()
     route = through(graph, (20.0, -2.0), (160.0, 60.0))
     assert_drivable(graph, route)
     assert route.cost == pytest.approx(140.0 + 60.0, abs=15.0)
 
 
 def test_a_route_passes_its_points_in_order() -> None:
-    graph = graph_of(grid())
+    graph = grid_graph()
     there = through(graph, (20.0, 0.0), (160.0, 20.0))
     detour = through(graph, (20.0, 0.0), (40.0, 160.0), (160.0, 20.0))
     assert_drivable(graph, detour)
@@ -173,7 +179,7 @@ def test_a_random_route_is_drivable(
 @given(number=numbers)
 @settings(max_examples=30, deadline=None)
 def test_close_numbers_begin_with_the_same_turns(number: float) -> None:
-    graph = graph_of(grid())
+    graph = grid_graph()
     first = random_route(graph, RoutePlace(0, graph.begin[0]), 400.0, number)
     near = min(number + 1e-9, 1.0 - 1e-9)
     other = random_route(graph, RoutePlace(0, graph.begin[0]), 400.0, near)
@@ -197,7 +203,7 @@ def test_all_turns_are_equally_likely() -> None:
 def test_every_two_points_of_a_grid_of_streets_are_joined(
     x: float, y: float, u: float, v: float
 ) -> None:
-    graph = graph_of(grid())
+    graph = grid_graph()
     assert_drivable(graph, through(graph, (x, y), (u, v)))
 
 
