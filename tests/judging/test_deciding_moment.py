@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from roadlang.ir.scene import Verdict
@@ -12,7 +13,7 @@ from roadlang.judging.deciding_moment import DecidingMoment, deciding_moment, fi
 from tests.judging.test_drives import REGISTRY, TIME, agent, condition, trace
 
 FAST = condition({"always": {"<": ["v", 12.0]}}, v=("speed", {"agent": "ego"}))
-APART = condition({"always": {">": ["d", 5.0]}}, d=("distance", {"from": "ego", "to": "cars"}))
+APART = condition({"always": {">": ["d", 5.0]}}, d=("distance", {"first": "ego", "second": "cars"}))
 
 
 def of(formula: Any, domain: str = "drive") -> Verdict:
@@ -44,3 +45,21 @@ def test_what_is_no_formula_over_the_drive_has_no_moment(verdict: Verdict) -> No
 
 def test_a_drive_without_samples_has_no_moment() -> None:
     assert deciding_moment(of(FAST), Trace(TIME[:0], {}), REGISTRY) is None
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "nearer"),
+    [((30.0, 0.0), (-20.0, 0.0), "cars[1]"), ((-20.0, 0.0), (30.0, 0.0), "cars[0]"),
+     ((0.0, -30.0), (0.0, 20.0), "cars[1]"), ((25.0, 25.0), (-30.0, 0.0), "cars[1]")],
+)  # fmt: skip
+def test_of_a_group_the_one_that_is_nearest_to_the_other_decides(
+    first: tuple[float, float], second: tuple[float, float], nearer: str
+) -> None:
+    """Whatever side of it the members are on, and wherever on Earth they all are."""
+    zero = np.zeros_like(TIME)
+    cars = [
+        agent(f"cars[{number}]", zero + 500.0 + x, -300.0 + y)
+        for number, (x, y) in enumerate((first, second))
+    ]
+    drive = trace(agent("ego", zero + 500.0, -300.0), *cars)
+    assert seen(deciding_moment(of(APART), drive, REGISTRY))[1] == ["ego", nearer]
