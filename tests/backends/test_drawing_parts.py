@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import roadlang
 from roadlang.api import Picture, Scene
 from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.svg import palette
@@ -156,3 +157,23 @@ def test_a_group_has_a_line_for_each_child_that_draws_anything() -> None:
     assert group(["<a/>", "", "<b/>"], id="x") == '<g id="x">\n<a/>\n<b/>\n</g>'
     for nothing in ([], [""], ["", ""]):
         assert group(nothing, id="x") == ""
+
+
+@pytest.mark.parametrize(
+    ("length", "labels"),
+    [(60, ["0 m", "5", "10"]), (600, ["0 m", "50", "100"]), (6000, ["0 m", "0.5", "1"])],
+)
+def test_stations_are_marked_about_every_hundred_pixels_at_round_lengths(
+    length: int, labels: list[str]
+) -> None:
+    line = f"road main {{ draw with waypoints {{ points: [(0m, 0m), ({length}m, 0m)] }} }}\n"
+    bent = (
+        f"road bent from main {{ perturb with sine {{ amplitude: 1m, wavelength: {length}m }} }}\n"
+    )
+    figure = roadlang.loads(line + bent).sample(1)[0].svg()
+    marks = re.search(r'<g[^>]*class="stations".*?</g>', figure, re.DOTALL)
+    assert marks is not None
+    found = re.findall(r'<text x="([\d.]+)"[^>]*>([^<]+)<', marks[0])
+    assert [words for _, words in found[:3]] == labels
+    gaps = np.diff([float(x) for x, _ in found])
+    assert 50.0 < gaps.min() <= gaps.max() < 100.0

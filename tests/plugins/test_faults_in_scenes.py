@@ -168,6 +168,41 @@ def test_a_broken_reader_leaves_the_other_readers_working(site: Path) -> None:
     assert faults('road spa from "points.csv"', site) == []
 
 
+READER = """
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar
+
+from roadlang.api import Reader, geometry, hookimpl
+
+
+@dataclass(frozen=True)
+class Xyz(Reader):
+    \"\"\"Reads a table of points.\"\"\"
+
+    name: ClassVar[str] = "xyz"
+    suffixes: ClassVar[tuple[str, ...]] = (".xyz",)
+    reads: ClassVar[tuple[str, ...]] = ("road",)
+
+    def read(self, path: Path) -> geometry.Curve:
+        raise NotImplementedError
+
+
+@hookimpl
+def roadlang_kinds():
+    return [Xyz]
+"""
+
+
+def test_two_readers_of_strangers_are_both_named_and_nothing_else_is_said(site: Path) -> None:
+    for name in ("early", "late"):
+        install(site, name, READER)
+    (site / "points.xyz").write_text("0 0")
+    [fault] = faults('road spa from "points.xyz"', site)
+    assert "a reader of .xyz files" in fault.message
+    assert fault.help == ("write `read with early.xyz` or `read with late.xyz` in its block",)
+
+
 def test_a_broken_reader_is_named_where_no_other_reads_the_file(site: Path) -> None:
     install(site, "late", LATE)
     (site / "points.xyz").write_text("0 0")
