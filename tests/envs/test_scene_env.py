@@ -68,6 +68,23 @@ def test_margins_are_those_of_the_expectations_of_the_first_scene() -> None:
         SceneEnv([judged, plain]).reset(options={"scene": 1})
 
 
+def test_who_hits_something_stands_where_it_did() -> None:
+    """The front of a car of 4.5 m at the near side of a wall of 0.4 m, 20 m before another car."""
+    text = STRAIGHT + (
+        "agent lead is car on main at 60m\n"
+        "object wall is barrier on main at 40m { offset: 0m, heading: 90deg }\n"
+    )
+    one = env(text)
+    one.reset(seed=0)
+    terminated = False
+    while not terminated:
+        observed, _, terminated, _, info = one.step(np.array([0.0, 1.0], dtype=np.float32))
+    assert info["collided"]
+    seen = dict(zip(one.names, observed.tolist(), strict=True))
+    assert seen["speed"] == 0.0
+    assert seen["agent1_ahead"] == pytest.approx(20.0 + 0.2 + 0.5 * 4.5, abs=0.01)
+
+
 def test_a_seed_decides_the_scenes_and_each_reset_draws_one() -> None:
     one, other = env(ALONE, scenes=20), env(ALONE, scenes=20)
     drawn = [one.reset(seed=3 if i == 0 else None)[1]["scene"] for i in range(10)]
