@@ -21,6 +21,7 @@ from roadlang.geometry import (
     chain,
     joined_curve,
     joined_section,
+    parts_with_cut_tapers,
 )
 
 EAST = Curve.through([(0.0, 0.0), (100.0, 0.0)])
@@ -144,3 +145,13 @@ def test_the_reference_line_of_a_two_way_road_stays_in_the_middle() -> None:
     section = joined_section([part(EAST, 2, oneway=False), part(NORTH, 4, oneway=False)], 30.0)
     assert section.ids == (2, 1, -1, -2)
     assert section.border_offsets(np.array([10.0, 150.0]))[2] == pytest.approx([0.0, 0.0])
+
+
+def test_tapers_are_cut_where_a_part_whose_lanes_taper_is_too_short() -> None:
+    wide, narrow, short = part(EAST, 3), part(EAST, 2), part(NORTH, 2)
+    assert parts_with_cut_tapers([wide, narrow], 51.0) == [0]
+    assert parts_with_cut_tapers([narrow, wide], 51.0) == [1]
+    assert parts_with_cut_tapers([wide, narrow], 50.0) == []
+    assert parts_with_cut_tapers([wide, short], 50.0) == []  # nothing tapers in the short one
+    assert parts_with_cut_tapers([part(EAST, 2, width=4.0), narrow], 60.0) == [0]
+    assert parts_with_cut_tapers([narrow, short, narrow], 500.0) == []

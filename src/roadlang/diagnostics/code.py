@@ -199,6 +199,7 @@ class Code:
     PICTURE_NOT_USED: Final = "RL440"
     CORRECTIONS_NOT_NUMBERS: Final = "RL441"
     TILES_DO_NOT_FIT: Final = "RL442"
+    CUT_TAPER: Final = "RL443"
     MISSING_FILE: Final = "RL450"
     UNUSABLE_FILE: Final = "RL451"
     OUTPUT_NOT_WRITTEN: Final = "RL460"

@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     from .joining import RoadToJoin as RoadToJoin
     from .joining import joined_curve as joined_curve
     from .joining import joined_section as joined_section
+    from .joining import parts_with_cut_tapers as parts_with_cut_tapers
     from .joining import seams as seams
     from .joints import anchored_nodes as anchored_nodes
     from .joints import junction_window as junction_window
@@ -137,6 +138,7 @@ _HOMES = {
     "RoadToJoin": "joining",
     "joined_curve": "joining",
     "joined_section": "joining",
+    "parts_with_cut_tapers": "joining",
     "seams": "joining",
     "offset": "offsetting",
     "Junction": "junctions.model",

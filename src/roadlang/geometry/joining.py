@@ -84,6 +84,26 @@ def joined_section(parts: Sequence[RoadToJoin], taper: float) -> CrossSection:
     return CrossSection(tuple(pieces), widest.section.center_marking, offset)
 
 
+def parts_with_cut_tapers(parts: Sequence[RoadToJoin], taper: float) -> list[int]:
+    """The parts that are less than twice as long as `taper` and in which lanes taper."""
+    lanes = [lane.of_parts for sign in (1, -1) for lane in _side(parts, sign)]
+    return [
+        index
+        for index, part in enumerate(parts)
+        if part.curve.length < 2.0 * taper and any(_narrows(lane, parts, index) for lane in lanes)
+    ]
+
+
+def _narrows(of_parts: Sequence[Lane | None], parts: Sequence[RoadToJoin], index: int) -> bool:
+    """Whether a lane is wider in a part than where a neighbor of it begins or ends."""
+    for other, last in ((index - 1, False), (index + 1, True)):
+        if 0 <= other < len(parts):
+            own = _end_width(of_parts[index], parts[index], last=last)
+            if own > _end_width(of_parts[other], parts[other], last=not last) + _SEAM:
+                return True
+    return False
+
+
 def seams(curves: Sequence[Curve]) -> list[float]:
     """Arc lengths of the joined curve where each part begins."""
     return [math.fsum(curve.length for curve in curves[:index]) for index in range(len(curves))]

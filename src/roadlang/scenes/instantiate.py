@@ -32,7 +32,7 @@ from ..world.networks import network_root
 from ..world.roads import road_root
 from .actors import legend_objects, objects_and_markings, scene_actors
 from .bend_warnings import bend_warnings
-from .network_warnings import network_warnings
+from .network_warnings import joined_road_warnings, network_warnings
 from .roads import scene_networks, scene_roads
 from .scene_rows import SceneRows
 from .start_gaps import slowed_behind
@@ -72,7 +72,11 @@ def concrete_scenes(
         singles = (candidates.take(np.array([row])) for row in range(rows.count))
         aliased = [aliasing_remarks(single) for single in singles]
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
-    warned = network_warnings(source.networks, candidates) + road_window_warnings(candidates)
+    warned = (
+        *network_warnings(source.networks, candidates),
+        *joined_road_warnings(source.roads, candidates),
+        *road_window_warnings(candidates),
+    )
     scenes = _finished(members, rows)
     bends = bend_warnings(source.agents, scenes)
     return [

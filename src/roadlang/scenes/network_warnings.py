@@ -1,4 +1,4 @@
-"""What could not be built of a network as it is drawn or mapped, as warnings."""
+"""What could not be built of networks and joined roads as they are drawn or mapped, as warnings."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..geometry.junctions.model import NO_JUNCTION, JunctionPlan, Problem
-from ..ir.scenario import ScenarioNetwork
+from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..world.networks import network_root
+from ..world.roads import road_root
 
 _MOST = 6
 
@@ -28,6 +29,14 @@ def network_warnings(
             seen.append(plan)
             found += _of_plan(network, plan)
     return tuple(found)
+
+
+def joined_road_warnings(
+    roads: Iterable[ScenarioRoad], candidates: CandidateBatch
+) -> tuple[Diagnostic, ...]:
+    """What was said of roads where they are joined end to end."""
+    joined = (road for road in roads if "then" in road.options)
+    return tuple(said for road in joined for said in road_root(road.name, candidates).warnings)
 
 
 def _of_plan(network: ScenarioNetwork, plan: JunctionPlan) -> Iterator[Diagnostic]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
@@ -19,6 +19,7 @@ from ..geometry import (
     WidthProfile,
     joined_curve,
     joined_section,
+    parts_with_cut_tapers,
     seams,
 )
 from ..ir.batch import RoadBatch
@@ -53,7 +54,8 @@ def joined_root(
             )
     roads = [RoadToJoin(_curve(part), _section(part, candidates)) for part in parts]
     curve = joined_curve([part.curve for part in roads])
-    section = joined_section(roads, _taper(road, candidates))
+    taper = _taper(road, candidates)
+    section = joined_section(roads, taper)
     starts = seams([part.curve for part in roads])
     limits = [_limit(part, candidates) for part in parts]
     return RoadRoot(
@@ -66,6 +68,7 @@ def joined_root(
         limits=_changes(starts, limits),
         is_joined=True,
         starts=tuple(starts),
+        warnings=_cut_tapers(road, parts, roads, taper) if "taper" in road.options else (),
     )
 
 
@@ -90,6 +93,28 @@ def _section(part: PartOfRoad, candidates: CandidateBatch) -> CrossSection:
 def _taper(road: ScenarioRoad, candidates: CandidateBatch) -> float:
     written = road.options.get("taper")
     return DEFAULT_TAPER if written is None else float(scalar(evaluate(written, candidates)))
+
+
+def _cut_tapers(
+    road: ScenarioRoad, parts: Sequence[PartOfRoad], roads: Sequence[RoadToJoin], taper: float
+) -> tuple[Diagnostic, ...]:
+    """RL443 for each part in which lanes taper over less than the file says."""
+    span = road.option_spans.get("taper", road.span)
+    found = []
+    for index in parts_with_cut_tapers(roads, taper):
+        half = f"{roads[index].curve.length / 2.0:.6g}m"
+        help_ = f"write `taper: {half}`, or make `{parts[index].road.name}` {2.0 * taper:.6g}m long"
+        found.append(
+            diagnose(
+                Code.CUT_TAPER,
+                span,
+                road=road.name,
+                part=parts[index].road.name,
+                taper=half,
+                help=help_,
+            )
+        )
+    return tuple(found)
 
 
 def _limit(part: PartOfRoad, candidates: CandidateBatch) -> tuple[LimitChange, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..diagnostics import Diagnostic
 from ..geometry import CrossSection, CurveFrame, Path, WidthProfile
 from ..ir.scenario import Input, ScenarioNetwork
 
@@ -23,7 +24,7 @@ class RoadRoot:
     `section`, `lanes`: the lanes that its file gives it; `path`: the path of the network that it
     was selected as; `inputs`: the files that it was made from; `confidence`: that of the extractor
     in its network; of a road joined of several, `limits`: the speed limits along it, `starts`:
-    where its parts begin.
+    where its parts begin, `warnings` what is to be said of them.
     """
 
     id: str
@@ -38,3 +39,4 @@ class RoadRoot:
     limits: tuple[LimitChange, ...] = ()
     is_joined: bool = False
     starts: tuple[float, ...] = ()
+    warnings: tuple[Diagnostic, ...] = ()
