@@ -11,7 +11,7 @@ import pytest
 
 import roadlang
 from roadlang.handles.handle import Handle
-from roadlang.handles.handles import dragged, handles_of, inserted, removed
+from roadlang.handles.handles import _place_between, dragged, handles_of, inserted, removed
 
 CURVE = "0,0\n40,0\n80,6\n120,20\n160,20\n"
 PICTURE = """image plan from \"\"\"
@@ -77,6 +77,20 @@ def test_every_handle_of_a_road_is_where_it_was_dropped(folder: Path, origin: st
     assert text.startswith("# mine\n")
     assert ("# sways" in text) is (origin == "perturbed")
     assert text.endswith(THINGS)
+
+
+@pytest.mark.parametrize(
+    ("at", "is_closed", "number"),
+    [
+        ((-1.0, 2.0), False, 0), ((0.0, 2.0), False, 1), ((30.0, 2.0), False, 1),
+        ((62.0, 10.0), False, 2), ((60.0, 40.0), False, 2), ((60.0, 41.0), False, 3),
+        ((-1.0, -2.0), True, 1), ((30.0, 24.0), True, 3), ((61.0, 45.0), True, 2),
+    ],
+)  # fmt: skip
+def test_a_new_waypoint_is_between_the_two_that_it_is_beside_or_beyond_an_end(
+    at: tuple[float, float], is_closed: bool, number: int
+) -> None:
+    assert _place_between([(0.0, 0.0), (60.0, 0.0), (60.0, 40.0)], at, is_closed) == number
 
 
 def test_handles_of_long_roads_keep_sensible_distances() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 import zlib
 from hashlib import sha256
@@ -182,10 +183,21 @@ def test_a_world_file_beside_the_picture_says_its_scale(tmp_path: Path, beside: 
     assert picture.inputs[1] == (beside, digest)
 
 
-def test_a_world_file_may_be_turned(tmp_path: Path) -> None:
-    """Pixels that are 0.5 m wide in a picture turned by 30 degrees."""
-    (tmp_path / "a.pgw").write_text("0.4330127\n-0.25\n-0.25\n-0.4330127\n1000\n2000\n")
-    assert opened(written(tmp_path / "a.png", shown())).scale == pytest.approx(0.5)
+@pytest.mark.parametrize(
+    ("lines", "scale"),
+    [
+        ("0.4330127 -0.25 -0.25 -0.4330127", 0.5),  # turned by 30 degrees
+        ("0.5 0 0.3 -0.5", 0.5),  # aslant: pixels have the area of squares of this side
+        ("0.5 0.25 0.5 -0.5", math.sqrt(0.375)),
+        ("0.5 0.5 0.1 -0.5", math.sqrt(0.3)),
+        ("2 0 0 -0.5", 1.0),
+        ("0.5 0 0 0", None),
+    ],
+)
+def test_a_world_file_may_be_turned(tmp_path: Path, lines: str, scale: float | None) -> None:
+    (tmp_path / "a.pgw").write_text("\n".join([*lines.split(), "1000", "2000", ""]))
+    found = opened(written(tmp_path / "a.png", shown())).scale
+    assert found == (None if scale is None else pytest.approx(scale))
 
 
 def test_the_size_of_a_tiff_may_be_written_in_two_bytes_or_in_four(tmp_path: Path) -> None:

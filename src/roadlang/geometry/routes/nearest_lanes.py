@@ -8,7 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..arrays import Floats, Integers
+from ..arrays import Floats
 from .lane_graph import LaneGraph
 from .legs import RoutePlace
 
@@ -32,11 +32,6 @@ class NearRoads:
     """from the surface of the lanes, meters; negative on it"""
     across: tuple[Floats, ...]
     """(lanes, n) by road: meters from the middle of each lane, in the order of the graph"""
-
-    @property
-    def nearest(self) -> Integers:
-        """(n,) the number of the nearest road."""
-        return np.asarray(np.argmin(self.distance, axis=0))
 
     def options(
         self, graph: LaneGraph, point: int, allowed: Callable[[int], bool]

@@ -11,8 +11,7 @@ from ..types.expression_types import TypedExpression
 
 def warn_if_trivial(checker: Checker, statement: ast.Constraint, typed: TypedExpression) -> None:
     """RL290 where the bounds of the numbers in a formula decide it."""
-    if typed.formula is None:
-        return
+    assert typed.formula is not None
     bounds = {number.variable: checker.bounds_of(number.value) for number in typed.numbers}
     truth = static_truth(typed.formula, bounds)
     if truth.possible and not truth.certain:
