@@ -80,5 +80,5 @@ def test_a_trace_has_no_other_members() -> None:
 def test_a_rate_is_of_the_samples_beside_and_nothing_of_one_alone(
     values: list[float], rate: list[float]
 ) -> None:
-    found = _rate(np.array(values), 0.5 * np.arange(len(values)))
+    found = _rate(np.array(values), np.arange(len(values), dtype=np.float64) / 2.0)
     assert found.tolist() == pytest.approx(rate)
