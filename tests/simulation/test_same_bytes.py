@@ -18,6 +18,8 @@ from roadlang.simulation import simulating
 from roadlang.simulation.surroundings import corridors
 from roadlang.simulation.vehicles import compiled
 
+from .routed_scenes import CONTROL_STEP
+
 LOOP = """
 road loop {
   draw with waypoints { points: [(0m, 0m), (60m, -5m), (80m, 50m), (10m, 60m)] }
@@ -87,7 +89,8 @@ agent cars is choice(car, bus) on town at random { count: 8, drive with traffic 
 
 def drives(scenes: Sequence[Scene], **options: Any) -> list[Trace]:
     registry = load_registry()
-    _, simulator = simulator_of(scenes[0], registry, "builtin", {"duration": 25.0, **options})
+    options = {"duration": 25.0, "control_step": CONTROL_STEP, **options}
+    _, simulator = simulator_of(scenes[0], registry, "builtin", options)
     return list(simulator.drive_all(scenes, [python_controllers(s, registry) for s in scenes]))
 
 
@@ -106,10 +109,10 @@ def records(text: str, n: int) -> list[Scene]:
 
 @pytest.mark.parametrize("text", [LOOP, TRAFFIC], ids=["loop", "traffic"])
 def test_a_scene_alone_is_its_row_of_a_block(text: str) -> None:
-    scenes = records(text, 6)
-    together = drives(scenes)
+    scenes = records(text, 4)
+    together = drives(scenes, control_step=0.04)
     for scene, trace in zip(scenes, together, strict=True):
-        (alone,) = drives([scene])
+        (alone,) = drives([scene], control_step=0.04)
         assert bytes_of(alone) == bytes_of(trace)
 
 
@@ -132,7 +135,7 @@ def test_conditions_stay_with_their_scenes_when_others_end() -> None:
 
 
 def test_the_size_of_blocks_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    scenes = records(TRAFFIC, 9)
+    scenes = records(TRAFFIC, 6)
     whole = [bytes_of(trace) for trace in drives(scenes)]
     monkeypatch.setattr(simulating, "BLOCK_AGENTS", 14)
     assert [bytes_of(trace) for trace in drives(scenes)] == whole
