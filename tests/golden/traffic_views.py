@@ -10,6 +10,7 @@ from pathlib import Path
 from roadlang import Drive, testing
 from tests.golden.summaries import array
 from tests.simulation.mirrored_scenes import Lines, random_pair
+from tests.simulation.routed_scenes import CONTROL_STEP
 
 _COLUMNS = ("speed", "acceleration", "steering", "lane", "contacts", "present")
 
@@ -23,7 +24,7 @@ def traffic_lines(seeds: range, seconds: float) -> Iterator[str]:
             text = pair.left if seed % 2 else pair.right
             yield f"{seed}: {'left' if seed % 2 else 'right'}"
             scenes = testing.sample(text, 1, kinds=[Lines], folder=Path(name), seed=1)
-            yield from agent_lines(scenes[0].run(duration=seconds))
+            yield from agent_lines(scenes[0].run(duration=seconds, control_step=CONTROL_STEP))
 
 
 def agent_lines(drive: Drive) -> Iterator[str]:
@@ -145,7 +146,7 @@ def option_lines(seconds: float, traffic: str = "right") -> Iterator[str]:
         side = "left" if i % 3 else "right"
         parts.append(_PATH.format(i=i, x=-200 * i, lanes=lanes, drive=drive, side=side))
     scenes = testing.sample("\n".join(parts), 1, seed=1)
-    driven = scenes[0].run(duration=seconds)
+    driven = scenes[0].run(duration=seconds, control_step=CONTROL_STEP)
     said = {f"e{i}": drive for i, drive in enumerate(_DRIVES)}
     said |= {f"w{i}": drive for i, drive in enumerate(_ON_FOOT)}
     for line in agent_lines(driven):
