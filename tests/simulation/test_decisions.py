@@ -63,7 +63,18 @@ class Alone(Controller):
         return Control(steering, 1.0, line_offset=left, line_time=3.0)
 
 
-KINDS = [Aside, Gas, Alone]
+@dataclass(frozen=True)
+class Looks(Controller):
+    """Brakes before what stands in its way."""
+
+    name: ClassVar[str] = "looks"
+
+    def controls(self, observations: ObservationBatch, state: Any) -> ControlBatch:
+        free = np.isinf(observations.obstacle_ahead())
+        return ControlBatch(np.zeros(len(free)), np.where(free, 1.0, -1.0))
+
+
+KINDS = [Aside, Gas, Alone, Looks]
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (900m, 0m)] }, width: 12m }\n"
 
 
@@ -90,6 +101,19 @@ def test_a_lane_change_has_the_peaks_of_its_quintic_whoever_steers(keeper: str) 
     assert 0.97 < np.abs(lateral).max() / (5.774 * 3.5 / 16.0) < 1.6  # a car swings a little
     assert np.abs(car.cross_track_error).max() < 0.25
     assert np.abs(car.speed - 20).max() < 0.8  # left to the controller before
+
+
+def test_what_stands_beside_its_old_line_is_seen_as_soon_as_the_line_is_moved() -> None:
+    others = "agent other is car on main at 200m { lane: none, drive with looks }\n"
+    car = ego(
+        "drive with looks\n drive with aside { by: 4m, time: 0s }\n}\n"
+        + others
+        + "object crate is box on main at 60m { offset: 4m",
+        duration=0.2,
+        step=0.02,
+        control_step=0.1,
+    )
+    assert car.speed[1] < car.speed[0]
 
 
 def test_steering_and_acceleration_are_left_open_one_by_one() -> None:
