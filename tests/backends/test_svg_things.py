@@ -20,7 +20,7 @@ from roadlang.ir.scene_junctions import (
 from roadlang.scenes.turn_arrows import arrow
 from roadlang_standard.svg import actors, palette, shapes, trees
 from roadlang_standard.svg.junctions import curbs, heads, paint
-from roadlang_standard.svg.labels import Box, actor_labels
+from roadlang_standard.svg.labels import PixelBox, actor_labels
 from tests.backends.handmade_scenes import actor, bend
 from tests.backends.svg_shapes import PAGE, Shape, ends, numbers, of, points, straight, written
 
@@ -211,7 +211,7 @@ def test_labels_give_way_to_what_else_is_written() -> None:
     """A mark of arc length stands where the label of the first car would be: it moves below. Where
     everything is taken, it stands above."""
     car = actor("one", "car", 50, 25, length=4.0)
-    for taken, y in ((Box.around(515, 226, 10, 8), 283), (Box(0, 0, 1000, 1000), 224)):
+    for taken, y in ((PixelBox.around(515, 226, 10, 8), 283), (PixelBox(0, 0, 1000, 1000), 224)):
         ((_, _, base),) = written(actor_labels(scene(car), PAGE, FONT, [taken]))
         assert base == pytest.approx(y)
 

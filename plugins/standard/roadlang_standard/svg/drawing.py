@@ -118,7 +118,7 @@ def _measured(scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon])
     ]
 
 
-def _taken(measured: list[Ribbon], viewport: Viewport, style: Style) -> list[labels.Box]:
+def _taken(measured: list[Ribbon], viewport: Viewport, style: Style) -> list[labels.PixelBox]:
     return [
         box for ribbon in measured for box in furniture.station_boxes(ribbon, viewport, style.font)
     ]

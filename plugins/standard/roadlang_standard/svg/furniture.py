@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from . import palette
-from .labels import Box
+from .labels import PixelBox
 from .markup import element, group, text
 from .wrapping import LETTER
 
@@ -120,11 +120,11 @@ def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
                        stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
 
 
-def station_boxes(ribbon: Ribbon, viewport: Viewport, size: float) -> Iterator[Box]:
+def station_boxes(ribbon: Ribbon, viewport: Viewport, size: float) -> Iterator[PixelBox]:
     """What the numbers of `station_marks` take up."""
     spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
     for label, _, (x, y) in _places(ribbon, spacing, size):
-        yield Box.around(x, y + 0.28 * size, LETTER * 0.8 * size * len(label), 0.8 * size)
+        yield PixelBox.around(x, y + 0.28 * size, LETTER * 0.8 * size * len(label), 0.8 * size)
 
 
 def _places(

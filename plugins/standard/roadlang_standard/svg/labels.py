@@ -28,7 +28,7 @@ _HEIGHT = 1.1
 
 
 @dataclass(frozen=True)
-class Box:
+class PixelBox:
     """A rectangle that something takes up, in pixels."""
 
     left: float
@@ -37,12 +37,12 @@ class Box:
     bottom: float
 
     @classmethod
-    def around(cls, x: float, base: float, width: float, size: float) -> Box:
+    def around(cls, x: float, base: float, width: float, size: float) -> PixelBox:
         """Of text of a font size, whose middle is at `x` and whose base line at `base`."""
         half, middle = 0.5 * _HEIGHT * size, base - 0.35 * size
         return cls(x - width / 2, middle - half, x + width / 2, middle + half)
 
-    def overlaps(self, other: Box) -> bool:
+    def overlaps(self, other: PixelBox) -> bool:
         """Whether both take up some of the same pixels; no box does that is nowhere (NaN)."""
         return (
             self.left < other.right
@@ -52,7 +52,9 @@ class Box:
         )
 
 
-def actor_labels(scene: Scene, viewport: Viewport, size: float, taken: Iterable[Box] = ()) -> str:
+def actor_labels(
+    scene: Scene, viewport: Viewport, size: float, taken: Iterable[PixelBox] = ()
+) -> str:
     """Names beside agents and the objects worth naming, with a halo, not on top of each other and
     where possible clear of what is `taken`."""
     actors = list(scene.agents)
@@ -88,7 +90,7 @@ def _named(actors: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
 
 
 def _labels(
-    named: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float, taken: list[Box]
+    named: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float, taken: list[PixelBox]
 ) -> Iterator[str]:
     for actor, label in named:
         x, y = viewport.place([actor.x, actor.y]).tolist()
@@ -103,7 +105,7 @@ def _labels(
             (x + beside, y + 0.35 * size),
             *((x, y - drop - step * 1.15 * size) for step in (1, 2, 3)),
         ]
-        boxes = [Box.around(*spot, wide, size) for spot in spots]
+        boxes = [PixelBox.around(*spot, wide, size) for spot in spots]
         free = [not any(box.overlaps(other) for other in taken) for box in boxes]
         chosen = free.index(True) if any(free) else 0
         taken.append(boxes[chosen])
