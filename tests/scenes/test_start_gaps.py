@@ -132,3 +132,23 @@ def test_ahead_goes_on_through_junctions() -> None:
 
     assert begins("traffic", "62m") <= begins("traffic", "80m")
     assert wanted(begins("traffic", "62m"), 1.0) < 62.0 + 1e-9
+
+
+@pytest.mark.parametrize("before", [6, 9])
+def test_before_a_line_at_which_it_may_have_to_stop_it_begins_gently(before: int) -> None:
+    text = f"""
+    image plan from \"\"\"
+    ....#....
+    ....#....
+    #########
+    \"\"\" {{ scale: 15m/px }}
+    network town from plan {{
+      extract with auto {{ width: 7m }}, lanes: 2, speed_limit: 72km/h, control with stop
+    }}
+    agent ego is car on town at junction(1, before: {before}m) {{
+      drive with traffic {{ headway: 0.8s, aggression: 0 }}
+    }}
+    """
+    (one,) = testing.sample(text, 1).run("builtin", duration=1.0)
+    assert (one.scene.record.agents[0].start_speed or 0.0) > 0.0
+    assert one.trace.agents["ego"].acceleration.min() > -2.0  # it was -5

@@ -62,6 +62,20 @@ road narrow { draw with segments { pieces: [straight(250m)] }, oneway: true,
 road street from wide { then: narrow, taper: 60m }
 """
 
+SIDE_BY_SIDE = """
+road two {{ draw with segments {{ pieces: [straight(180m)] }}, speed_limit: 100km/h,
+  right: [drive(3.25m), drive(3.25m)] }}
+road one {{ draw with segments {{ pieces: [straight(200m)] }}, speed_limit: 100km/h,
+  right: [drive(3.25m)] }}
+road street from two {{ then: one, taper: 60m }}
+agent bus is bus on street at 74m {{
+  lane: -1, start_speed: 105km/h, drive with traffic {{ politeness: {politeness} }}
+}}
+agent ego is car on street at {place}m {{
+  lane: -2, start_speed: 100km/h, drive with traffic {{ politeness: 0.5 }}
+}}
+"""
+
 
 def tapered(agents: str, turn: str = "30deg", before: str = "", control_step: float = 0.1) -> Trace:
     text = before + TAPERED.format(turn=turn) + agents
@@ -113,6 +127,12 @@ def test_left_hand_traffic_is_the_mirror_image() -> None:
     left = tapered(agents, "-30deg", "world { traffic: left }\n").agents["ego"]
     assert np.array_equal(right.x, left.x)
     assert np.array_equal(right.y, -left.y)
+
+
+@pytest.mark.parametrize(("place", "politeness"), [(77, 0.0), (80, 0.5), (83, 0.0), (77, 1.0)])
+def test_of_two_side_by_side_one_falls_back_in_time(place: int, politeness: float) -> None:
+    (trace,) = drive(SIDE_BY_SIDE.format(place=place, politeness=politeness), duration=4.0)
+    assert trace.events == ()
 
 
 def test_who_is_in_a_lane_that_ends_goes_over_to_the_next_in_turn() -> None:

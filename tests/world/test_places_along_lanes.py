@@ -201,7 +201,7 @@ def test_nobody_begins_too_fast_for_the_turn_ahead(sample: Sample) -> None:
 def test_traffic_begins_so_slowly_that_it_can_stop_before_the_next_junction(
     sample: Sample,
 ) -> None:
-    """Braking with 3 m/s^2; 100 m before it, the speed itself decides."""
+    """As behind who stands there; 100 m before it, the speed itself decides."""
     drives = "{ drive with traffic { speed: 20m/s } }"
     near, far = (
         agent(
@@ -209,5 +209,6 @@ def test_traffic_begins_so_slowly_that_it_can_stop_before_the_next_junction(
         )
         for before in (12, 100)
     )
-    assert near.start_speed == pytest.approx(math.sqrt(2 * 3.0 * 12), rel=0.25)
+    speed, to_line = near.start_speed or 0.0, 12.0 - 0.5 * 4.5 - 1.0
+    assert 2.0 + speed + speed * speed / 5.6 == pytest.approx(1.2 * (to_line + 2.0))
     assert far.start_speed == 20.0

@@ -59,7 +59,13 @@ def slowed_behind(
         changed = False
         for number, leaders in ahead.items():
             headway = headways[number] or 0.0
-            most = min((_most(leader, speeds, headway) for leader in leaders), default=math.inf)
+            most = min(
+                (
+                    most_behind(one.gap, speeds[one.number] if one.same_direction else 0.0, headway)
+                    for one in leaders
+                ),
+                default=math.inf,
+            )
             if most < speeds[number]:
                 speeds[number], changed = most, True
     return tuple(
@@ -68,12 +74,11 @@ def slowed_behind(
     )
 
 
-def _most(leader: _Leader, speeds: Sequence[float], headway: float) -> float:
+def most_behind(gap: float, ahead: float, headway: float) -> float:
     """m/s at which the gap that a driver wants is `SHORTER` times the one that there is: the root
     of `v^2 / APPROACH + (headway - u / APPROACH) v = rest`, behind one that drives at `u`."""
-    speed = speeds[leader.number] if leader.same_direction else 0.0
-    rest = max(0.0, SHORTER * leader.gap - STANDING_GAP)
-    slope = headway - speed / APPROACH
+    rest = max(0.0, SHORTER * gap - STANDING_GAP)
+    slope = headway - ahead / APPROACH
     return 0.5 * APPROACH * (math.sqrt(slope * slope + 4.0 * rest / APPROACH) - slope)
 
 

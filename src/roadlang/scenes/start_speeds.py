@@ -24,7 +24,7 @@ from ..ir.surroundings import DEFAULT_SPEED
 from ..ir.values import Value
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
-from ..plugins.kinds import Controller, InitialSpeed
+from ..plugins.kinds import STANDING_GAP, Controller, InitialSpeed
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from ..plugins.results import real_numbers
@@ -36,6 +36,7 @@ from ..world.road_places import to_root
 from ..world.roads import road_root
 from ..world.routes import has_route
 from .scene_rows import SceneRows
+from .start_gaps import most_behind
 
 STOPS_BEFORE = 1.0
 """Meters before a stop line."""
@@ -154,11 +155,15 @@ def headways_kept(
         return scenario.once(key, lambda: _keeps_distance(kind, scenario.registry))
 
     return [
-        float(agent.drive[0].options.get("headway", HEADWAY))
+        _headway(agent.drive[0])
         if agent.drive and agent.group not in stated and keeps(agent.drive[0].kind)
         else None
         for agent in placed
     ]
+
+
+def _headway(call: Call) -> float:
+    return float(call.options.get("headway", HEADWAY))
 
 
 def _keeps_distance(kind: str, registry: Registry) -> bool:
@@ -189,10 +194,13 @@ def _wanted(
         speed = wanted.limit_factor * _limit(road, lane, start, candidates)
     if has_route(actor, candidates):
         route = placed_routes(actor, candidates)[0, copy]
-        stops = wanted.stops_at_junctions
-        front = 0.5 * float(where.length[0, copy]) + STOPS_BEFORE if stops else None
-        ahead, curvature = bends_of_route(route, str(actor.on), candidates, front=front)
-        return min(float(speed), _slowest(ahead, curvature, lateral, braking))
+        ahead, curvature, stop = bends_of_route(route, str(actor.on), candidates)
+        most = _slowest(ahead, curvature, lateral, braking)
+        if wanted.stops_at_junctions and math.isfinite(stop):
+            # As behind somebody who stands there.
+            gap = stop - 0.5 * float(where.length[0, copy]) - STOPS_BEFORE + STANDING_GAP
+            most = min(most, most_behind(gap, 0.0, _headway(calls[0])))
+        return min(float(speed), most)
     only = where.copy(copy + 1)
     line = named_road(road, candidates)
     (fastest,) = _fastest(line, only.start, only.backward, lateral, braking)

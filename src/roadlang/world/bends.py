@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
@@ -21,16 +23,12 @@ _REACHES_OVER = 6.0
 
 
 def bends_of_route(
-    route: PlannedRoute | None,
-    network: str,
-    candidates: CandidateBatch,
-    *,
-    front: float | None = None,
-) -> tuple[Floats, Floats]:
+    route: PlannedRoute | None, network: str, candidates: CandidateBatch
+) -> tuple[Floats, Floats, float]:
     """Meters ahead (n,), and the curvature there, of a single candidate; of the center lines of
-    roads, and of connections at both ends of each piece. It is infinite where a lane ends
-    at a junction or is changed, for an agent whose `front` is so many meters ahead: who may have to
-    stop there has to be able to."""
+    roads, and of connections at both ends of each piece. And meters to the first place where an
+    agent may have to stop, infinite for none: where its lane ends at a junction, or is changed.
+    """
     source = candidates.scenario.networks[network]
     lanes = lanes_of_network(source, candidates)
     plan = network_root(source, candidates).junctions.plans[network]
@@ -40,7 +38,7 @@ def bends_of_route(
         for connection in junction.connections
     }
     kinds = {junction.id: junction.kind for junction in plan.junctions}
-    ahead, curvature, driven = [np.zeros(0)], [np.zeros(0)], 0.0
+    ahead, curvature, driven, stop = [np.zeros(0)], [np.zeros(0)], 0.0, math.inf
     legs = route.legs if route is not None else ()
     for number, leg in enumerate(legs):
         if driven > _FARTHEST:
@@ -51,18 +49,16 @@ def bends_of_route(
         curvature.append(bends)
         driven += length
         turn = None if leg.turn is None else connections.get(_key(leg))
-        if front is not None and leg.turn is None and number + 1 < len(legs):
-            ahead.append(np.array([max(driven - _REACHES_OVER - front, 0.0)]))
-            curvature.append(np.array([np.inf]))
+        if leg.turn is None and number + 1 < len(legs):
+            stop = min(stop, driven - _REACHES_OVER)
         if turn is not None:
-            if front is not None and kinds[_key(leg)[0]] != "joint":
-                ahead.append(np.array([max(driven - front, 0.0)]))
-                curvature.append(np.array([np.inf]))
+            if kinds[_key(leg)[0]] != "joint":
+                stop = min(stop, driven)
             places, bends = _of_turn(turn)
             ahead.append(driven + places)
             curvature.append(bends)
             driven += turn.length
-    return np.concatenate(ahead), np.concatenate(curvature)
+    return np.concatenate(ahead), np.concatenate(curvature), stop
 
 
 def _key(leg: Leg) -> tuple[int, int]:

@@ -28,6 +28,8 @@ vehicle can drive before it would have to begin to brake."""
 CLEAR, ROLLING = 2.0, 3.0
 """Meters from bumper to bumper in which one that stands can pull out; m/s from which on the gap may
 still open."""
+SOONEST = 0.5
+"""Seconds that two side by side have at least to fall in one after the other."""
 
 
 def has_lane_endings(roads: list[SceneRoad]) -> bool:
@@ -64,26 +66,37 @@ def lets_in(
             world.motion.speed,
         )
     )  # fmt: skip
+    polite = np.full(len(world.present), -1.0)
+    polite[rows] = politeness
     ahead = along[:, None, :] - along[:, :, None]
     aside = np.abs(left[:, None, :] - left[:, :, None])
     gap = ahead - half[:, :, None] - half[:, None, :]
-    into = leaves[:, None, :] & ~leaves[:, :, None] & (ahead > 0.0)
-    # Of two side by side that hardly move, the one whose middle is ahead goes first.
-    stays = ~leaves & (pace > ROLLING)
-    least_ahead = np.where(stays[:, None, :], -half[:, :, None], 0.0)
-    behind = leaves[:, :, None] & (ahead > least_ahead)
-    comes = into | behind
-    comes &= (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
+    room = _makes_room(gap, ahead, pace, np.minimum(end, within), polite)
+    into, behind = _orders(gap, ahead, pace, leaves, room)
+    comes = (into | behind) & (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
     comes &= _same_way(world, shape) & (aside > SAME_LANE)
     comes &= _join(world, np.where(leaves, end, np.inf), comes)
     comes &= behind | (gap > CLEAR) | (pace > ROLLING)[:, None, :]
     comes &= gap < leaders.gap.reshape(shape)[:, :, None]
-    spare = ROOM * np.maximum(np.minimum(end, within) - last, 0.0)
-    spare *= np.minimum(pace / ROLLING, 1.0)
+    spare = ROOM * np.minimum(pace / ROLLING, 1.0)
+    spare *= np.maximum(np.minimum(end, within) - last, 0.0)
     spare = np.where(leaves[:, :, None], spare[:, :, None], spare[:, None, :])
-    least, speed = _nearest_of(np.where(comes, gap + spare, np.inf), pace, rows)
-    polite = _is_polite(world.motion.speed[rows] - speed, least, politeness)
-    return np.where(polite | leaves.ravel()[rows], least, np.inf), speed
+    decided = behind | ((gap < CLEAR) & (pace > ROLLING)[:, :, None])
+    gap = np.where(comes, gap + spare, np.inf)
+    least, speed, first = _nearest_of(gap, pace, decided, rows)
+    first |= _is_polite(world.motion.speed[rows] - speed, least, politeness)
+    return np.where(first, least, np.inf), speed
+
+
+def _orders(
+    gap: Floats, ahead: Floats, pace: Floats, leaves: Booleans, makes_room: Booleans
+) -> tuple[Booleans, Booleans]:
+    """(S, A, A) whom the first would let in, and behind whom it falls in as its own lane ends."""
+    into = leaves[:, None, :] & ~leaves[:, :, None] & (ahead > 0.0)
+    # Of two side by side that hardly move, the one whose middle is ahead goes first.
+    refused = into & (gap < CLEAR) & (pace > ROLLING)[:, :, None] & ~makes_room
+    behind = leaves[:, :, None] & ((ahead > 0.0) | np.swapaxes(refused, 1, 2))
+    return into & ~refused, behind
 
 
 def _reach(speed: Floats) -> tuple[Floats, Floats]:
@@ -93,11 +106,16 @@ def _reach(speed: Floats) -> tuple[Floats, Floats]:
     return last, np.maximum(WITHIN, last + WITHIN_TIME * speed)
 
 
-def _nearest_of(gap: Floats, pace: Floats, rows: Integers) -> tuple[Floats, Floats]:
-    """(n,) the least gap (S, A, A) of some agents, and the speed (S, A) of the agent there."""
+def _nearest_of(
+    gap: Floats, pace: Floats, decided: Booleans, rows: Integers
+) -> tuple[Floats, Floats, Booleans]:
+    """(n,) the least gap (S, A, A) of some agents, the speed (S, A) of the agent there, and whether
+    it is `decided` (S, A, A) that that one goes first."""
     first = gap.argmin(axis=2)
-    least = np.take_along_axis(gap, first[:, :, None], axis=2)[:, :, 0]
-    return least.ravel()[rows], np.take_along_axis(pace, first, axis=1).ravel()[rows]
+    each = first[:, :, None]
+    least = np.take_along_axis(gap, each, axis=2).ravel()[rows]
+    goes_first = np.take_along_axis(decided, each, axis=2).ravel()[rows]
+    return least, np.take_along_axis(pace, first, axis=1).ravel()[rows], goes_first
 
 
 def _join(world: World, end: Floats, comes: Booleans) -> Booleans:
@@ -122,6 +140,23 @@ def _line_at(world: World, rows: Integers, ahead: Floats) -> Floats:
     guide = followed.guide[rows]
     offset = followed.guides.offset(guide, world.motion.along[rows] + ahead)
     return np.where(guide >= 0, offset, followed.lateral.offset[rows])
+
+
+def _makes_room(
+    gap: Floats, ahead: Floats, pace: Floats, end: Floats, politeness: Floats
+) -> Booleans:
+    """(S, A, A) whether the first falls back until the second, whose lane ends and whose middle is
+    ahead, fits in before it: braking evenly until then, no harder than it is polite, or in an
+    emergency less hard than the second to fall back behind it. `politeness`: (N,), negative for who
+    does not react."""
+    seconds = np.maximum(end / np.maximum(pace, ROLLING), SOONEST)[:, None, :]
+    faster = pace[:, :, None] - pace[:, None, :]
+    back = CLEAR - gap + np.maximum(faster, 0.0) * seconds
+    other_back = CLEAR + 2.0 * ahead - gap + np.maximum(-faster, 0.0) * seconds
+    needed, others = (2.0 * way / (seconds * seconds) for way in (back, other_back))
+    most = COURTEOUS * politeness.reshape(pace.shape)[:, :, None]
+    emergency = (others > COURTEOUS) & (needed < others)
+    return np.asarray((most >= 0.0) & (emergency | (needed < most)))
 
 
 def _is_polite(closing: Floats, gap: Floats, politeness: Floats | float) -> Booleans:
