@@ -113,6 +113,7 @@ FAULTS = [
     (OPTIONS, 'drive with replay { file: "none.csv" }', "RL450", '"none.csv"', None),
     (OPTIONS, "drive with replay", "RL221", "replay", None),
     (OPTIONS, 'drive with process { command: "prog" }', "RL206", '"prog"', '["prog"]'),
+    (OPTIONS, "drive with replay { file: 3m }", "RL206", "3m", None),
     (OPTIONS, 'drive with process { comand: ["prog"] }', "RL220", "comand", "command"),
     (OPTIONS, 'drive with process { command: ["prog"], timeout: 0s }', "RL208", "0s", None),
     (EXPECT, "ego.lan == -1", "RL227", "lan", "lane"),
