@@ -237,6 +237,10 @@ FAULTS = {
         kind("Distribution", 'rest: ClassVar[str] = "all"', "def quantile(self, u): return u"),
         "`rest` is 'all', which is not an option", 9,
     ),
+    "a lane that no option holds": (
+        kind("Controller", 'lane_options: ClassVar = ("to",)', "def control(self, seen): return 0"),
+        "`lane_options` has 'to', which is not an option", 9,
+    ),
     "no name": (
         kind("Perturber", METHOD).replace('name: ClassVar[str] = "bad"', "pass"),
         "Bad has no `name`", 6,

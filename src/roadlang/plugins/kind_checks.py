@@ -119,8 +119,13 @@ def _check_attributes(cls: type[Kind]) -> None:
         raise KindFault(f'`domain` is {cls.domain!r}, not "road" or "drive"', cls, "domain")
     for name, words in _WORDS.get(cls.verb, {}).items():
         _check_word(cls, name, words)
-    if cls.rest and cls.rest not in {option.name for option in schema_of(cls)}:
+    options = {option.name for option in schema_of(cls)}
+    if cls.rest and cls.rest not in options:
         raise KindFault(f"`rest` is {cls.rest!r}, which is not an option", cls, "rest")
+    for name in getattr(cls, "lane_options", ()):
+        if name not in options:
+            reason = f"`lane_options` has {name!r}, which is not an option"
+            raise KindFault(reason, cls, "lane_options")
     for role in getattr(cls, "reads", ()):
         if role not in ("image", "network", "road"):
             raise KindFault(f'`reads` has {role!r}: "image", "network" or "road"', cls, "reads")

@@ -34,7 +34,7 @@ def network_warnings(
 def joined_road_warnings(
     roads: Iterable[ScenarioRoad], candidates: CandidateBatch
 ) -> tuple[Diagnostic, ...]:
-    """What was said of roads where they are joined end to end."""
+    """The warnings about roads that are joined end to end."""
     joined = (road for road in roads if "then" in road.options)
     return tuple(said for road in joined for said in road_root(road.name, candidates).warnings)
 

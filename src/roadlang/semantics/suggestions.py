@@ -11,13 +11,13 @@ _SAME_THING = (
     {"broken", "dashed", "dotted"},
     {"road", "street"},
 )
-"""Words for the same thing: here and in other tools. Kinds say themselves what else
-they are called."""
+"""Words that mean the same, here or in other tools. Other names of kinds are theirs to state
+(`also_called`)."""
 
 
 def meant_name(word: str, known: Iterable[str]) -> str | None:
-    """The known name that `word` is now called, that means the same, that it is inside an included
-    file, or that is the most similar one; None if none is similar."""
+    """The known name that `word` has been renamed to, that means the same, that is most similar, or
+    that it has in an included file; None for none of these."""
     names = tuple(known)
     return (
         new_name(word, names)
@@ -35,7 +35,7 @@ def _same_thing(word: str, known: tuple[str, ...]) -> str | None:
 
 
 def _name_in_a_file(word: str, known: tuple[str, ...]) -> str | None:
-    """The only known name of this word that is in an included file: `left.street`."""
+    """The name of this word in an included file (`left.street`), if there is only one."""
     found = [name for name in known if name.endswith(f".{word}")]
     return found[0] if len(found) == 1 else None
 

@@ -1,4 +1,4 @@
-"""Answers where agents and objects are once they are placed, for many candidates or for one."""
+"""Where agents and objects are once they are placed, for many candidates or for one."""
 
 from __future__ import annotations
 

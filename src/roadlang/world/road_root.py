@@ -24,7 +24,7 @@ class RoadRoot:
     `section`, `lanes`: the lanes that its file gives it; `path`: the path of the network that it
     was selected as; `inputs`: the files that it was made from; `confidence`: that of the extractor
     in its network; of a road joined of several, `limits`: the speed limits along it, `starts`:
-    where its parts begin, `warnings` what is to be said of them.
+    where its parts begin, `warnings`: those about its parts.
     """
 
     id: str

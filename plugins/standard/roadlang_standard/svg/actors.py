@@ -21,14 +21,14 @@ _TWO_WHEELERS = ("bicycle", "motorcycle")
 _GREENERY = ("tree", "bush")
 SHORTEST_AGENT = 15.0
 """Pixels, of the longer side of its drawing."""
-SMALLEST_OBJECT = 3.0
+_SMALLEST_OBJECT = 3.0
 _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 
 def objects(scene: Scene, viewport: Viewport) -> str:
     """Everything that does not move; trees last, their crowns over the rest."""
     ordered = sorted(scene.objects, key=lambda actor: actor.category in _GREENERY)
-    return group(_drawn(ordered, viewport, SMALLEST_OBJECT), class_="objects")
+    return group(_drawn(ordered, viewport, _SMALLEST_OBJECT), class_="objects")
 
 
 def agents(scene: Scene, viewport: Viewport) -> str:

@@ -29,7 +29,7 @@ _HEIGHT = 1.1
 
 @dataclass(frozen=True)
 class PixelBox:
-    """A rectangle that something takes up, in pixels."""
+    """A rectangle on the page, in pixels; y grows downward."""
 
     left: float
     top: float
@@ -38,12 +38,12 @@ class PixelBox:
 
     @classmethod
     def around(cls, x: float, base: float, width: float, size: float) -> PixelBox:
-        """Of text of a font size, whose middle is at `x` and whose base line at `base`."""
+        """The box of text that is centered at `x`, with its baseline at `base`."""
         half, middle = 0.5 * _HEIGHT * size, base - 0.35 * size
         return cls(x - width / 2, middle - half, x + width / 2, middle + half)
 
     def overlaps(self, other: PixelBox) -> bool:
-        """Whether both take up some of the same pixels; no box does that is nowhere (NaN)."""
+        """Whether both take up some of the same pixels; never where a coordinate is NaN."""
         return (
             self.left < other.right
             and other.left < self.right
@@ -55,8 +55,8 @@ class PixelBox:
 def actor_labels(
     scene: Scene, viewport: Viewport, size: float, taken: Iterable[PixelBox] = ()
 ) -> str:
-    """Names beside agents and the objects worth naming, with a halo, not on top of each other and
-    where possible clear of what is `taken`."""
+    """Names beside agents and the objects worth naming, with a halo; where possible clear of each
+    other and of what is `taken`."""
     actors = list(scene.agents)
     worthy = [actor for actor in scene.objects if actor.category not in _UNLABELED]
     if len(worthy) <= _MOST_LABELED_OBJECTS:

@@ -24,7 +24,7 @@ class Kind:
     name: ClassVar[str] = ""
     """what scene files write: letters, digits and `_`, and no word of the language"""
     also_called: ClassVar[tuple[str, ...]] = ()
-    """what other tools and people call it: who writes that is told the name"""
+    """other names for it, as in other tools: errors suggest `name` for them"""
     rest: ClassVar[str] = ""
     """of a kind that is written as a call: the list option that takes all arguments without a name,
     as `items` of `choice(1m, 2m, 3m)`"""

@@ -61,7 +61,7 @@ class Controller(Kind):
     the first controller of an agent"""
 
     lane_options: ClassVar[tuple[str, ...]] = ()
-    """options that hold the id of a lane: on a road without that lane, it is an error (RL613)"""
+    """options that hold the id of a lane: one that the road does not have is an error (RL613)"""
 
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.

@@ -20,8 +20,8 @@ def road_of(checker: Checker, statement: ast.Actor) -> ast.Expression | None:
 
 
 def goes_in_circles(checker: Checker, statement: ast.Actor) -> bool:
-    """Whether positions by one another lead back to something that was passed: reported as a
-    circular definition."""
+    """Whether the places of agents and objects depend on each other in a circle, which is reported
+    as a circular definition."""
     seen: set[str] = set()
     found: ast.Actor | None = statement
     while found is not None and found.name.text not in seen:

@@ -17,7 +17,7 @@ from ..state.world import World
 @dataclass
 class LanesSeen:
     """What controllers ask for lane by lane: of all agents once, however many kinds of controllers
-    there are. It holds while the world stands still."""
+    there are. Valid until the world moves on."""
 
     world: World
     here: LanesHere
