@@ -216,6 +216,13 @@ def test_labels_give_way_to_what_else_is_written() -> None:
         assert base == pytest.approx(y)
 
 
+def test_labels_do_not_cover_what_they_do_not_name() -> None:
+    """The label of the second car would be on the first, 30 px above: it moves below."""
+    cars = [actor(n, "car", 50, y, length=4.0) for n, y in (("one", 28), ("two", 25))]
+    labels = written(actor_labels(scene(*cars), PAGE, FONT))
+    assert [y for _, _, y in labels] == near(194, 283)
+
+
 def test_a_small_thing_has_its_label_clear_of_its_drawing() -> None:
     ant = actor("ant", "car", 50, 25, length=0.2, width=0.1)
     ((_, _, y),) = written(actor_labels(scene(ant), PAGE, FONT))

@@ -56,13 +56,13 @@ def actor_labels(
     scene: Scene, viewport: Viewport, size: float, taken: Iterable[PixelBox] = ()
 ) -> str:
     """Names beside agents and the objects worth naming, with a halo; where possible clear of each
-    other and of what is `taken`."""
+    other, of what is `taken`, and of what they do not name."""
     actors = list(scene.agents)
     worthy = [actor for actor in scene.objects if actor.category not in _UNLABELED]
     if len(worthy) <= _MOST_LABELED_OBJECTS:
         actors += worthy
     return group(
-        _labels(_named(actors), viewport, size, list(taken)),
+        _labels(actors, viewport, size, list(taken)),
         class_="labels",
         font_size=size,
         font_weight="600",
@@ -90,14 +90,15 @@ def _named(actors: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
 
 
 def _labels(
-    named: Sequence[tuple[SceneActor, str]], viewport: Viewport, size: float, taken: list[PixelBox]
+    actors: Sequence[SceneActor], viewport: Viewport, size: float, taken: list[PixelBox]
 ) -> Iterator[str]:
-    for actor, label in named:
+    drawn = [_square(actor, viewport) for actor in actors]
+    for actor, label in _named(actors):
         x, y = viewport.place([actor.x, actor.y]).tolist()
-        extent = max(actor.length, actor.width) * viewport.pixels_per_meter
-        drop = max(extent, SHORTEST_AGENT) / 2 + 0.6 * size
+        reach = _reach(actor, viewport)
+        drop = reach + 0.6 * size
         wide = (BOLD_LETTER * len(label) + 2 * _GAP) * size
-        beside = max(extent, SHORTEST_AGENT) / 2 + 0.2 * size + wide / 2
+        beside = reach + 0.2 * size + wide / 2
         spots = [
             (x, y - drop),
             (x, y + drop + 0.7 * size),
@@ -106,10 +107,26 @@ def _labels(
             *((x, y - drop - step * 1.15 * size) for step in (1, 2, 3)),
         ]
         boxes = [PixelBox.around(*spot, wide, size) for spot in spots]
-        free = [not any(box.overlaps(other) for other in taken) for box in boxes]
-        chosen = free.index(True) if any(free) else 0
+        readable = [not any(box.overlaps(other) for other in taken) for box in boxes]
+        clear = [
+            free and not any(box.overlaps(other) for other in drawn)
+            for free, box in zip(readable, boxes, strict=True)
+        ]
+        chosen = next((free.index(True) for free in (clear, readable) if any(free)), 0)
         taken.append(boxes[chosen])
         yield text(label, *spots[chosen], text_anchor="middle")
+
+
+def _reach(actor: SceneActor, viewport: Viewport) -> float:
+    """Pixels from the middle of an agent or object to its end."""
+    return max(max(actor.length, actor.width) * viewport.pixels_per_meter, SHORTEST_AGENT) / 2
+
+
+def _square(actor: SceneActor, viewport: Viewport) -> PixelBox:
+    """Around an agent or object, however it is turned."""
+    x, y = viewport.place([actor.x, actor.y]).tolist()
+    reach = _reach(actor, viewport)
+    return PixelBox(x - reach, y - reach, x + reach, y + reach)
 
 
 def road_names(roads: Iterable[Ribbon], size: float) -> str:
