@@ -72,14 +72,15 @@ def settled(page: Page, condition: str) -> None:
     )
 
 
-def click(page: Page, x: float, y: float) -> None:
-    """A real click at a pixel of the picture."""
+def click(page: Page, x: float, y: float, meanwhile: str = "0") -> None:
+    """A real click at a pixel of the picture. `meanwhile`: runs between press and release."""
     seen = f"new DOMPoint({x}, {y}).matrixTransform(at('view').getScreenCTM())"
     at = page.run(f"(p => [p.x, p.y])({seen})")
-    for kind in ("mousePressed", "mouseReleased"):
+    for kind, script in (("mousePressed", meanwhile), ("mouseReleased", "0")):
         page.send(
             "Input.dispatchMouseEvent", type=kind, x=at[0], y=at[1], button="left", clickCount=1
         )
+        page.run(script)
     page.run("new Promise(done => setTimeout(done))")
 
 
@@ -113,6 +114,14 @@ def test_a_road_is_dismissed_by_a_click_and_a_key(page: Page, scene: Path) -> No
     (road,) = sampled.roads.values()
     assert float(np.ptp(road.y)) < 1.0
     assert float(np.mean(road.y)) == pytest.approx(0.5 * (239.5 - 60), abs=0.6)
+
+
+def test_a_click_counts_while_roads_are_drawn_anew(page: Page) -> None:
+    """As they are when an answer arrives."""
+    click(page, 200, 60, meanwhile="draw()")
+    assert page.run("page.chosen !== null")
+    click(page, 200, 120)
+    assert page.run("page.chosen === null")
 
 
 def test_a_road_is_drawn_point_by_point(page: Page, scene: Path) -> None:

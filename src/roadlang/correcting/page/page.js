@@ -307,12 +307,11 @@ window.addEventListener("pointermove", event => {
   const scale = zoom();
   show([press.box[0] - dx / scale, press.box[1] - dy / scale, press.box[2], press.box[3]]);
 });
-window.addEventListener("pointerup", () => {
+/* Not a `click`: there is none where the roads were drawn anew between press and release. */
+window.addEventListener("pointerup", event => {
   at("view").classList.remove("dragging");
-  setTimeout(() => { press = null; });
-});
-at("view").addEventListener("click", event => {
-  if (!press || !press.moved) clicked(event);
+  if (press && !press.moved && event.button === 0) clicked(event);
+  press = null;
 });
 at("view").addEventListener("dblclick", () => {
   if (page.line) endDrawing();
