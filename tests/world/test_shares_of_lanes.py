@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.world.network_places import _at_share
+from roadlang.world.shares_of_lanes import at_share
 
 lanes = st.lists(
     st.tuples(st.sampled_from([0.0, 5.0, 11.0, 12.0, 40.0]), st.booleans()), min_size=1, max_size=5
@@ -32,7 +32,7 @@ lanes = st.lists(
     ],
 )
 def test_where_a_share_is(share: float, lengths: list[float], number: int, station: float) -> None:
-    numbers, stations = _at_share(np.array([share]), [(0.0, length) for length in lengths])
+    numbers, stations = at_share(np.array([share]), [(0.0, length) for length in lengths])
     assert numbers.tolist() == [number]
     assert stations == pytest.approx([station])
 
@@ -43,7 +43,7 @@ def test_even_shares_are_evenly_spaced(found: list[tuple[float, bool]], count: i
     enough = [length >= 12.0 for length, _ in found]
     counted = [n * (ok or not any(enough)) for (n, _), ok in zip(found, enough, strict=True)]
     shares = np.linspace(0.0, 1.0, count)
-    numbers, stations = _at_share(shares, ends)
+    numbers, stations = at_share(shares, ends)
     before = np.concatenate([[0.0], np.cumsum(counted)])
     along = [
         before[number] + abs(station - ends[number][0])

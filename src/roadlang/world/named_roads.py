@@ -27,7 +27,10 @@ def named_lanes(name: str, candidates: CandidateBatch) -> tuple[tuple[Rows, Lane
     if name in candidates.scenario.roads:
         return lane_parts(name, candidates)
     network, edge = _edge(name)
-    lanes = lanes_of_edge(candidates.scenario.networks[network], edge, candidates)
+    parent = candidates.scenario.networks[network]
+    lanes = candidates.once(
+        ("lanes", network, edge), lambda: lanes_of_edge(parent, edge, candidates), inherited=False
+    )
     return ((np.arange(candidates.count), lanes),)
 
 

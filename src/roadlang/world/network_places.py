@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.legs import PlannedRoute, RoutePlace
 from ..geometry.routes.nearest_lanes import NearRoads, near_roads
-from ..geometry.routes.shortest import ROOM_TO_BEGIN, shortest_route
+from ..geometry.routes.shortest import shortest_route
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .copies import element_of
@@ -28,6 +27,7 @@ from .road_poses import LaneStart, WrittenPlace
 from .route_points import FARTHEST, RoutePoints, route_points
 from .route_positions import lane_places_of
 from .routes import route_through, start_places
+from .shares_of_lanes import at_share, within
 from .spots import UNREACHED, Spots
 
 
@@ -93,7 +93,12 @@ class _Finder:
         allowed = allowed_lanes(self.actor, self.lanes, choice, self.copies)
         options: list[tuple[RoutePlace, ...]]
         if self.actor.at_fraction:
-            options = [(place,) for place in self._at_shares(sorted(allowed), index)]
+            lanes, stations = self._at_shares(sorted(allowed), index)
+            if self._vias is None and self.first is self.copies:
+                self._stand(index, lanes, stations, into)
+                return
+            places = zip(lanes.tolist(), stations.tolist(), strict=True)
+            options = [(RoutePlace(lane, station),) for lane, station in places]
         elif isinstance(self.actor.at, PassCall):
             call, first = self.actor.at, self.first
             options = [
@@ -102,8 +107,7 @@ class _Finder:
             ]
         else:
             options = self._near_points(allowed, index, into)
-        for row, stage in zip(index.tolist(), options, strict=True):
-            self._settle(row, tuple(self._inside(place, row) for place in stage), into)
+        self._settle(index, options, into)
 
     @cached_property
     def _vias(self) -> RoutePoints | None:
@@ -113,23 +117,45 @@ class _Finder:
     def _rows(self) -> list[list[float]]:
         return row_distances(self.actor, self.copies)
 
-    def _settle(self, row: int, stage: tuple[RoutePlace, ...], into: Spots) -> None:
-        chosen, route = min(stage, key=lambda place: place.penalty), None
-        if self._vias is not None:
-            found = shortest_route(self.lanes, stage, self._vias.stages(row))
-            if isinstance(found, PlannedRoute):
-                route, chosen = found, RoutePlace(found.legs[0].lane, found.legs[0].start)
-            else:
-                into.lacking[row] = max(into.lacking[row], UNREACHED)
-            into.lacking[row] = max(into.lacking[row], self._vias.beyond(row))
-        lane = self.lanes.lanes[chosen.lane]
-        if self.first is not self.copies:
-            lacking, walks = into.lacking[row], self._walks
-            walks.row_behind_first(row, chosen, route, self._rows[row], into)
-            into.lacking[row] = max(into.lacking[row], lacking)
-            return
-        start = self._from_root(lane.edge, np.array([row]), np.array([chosen.station]))
-        into.stand(row, lane.edge, float(start[0]), lane.lane, 0.0, lane.backward)
+    def _settle(self, index: Integers, options: list[tuple[RoutePlace, ...]], into: Spots) -> None:
+        """Fill in where each copy is, of the places that it may be at."""
+        found: list[RoutePlace] = []
+        for row, places in zip(index.tolist(), options, strict=True):
+            stage = tuple(self._inside(place, row) for place in places)
+            chosen, route = self._chosen(row, stage, into)
+            found.append(chosen)
+            if self.first is not self.copies:
+                lacking, walks = into.lacking[row], self._walks
+                walks.row_behind_first(row, chosen, route, self._rows[row], into)
+                into.lacking[row] = max(into.lacking[row], lacking)
+        if self.first is self.copies:
+            lanes = np.array([place.lane for place in found], dtype=np.intp)
+            self._stand(index, lanes, np.array([place.station for place in found]), into)
+
+    def _chosen(
+        self, row: int, stage: tuple[RoutePlace, ...], into: Spots
+    ) -> tuple[RoutePlace, PlannedRoute | None]:
+        """The place of a copy, and its route from there where it has to lead through points."""
+        nearest = min(stage, key=lambda place: place.penalty)
+        if self._vias is None:
+            return nearest, None
+        found = shortest_route(self.lanes, stage, self._vias.stages(row))
+        is_route = isinstance(found, PlannedRoute)
+        unreached = 0.0 if is_route else UNREACHED
+        into.lacking[row] = max(into.lacking[row], unreached, self._vias.beyond(row))
+        if not isinstance(found, PlannedRoute):
+            return nearest, None
+        return RoutePlace(found.legs[0].lane, found.legs[0].start), found
+
+    def _stand(self, index: Integers, lanes: Integers, stations: Floats, into: Spots) -> None:
+        """Fill in copies at `index` (n,) that stand in lanes at arc lengths of their edges."""
+        named = [self.lanes.lanes[lane] for lane in lanes.tolist()]
+        edges = np.array([lane.edge for lane in named])
+        into.road[index], into.lane[index] = edges, [lane.lane for lane in named]
+        into.backward[index], into.is_directed[index] = [lane.backward for lane in named], True
+        for edge in np.unique(edges).tolist():
+            chosen = edges == edge
+            into.start[index[chosen]] = self._from_root(edge, index[chosen], stations[chosen])
 
     @cached_property
     def _walks(self) -> LaneWalks:
@@ -142,14 +168,12 @@ class _Finder:
         station = min(max(place.station, min(ends) + half), max(ends) - half)
         return RoutePlace(place.lane, station, place.penalty)
 
-    def _at_shares(self, allowed: list[int], index: Integers) -> list[RoutePlace]:
-        """A share of the length of all lanes together."""
-        ends = [(self.lanes.begin[lane], self.lanes.end[lane]) for lane in allowed]
-        numbers, stations = _at_share(self._shares()[index], ends)
-        return [
-            RoutePlace(allowed[number], station)
-            for number, station in zip(numbers.tolist(), stations.tolist(), strict=True)
-        ]
+    def _at_shares(self, allowed: list[int], index: Integers) -> tuple[Integers, Floats]:
+        """At a share of the length of all lanes together: lanes (n,) and arc lengths there, with
+        both bumpers in the lane, as far as it is long enough."""
+        ends = np.array([(self.lanes.begin[lane], self.lanes.end[lane]) for lane in allowed])
+        numbers, stations = at_share(self._shares()[index], ends)
+        return np.array(allowed)[numbers], within(ends[numbers], stations, self.lengths[index])
 
     def _shares(self) -> Floats:
         return column(evaluate(self.actor.at, self.first, element_of(self.actor)), self.first)
@@ -183,11 +207,9 @@ class _Finder:
         lanes = [graph.of_edge[edge][0] for edge in edges]
         ends = [sorted((graph.begin[lane], graph.end[lane])) for lane in lanes]
         if self.actor.at_fraction:
-            numbers, station = _at_share(self._shares()[index], ends)
+            numbers, station = at_share(self._shares()[index], ends)
             if choice is not None:  # what stands in a lane does so with its whole length
-                low, high = np.array(ends, float)[numbers].T
-                half = np.minimum(self.lengths[index], high - low) / 2.0
-                station = np.clip(station, low + half, high - half)
+                station = within(np.array(ends)[numbers], station, self.lengths[index])
         elif isinstance(self.actor.at, PassCall):
             numbers, station = self._beside_lanes(edges, index)
         else:
@@ -247,22 +269,6 @@ class _Finder:
     def _from_root(self, road: int, index: Integers, station: Floats) -> Floats:
         name, rows = f"{self.actor.on}/{road}", self.copies.rows[index]
         return from_root(name, self.copies.candidates, rows, station)
-
-
-def _at_share(shares: Floats, ends: Any) -> tuple[Integers, Floats]:
-    """Which of several lanes (n,), and the arc length there, at shares of their whole length; of
-    those that are long enough, where there are such."""
-    begin, end = np.array(ends, float).T
-    lengths = np.abs(end - begin)
-    is_long = lengths >= ROOM_TO_BEGIN
-    counted = np.where(is_long, lengths, 0.0) if is_long.any() else lengths
-    sums = np.concatenate([[0.0], np.cumsum(counted)])
-    at = np.clip(shares, 0.0, 1.0) * sums[-1]
-    numbers = np.clip(np.searchsorted(sums, at, side="right") - 1, 0, len(lengths) - 1)
-    while (counted[numbers] == 0.0).any():
-        numbers = np.where(counted[numbers] == 0.0, numbers - 1, numbers)
-    share = np.clip((at - sums[numbers]) / counted[numbers], 0.0, 1.0)
-    return numbers, begin[numbers] + share * (end - begin)[numbers]
 
 
 def _nearest_allowed(

@@ -161,6 +161,8 @@ def poses_on_road(
 
 def _across(turned: Floats, lengths: Floats, widths: Floats) -> Floats:
     """(R,) meters that things take across the road, turned against it."""
+    if not turned.any():
+        return widths
     sine = np.array([abs(math.sin(angle)) for angle in turned.tolist()])
     cosine = np.array([abs(math.cos(angle)) for angle in turned.tolist()])
     return np.asarray(lengths * sine + widths * cosine)

@@ -129,8 +129,10 @@ def _lacking(a: Footprints, b: Footprints, apart_a: Floats, apart_b: Floats) -> 
     required = np.fmax(apart_a, apart_b)
     apart = np.where(np.isnan(required), DEFAULT_APART, required)
     apart = np.where((apart_a == -np.inf) | (apart_b == -np.inf), -np.inf, apart)
-    lacking = apart - separation(a, b)
-    near = np.flatnonzero(lacking > 0.0)
+    gap = separation(a, b)
+    lacking = apart - gap
+    # Of what overlaps the separation is what counts, and in crowds that is most of it.
+    near = np.flatnonzero((lacking > 0.0) & (gap > 0.0))
     lacking[near] = apart[near] - distance_between(a.take(near), b.take(near))
     return lacking
 
