@@ -120,10 +120,12 @@ def _road(
     """The surface of a road over the 15 m beyond its trim."""
     edge = network.edge(arm.edge)
     start, stop = plan.trims[arm.edge][0], edge.length - plan.trims[arm.edge][1]
+    # Of a road with both its ends at one junction neither end reaches into the other.
+    ahead = min(15.0, (stop - start) / 2.0)
     if arm.end == "start":
-        stop = min(stop, start + 15.0)
+        stop = start + ahead
     else:
-        start = max(start, stop - 15.0)
+        start = stop - ahead
     if stop - start < 0.05:
         return None
     s = np.linspace(start, stop, 61)
@@ -164,7 +166,8 @@ def _check_connection(
             report.note("end position", gap)
         if turn > math.radians(0.1):
             report.note("end heading", turn)
-    share = np.linspace(0.0, 1.0, len(points))
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    share = along / along[-1]
     half = (connection.widths[0] * (1 - share) + connection.widths[1] * share) / 2.0
     normal = np.column_stack([-np.sin(headings), np.cos(headings)])
     borders = np.concatenate([points + half[:, None] * normal, points - half[:, None] * normal])

@@ -11,7 +11,7 @@ from roadlang.geometry import Curve, Edge, Node, RoadNetwork, filleted, network_
 from roadlang.geometry.junctions.folds import folded_spans, past
 from roadlang.geometry.junctions.model import Arm, Junction, JunctionPlan
 from roadlang.geometry.junctions.overlaps import junction_overlaps
-from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of
+from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of, star
 
 
 def network_of_streets(*lines: Any, width: float, radius: float) -> RoadNetwork:
@@ -40,6 +40,16 @@ def test_no_road_begins_in_a_bend_that_its_inner_border_crosses() -> None:
     bend = 14.0 - 6.0, 14.0 - 6.0 + 6.0 * np.pi / 2.0
     assert plan.trims[3][0] > bend[1] + 1.9 or plan.trims[3][0] < bend[0] - 1.9
     assert faults(plan, network, lanes=4) == [{}]
+
+
+def test_a_turn_that_is_sharper_than_its_lane_is_wide_gets_narrower() -> None:
+    """Lanes of 9 and 12 m: the inner border of a connection of that width would run backward."""
+    network = star(0, 230, 170, length=150.0, width=[18.0, 7.0, 24.0])
+    plan = plan_of(network)
+    (junction,) = plan.junctions
+    turned = [c.curvature * max(c.widths) / 2.0 for c in junction.connections]
+    assert 0.9 < max(turned) < 1.0
+    assert faults(plan, network) == [{}]
 
 
 def test_a_border_that_crosses_itself_is_found_from_crossing_to_crossing() -> None:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 
@@ -23,6 +22,8 @@ from .priority import yields
 from .sweeping import TOLERANCE, road_beyond, strip
 
 _TOLERANCE = 0.01
+_MOST_TURNED = 1.98
+"""Times its radius: a wider lane would run backward at its inner border."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ def junction_of(
     ring: Mapping[int, bool],
 ) -> Built:
     """`lines` are both ends of every road of the network, `ring` the roads of roundabouts."""
-    widths = [pair_widths(found, pair) for pair in found.pairs]
+    widths = [_connection_widths(found, row) for row in range(len(found.pairs))]
     rows = [int(row) for row in np.flatnonzero(found.usable)]
     connections = tuple(_connection(id, found, row, widths[row]) for id, row in enumerate(rows))
     longest = max((connection.length for connection in connections), default=0.0)
@@ -64,7 +65,14 @@ def junction_of(
         tuple(_refusal(found, row) for row in np.flatnonzero(~found.usable).tolist()),
         place.inside,
     )
-    return Built(junction, _problems(junction, found, area, trims, widths, gaps))
+    return Built(junction, _problems(junction, found, trims, widths, gaps))
+
+
+def _connection_widths(found: Connected, row: int) -> tuple[float, float]:
+    """Those of the two lanes of a turn; less where the turn is sharper than they are wide."""
+    most = _MOST_TURNED / max(float(found.fits.peak[row]), 1e-9)
+    source, target = pair_widths(found, found.pairs[row])
+    return min(source, most), min(target, most)
 
 
 def _lanes(found: Connected, pair: LanePair) -> tuple[ArmLane, ArmLane]:
@@ -109,7 +117,6 @@ def _refusal(found: Connected, row: int) -> Refusal:
 def _problems(
     junction: Junction,
     found: Connected,
-    area: Any,
     trims: Mapping[ArmKey, float],
     widths: list[tuple[float, float]],
     gaps: Floats,
@@ -127,7 +134,7 @@ def _problems(
         if entries - served:
             problems.append(Problem("stuck", id, (arm.edge.id,)))
     problems += _overlaps(id, found, trims)
-    problems += _outside(id, found, area, widths)
+    problems += _outside(junction, found, widths)
     for arm, gap in zip(found.arms, gaps.max(axis=1, initial=0.0), strict=True):
         if gap > _TOLERANCE:
             problems.append(Problem("outside", id, (arm.edge.id,), float(gap)))
@@ -157,7 +164,7 @@ def _width(arm: ArmLine) -> float:
 
 
 def _outside(
-    id: int, found: Connected, area: Any, widths: list[tuple[float, float]]
+    junction: Junction, found: Connected, widths: list[tuple[float, float]]
 ) -> list[Problem]:
     """Connections that leave the area."""
     import shapely
@@ -165,6 +172,7 @@ def _outside(
     rows = np.flatnonzero(found.usable).tolist()
     if len(rows) == 0:
         return []
+    area = shapely.Polygon(junction.area)
     outer = area.buffer(_TOLERANCE / 2.0, quad_segs=2)
     shapely.prepare(outer)
     problems = []
@@ -177,5 +185,5 @@ def _outside(
         if gap > _TOLERANCE:
             pair = found.pairs[row]
             edges = found.arms[pair.source].edge.id, found.arms[pair.target].edge.id
-            problems.append(Problem("outside", id, edges, gap))
+            problems.append(Problem("outside", junction.id, edges, gap))
     return problems
