@@ -8,7 +8,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
+from typing import TypeVar, cast
 
+N = TypeVar("N", bound=ast.AST)
 ROOT = Path(__file__).parents[2]
 CORE = "src/roadlang"
 SHIPPED_PLUGINS = (
@@ -43,6 +45,16 @@ class SourceFile:
     @property
     def tree(self) -> ast.Module:
         return _parsed(self.text)
+
+    def nodes(self, kind: type[N]) -> list[N]:
+        """The nodes of the tree that are of this type itself, not of a subclass."""
+        return cast("list[N]", _nodes(self.text).get(kind, []))
+
+    @property
+    def functions(self) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
+        """Also methods, and functions in functions."""
+        yield from self.nodes(ast.FunctionDef)
+        yield from self.nodes(ast.AsyncFunctionDef)
 
     @property
     def module(self) -> str:
@@ -145,8 +157,23 @@ def _parsed(text: str) -> ast.Module:
 
 
 @cache
+def _nodes(text: str) -> dict[type[ast.AST], list[ast.AST]]:
+    """Every node, by its type: a tree is walked once and not once for each rule."""
+    found: dict[type[ast.AST], list[ast.AST]] = {}
+    for node in ast.walk(_parsed(text)):
+        found.setdefault(type(node), []).append(node)
+    return found
+
+
+@cache
 def _imports(text: str, package: str) -> tuple[Import, ...]:
     return tuple(_imports_below(_parsed(text), package, late=False))
+
+
+def forget_trees() -> None:
+    """Drop what was parsed."""
+    for remembered in (_parsed, _nodes, _imports):
+        remembered.cache_clear()
 
 
 def _imports_below(node: ast.AST, package: str, *, late: bool) -> Iterator[Import]:

@@ -139,9 +139,9 @@ def private_names_stay_in_their_file(house: House) -> Iterator[str]:
             last = found.name or found.module
             if house.target(found) is not None and re.search(r"(^|\.)_[a-zA-Z]", last):
                 yield _at(file, found.line, f"imports the private {last}")
-        own = {"_exit", *_names_defined(file.tree)}  # `os._exit` is public
-        for node in ast.walk(file.tree):
-            if not (isinstance(node, ast.Attribute) and re.match(r"_[a-zA-Z]", node.attr)):
+        own = {"_exit", *_names_defined(file)}  # `os._exit` is public
+        for node in file.nodes(ast.Attribute):
+            if not re.match(r"_[a-zA-Z]", node.attr):
                 continue
             if node.attr not in own and dotted(node.value) not in ("self", "cls"):
                 yield _at(file, node.lineno, f"uses the private {dotted(node) or node.attr}")
@@ -179,9 +179,7 @@ def no_clock_and_no_global_random_numbers(house: House) -> Iterator[str]:
         for found in file.imports:
             if found.module.split(".")[0] in _UNREPEATABLE_MODULES:
                 yield _at(file, found.line, f"imports {found.module}")
-        for node in ast.walk(file.tree):
-            if not isinstance(node, ast.Call):
-                continue
+        for node in file.nodes(ast.Call):
             name = dotted(node.func)
             is_seeded = name.endswith("random.default_rng") and bool(node.args or node.keywords)
             if _UNREPEATABLE.fullmatch(name) and not is_seeded:
@@ -206,8 +204,8 @@ def rooms_that_compute_read_no_files(house: House) -> Iterator[str]:
         for found in file.imports:
             if found.module.split(".")[0] in _FILE_MODULES:
                 yield _at(file, found.line, f"imports {found.module}")
-        for node in ast.walk(file.tree):
-            if isinstance(node, ast.Call) and _FILE_CALLS.fullmatch(_called(node)):
+        for node in file.nodes(ast.Call):
+            if _FILE_CALLS.fullmatch(_called(node)):
                 yield _at(file, node.lineno, f"calls {_called(node)}")
 
 
@@ -215,9 +213,9 @@ def the_core_names_no_shipped_kind(house: House) -> Iterator[str]:
     """What the core has to know of a kind, the kind says itself."""
     kinds = shipped_kinds(house) - {word for words in WORDS.values() for word in words.split()}
     for file in house.core:
-        prose = _docstrings(file.tree)
-        for node in ast.walk(file.tree):
-            if not isinstance(node, ast.Constant) or not isinstance(node.value, str):
+        prose = _docstrings(file)
+        for node in file.nodes(ast.Constant):
+            if not isinstance(node.value, str):
                 continue
             allowed = node in prose or node.value in DEFAULT_KINDS.get(file.path, ())
             if not allowed and (node.value in kinds or _QUALIFIED.match(node.value)):
@@ -230,11 +228,10 @@ def files_and_functions_are_small(house: House) -> Iterator[str]:
         count = file.text.count("\n")
         if count > MOST_LINES and file.path not in TABLES:
             yield f"{file.path} has {count} lines"
-        for node in ast.walk(file.tree):
-            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-                lines = (node.end_lineno or 0) - node.lineno + 1
-                if lines > MOST_FUNCTION_LINES:
-                    yield _at(file, node.lineno, f"{node.name} has {lines} lines")
+        for node in file.functions:
+            lines = (node.end_lineno or 0) - node.lineno + 1
+            if lines > MOST_FUNCTION_LINES:
+                yield _at(file, node.lineno, f"{node.name} has {lines} lines")
 
 
 def every_file_says_what_it_is_for(house: House) -> Iterator[str]:
@@ -274,21 +271,17 @@ def _called(node: ast.Call) -> str:
     return dotted(func)
 
 
-def _names_defined(tree: ast.Module) -> Iterator[str]:
+def _names_defined(file: SourceFile) -> Iterator[str]:
     """Functions, classes, variables and members that a file defines."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-            yield node.name
-        elif isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
-            yield node.attr
-        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            yield node.id
+    yield from (function.name for function in file.functions)
+    yield from (node.name for node in file.nodes(ast.ClassDef))
+    yield from (n.attr for n in file.nodes(ast.Attribute) if isinstance(n.ctx, ast.Store))
+    yield from (n.id for n in file.nodes(ast.Name) if isinstance(n.ctx, ast.Store))
 
 
-def _docstrings(tree: ast.Module) -> set[ast.AST]:
+def _docstrings(file: SourceFile) -> set[ast.AST]:
     """Strings that are statements of their own."""
-    found = (node.value for node in ast.walk(tree) if isinstance(node, ast.Expr))
-    return {value for value in found if isinstance(value, ast.Constant)}
+    return {n.value for n in file.nodes(ast.Expr) if isinstance(n.value, ast.Constant)}
 
 
 def _imported(house: House, not_late: Collection[str]) -> dict[str, set[str]]:

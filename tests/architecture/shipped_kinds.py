@@ -44,9 +44,8 @@ def shipped_kinds(house: House) -> frozenset[str]:
     """The names of the kinds in the wheel."""
     names = set()
     for file in house.plugins:
-        for node in ast.walk(file.tree):
-            if not (isinstance(node, ast.AnnAssign) and dotted(node.target) == "name"):
-                continue
-            if isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
-                names.add(node.value.value)
+        for node in file.nodes(ast.AnnAssign):
+            value = node.value.value if isinstance(node.value, ast.Constant) else None
+            if dotted(node.target) == "name" and isinstance(value, str):
+                names.add(value)
     return frozenset(names) - {""}

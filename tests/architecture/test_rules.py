@@ -24,8 +24,8 @@ def test_each_name_that_is_exempt_is_a_kind_and_in_the_core(group: str) -> None:
     strings = {
         node.value
         for file in HOUSE.core
-        for node in ast.walk(file.tree)
-        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        for node in file.nodes(ast.Constant)
+        if isinstance(node.value, str)
     }
     assert set(WORDS[group].split()) <= shipped_kinds(HOUSE) & strings
 
