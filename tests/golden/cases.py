@@ -140,19 +140,19 @@ SOURCES = (
     "tour",
 )
 TWEAKED = {
-    "pieces": 10,
-    "bent": 8,
-    "values": 8,
-    "town": 5,
-    "places": 7,
-    "right_places": 7,
-    "picture": 5,
-    "table": 5,
-    "search": 5,
-    "drawn": 7,
-    "approaches": 7,
-    "copies": 8,
-    "joined": 5,
+    "pieces": 6,
+    "bent": 5,
+    "values": 5,
+    "town": 4,
+    "places": 4,
+    "right_places": 4,
+    "picture": 4,
+    "table": 4,
+    "search": 4,
+    "drawn": 4,
+    "approaches": 4,
+    "copies": 5,
+    "joined": 4,
 }
 COMMANDS = (
     ("plugins", "show", "car"),
@@ -212,9 +212,9 @@ def _cases() -> Iterable[Case]:
     yield Case("drives", "options.drive", partial(option_lines, 9.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
     for first in range(0, 96, 24):
-        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 7)))
+        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 4)))
     for first in (0, 24):
-        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 7)))
+        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 5)))
     yield Case("towns", "towns.mapped", partial(mapped_lines, range(5)))
     yield Case("mistakes", "odd_kinds", odd_kind_lines)
     for name in FIGURES:
@@ -237,16 +237,16 @@ def _cases() -> Iterable[Case]:
         "replay",
         "joined",
     ):
-        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 3, drive=True))
-    yield Case("extraction", "evidence", partial(evidence_lines, 1, 6), FIGURE)
-    yield Case("extraction", "pictures", partial(picture_lines, 1, 5), FIGURE)
+        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 2, drive=True))
+    yield Case("extraction", "evidence", partial(evidence_lines, 1, 4), FIGURE)
+    yield Case("extraction", "pictures", partial(picture_lines, 1, 3), FIGURE)
     for first in (1, 2, 3):
-        yield Case("geometry", f"junctions.{first}", partial(junction_lines, 100 * first, 14))
+        yield Case("geometry", f"junctions.{first}", partial(junction_lines, 100 * first, 10))
     yield Case("geometry", "curves", partial(curve_lines, 1, 16))
     yield Case("geometry", "rectangles", partial(rectangle_lines, 1, 8))
     yield Case("geometry", "sections", partial(section_lines, 1, 16))
     yield Case("geometry", "joined", partial(joined_lines, 1, 8))
-    yield Case("geometry", "networks", partial(network_lines, 1, 6))
+    yield Case("geometry", "networks", partial(network_lines, 1, 4))
     yield Case("geometry", "folds", partial(fold_lines, 1, 9))
     yield Case("handles", "edits", edit_lines)
     for name in HANDLED:
@@ -261,21 +261,21 @@ def _cases() -> Iterable[Case]:
         yield Case("maps", f"{name}.formats", partial(written_lines, name), ROUNDED)
     driven = partial(written_lines, "conditions", driven=True)
     yield Case("maps", "conditions.driven_formats", driven, ROUNDED)
-    yield Case("formulas", "formulas", partial(formula_lines, 1, 70))
+    yield Case("formulas", "formulas", partial(formula_lines, 1, 50))
     yield Case("formulas", "ranges", partial(range_lines, 1000, 160))
     yield Case("formulas", "mining", mining_lines)
-    late = partial(formula_lines, 501, 60, contextual=True)
+    late = partial(formula_lines, 501, 40, contextual=True)
     yield Case("formulas", "contextual_formulas", late)
     yield Case("formulas", "online", partial(online_lines, 1, 40))
     yield Case("formulas", "plot", plot_lines, FIGURE)
     for name in SOURCES:
-        yield Case("language", f"{name}.faults", partial(fault_lines, name, 90))
+        yield Case("language", f"{name}.faults", partial(fault_lines, name, 50))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
-    yield Case("mistakes", "mistakes_edited", partial(edited_mistake_lines, 3))
-    yield Case("mistakes", "habits", partial(habit_lines, 8))
+    yield Case("mistakes", "mistakes_edited", partial(edited_mistake_lines, 2))
+    yield Case("mistakes", "habits", partial(habit_lines, 5))
     yield Case("mistakes", "habits_checked", partial(checked_habit_lines, 2))
-    yield Case("mistakes", "faults_of_samples", partial(fault_of_sample_lines, 6))
+    yield Case("mistakes", "faults_of_samples", partial(fault_of_sample_lines, 4))
     yield Case("language", "files", file_lines, FIGURE)
     yield Case("language", "kinds", kind_lines)
     yield Case("language", "set", set_lines)
@@ -288,7 +288,7 @@ def _cases() -> Iterable[Case]:
     for name in ("values", "cross_signals", "tour"):
         yield Case("scenes", f"{name}.objects", partial(scene_object_lines, name))
     yield Case("searches", "search.objects", partial(search_object_lines, "search"))
-    few = {"evaluations": 60, "batch": 20}
+    few = {"evaluations": 40, "batch": 20}
     for kind in ("cma", "elites", "random", "grid", "halton"):
         worst = kind in ("cma", "grid")
         lines = partial(search_lines, "search", worst, searcher=kind, **few)
