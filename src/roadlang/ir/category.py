@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-ON_FOOT = ("pedestrian", "animal")
+PEDESTRIAN = "pedestrian"
+"""Also among the `users` of lanes"""
+ON_FOOT = (PEDESTRIAN, "animal")
 VEHICLES = ("car", "van", "truck", "bus", "tractor", "trailer", "motorcycle", "bicycle")
 """An object of one of these is parked."""
 AGENTS = (*(name for name in VEHICLES if name != "trailer"), *ON_FOOT)

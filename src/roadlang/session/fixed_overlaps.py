@@ -13,6 +13,7 @@ from typing import Any
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..ir.category import PEDESTRIAN
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Flag, PassCall
 from ..world.placement_faults import DEFAULT_APART
@@ -90,7 +91,10 @@ def _lane(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[object, ...]
         lane = _constant(options["lane"], scenario)
         return (actor.on, lane if lane is not None else actor.name)
     is_agent = actor in scenario.source.agents
-    return (actor.on, "default", is_agent, options.get("facing"))
+    # Pedestrians begin beside the lanes of vehicles where the road has a lane for them.
+    assert isinstance(actor.kind, PassCall)
+    walks = getattr(constant_kind(actor.kind, scenario), "category", "") == PEDESTRIAN
+    return (actor.on, "default", is_agent, walks, options.get("facing"))
 
 
 def _constant(value: Any, scenario: IndexedScenario) -> float | None:

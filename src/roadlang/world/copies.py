@@ -18,7 +18,7 @@ from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build, converted, evaluate
 from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
 from ..geometry.arrays import Booleans, Floats
-from ..ir.category import PAINTED
+from ..ir.category import PAINTED, PEDESTRIAN
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, Measure, PassCall, RandomValue
@@ -103,6 +103,11 @@ class CopyKinds:
     def are_markings(self) -> Booleans:
         """(R,) which of them are paint."""
         return np.array([found.kind.category in PAINTED for found in self.instances], dtype=bool)
+
+    @cached_property
+    def are_pedestrians(self) -> Booleans:
+        """(R,) which of them keep to lanes for pedestrians."""
+        return np.array([found.kind.category == PEDESTRIAN for found in self.instances], dtype=bool)
 
     def _sizes(self, name: str) -> Floats:
         distinct = {id(found): found for found in self.instances}

@@ -14,6 +14,7 @@ from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from .lane_places import is_on_side
 from .road_poses import WrittenPlace, option_value
+from .usual_lanes import lanes_on_foot, walk_at_side
 
 LaneChoice: TypeAlias = tuple[str | int, str, str]
 """`any`, a number, `outer` or a kind of lane; `forward`, `back` or neither; `left`, `right` or
@@ -21,13 +22,16 @@ neither"""
 
 
 def lane_choices(
-    actor: ScenarioActor, copies: CopyBatch, place: WrittenPlace
+    actor: ScenarioActor, copies: CopyBatch, place: WrittenPlace, lanes: LaneGraph
 ) -> list[LaneChoice | None]:
     """(R) what each copy may be in; None of what is in no lane."""
     value = option_value(actor, "lane", copies)
     if value is None:
         in_lane = actor.name in copies.scenario.agents and not actor.is_beside_road
         items: list[Any] = ["any" if in_lane else "none"]
+        on_foot = walk_at_side(actor, copies) if in_lane else None
+        if on_foot is not None and (kind := _kind_on_foot(lanes)):
+            items = np.where(on_foot, kind, items[0]).tolist()
     elif isinstance(value, np.ndarray):
         items = value.reshape(-1).tolist()
     else:
@@ -106,6 +110,12 @@ def _carriageways(lanes: LaneGraph) -> list[tuple[int, ...]]:
 
 def _default_lanes(lanes: LaneGraph, group: tuple[int, ...], default_kind: str) -> list[int]:
     return [n for n in group if _kind(lanes, n) == default_kind] or list(group)
+
+
+def _kind_on_foot(lanes: LaneGraph) -> str:
+    """The kind of lane that pedestrians have on some road, "" where they have none."""
+    sections = (lanes.sections[edge] for edge in lanes.of_edge)
+    return next((s.lane(id).kind for s in sections for id in lanes_on_foot(s)), "")
 
 
 def _kind(lanes: LaneGraph, number: int) -> str:

@@ -17,6 +17,7 @@ from .cross_sections import LaneBatch
 from .named_roads import named_lanes
 from .placement_faults import unknown_lane
 from .road_places import RoadPlaces
+from .usual_lanes import ON_FOOT, lanes_on_foot
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,12 +104,13 @@ def _named_lane(
 ) -> int:
     directed = section.driving_ids("backward" if against else "forward")
     driving = directed or section.driving_ids()
-    if word == "first":
+    on_foot = lanes_on_foot(section) if word == ON_FOOT else []
+    if word == "first" or (word == ON_FOOT and not on_foot):
         of_default_kind = [id for id in driving if section.lane(id).kind == default_kind]
         return next(iter((*of_default_kind, *driving, *section.ids)))
     if word == "outer":
         return (driving or section.ids)[-1]
-    of_kind = [lane.id for lane in section.lanes if lane.kind == word]
+    of_kind = on_foot or [lane.id for lane in section.lanes if lane.kind == word]
     # The side of a one-way road's other direction has no driving lane: it is the other side.
     right = (driving[0] < 0) != (against and not directed) if driving else not against
     nearest = sorted(of_kind, key=lambda id: ((id < 0) != right, abs(id)))

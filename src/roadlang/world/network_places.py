@@ -42,7 +42,7 @@ def begins_in_network(
     or no way leads on. `lengths` are those of the copies. Raises RL613."""
     network = copies.scenario.networks[str(actor.on)]
     lanes = lanes_of_network(network, copies.candidates)
-    choices = lane_choices(actor, copies, written)
+    choices = lane_choices(actor, copies, written, lanes)
     found = Spots.of(copies.count, lanes.lanes[0].edge if lanes.lanes else 0)
     if names_another(actor, copies.scenario):
         walks = LaneWalks(actor, copies, lanes, lengths)

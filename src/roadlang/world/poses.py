@@ -26,6 +26,7 @@ from .road_poses import (
     option_value,
     poses_on_road,
 )
+from .usual_lanes import ON_FOOT, walk_at_side
 
 WIDTH_WITHOUT_ROAD = 7.0
 """Meters, of a crosswalk that is on no road and does not say how wide it is"""
@@ -111,6 +112,9 @@ def _lanes(
     if value is None:
         is_agent = actor.name in copies.scenario.agents
         value = "none" if actor.is_beside_road or not is_agent else "first"
+        on_foot = walk_at_side(actor, copies)
+        if on_foot is not None:
+            value = np.where(on_foot, ON_FOOT, value)
     words = [_word(item) for item in _items(value)]
     if not any(isinstance(word, str) for word in words):
         lane = np.rint(column(value, copies)).astype(np.int64)

@@ -47,7 +47,7 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
             return _far(actor, part.point(0), part.distance(0), parts.index(part) + by_another)
     if by_another:
         return _no_way_from_there(actor, candidates, lanes)
-    choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies))[0]
+    choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies), lanes)[0]
     first = parts[0] if parts else None
     if len(parts) < 2 or first is None or isinstance(first, TurnWords) or choice is None:
         return None  # before a first turn it begins anywhere
