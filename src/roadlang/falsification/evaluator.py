@@ -16,7 +16,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import Scenario
-from ..ir.scene import Scene
+from ..ir.scene import Call, Scene
 from ..judging.acceptance import Acceptance, Measurements
 from ..judging.window_warnings import road_window_warnings
 from ..plugins.finding import entry_of
@@ -82,6 +82,8 @@ class Evaluator:
         self.scenario = index_scenario(task.scenario, task.registry)
         self.acceptance = Acceptance(self.scenario)
         self._screened: list[_Screened] = []
+        self._simulator: tuple[Call | None, Call] | None = None
+        """what the last scene says of how it is driven, and how it is in this search"""
 
     @cached_property
     def _axes(self) -> tuple[Axis, ...]:
@@ -184,14 +186,18 @@ class Evaluator:
 
     def _with_simulator(self, scene: Scene) -> Scene:
         """The scene, which says how it is driven in this search: alone it is the same drive."""
+        if self._simulator is None or self._simulator[0] != scene.simulate:
+            self._simulator = scene.simulate, self._simulator_call(scene)
+        return replace(scene, simulate=self._simulator[1])
+
+    def _simulator_call(self, scene: Scene) -> Call:
         task = self.task
         call = simulator_call(scene, task.registry, task.engine, task.options)
         seconds = task.after_violation
         is_said = seconds is None or call.options.get(AFTER_VIOLATION) is not None
-        if not is_said and self._can_end_early(call.kind):
-            options = {**call.options, AFTER_VIOLATION: seconds}
-            call = replace(call, options=options)
-        return replace(scene, simulate=call)
+        if is_said or not self._can_end_early(call.kind):
+            return call
+        return replace(call, options={**call.options, AFTER_VIOLATION: seconds})
 
     def _can_end_early(self, kind: str) -> bool:
         entry = entry_of(self.task.registry, "simulate", kind)

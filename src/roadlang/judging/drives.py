@@ -15,15 +15,15 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
-from ..plugins.drive_signals import drive_signal_kind, drive_signal_values, named_entities
+from ..plugins.drive_signals import drive_signal_values, named_entities
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry, Registry
-from ..stl import Formula, from_json
+from ..stl import Formula
 from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
 from ..stl.evaluate.satisfaction import zero_satisfies
-from ..stl.formats.evaluation_json import evaluation_from_json
 from ..stl.formula.evaluation_options import EvaluationOptions
+from .drive_formulas import DriveFormula, NamedSignal, drive_formula
 from .verdicts import decided
 from .window_warnings import JudgedAxis, window_warnings
 
@@ -97,66 +97,43 @@ class DriveCondition:
         """Robustness for the values of one choice of members."""
         return float(measured_rho(self.formula, self.trace.time, values, self.evaluation))
 
-    @cached_property
+    @property
     def formula(self) -> Formula:
         """The formula by itself."""
-        return from_json(self.condition["formula"])
+        return self._said.formula
 
-    @cached_property
+    @property
     def evaluation(self) -> EvaluationOptions:
         """How it is evaluated."""
-        return evaluation_from_json(self.condition.get("evaluation", {}))
+        return self._said.evaluation
+
+    @cached_property
+    def _said(self) -> DriveFormula:
+        return drive_formula(self.condition, self.registry)
 
     def choices(self) -> Iterator[tuple[dict[str, AgentTrace], dict[str, Any]]]:
         """For every choice of a member of each group: the members by group, and the variables of
         the formula."""
-        numbers = self.condition.get("numbers", {})
-        signals: Mapping[str, Any] = self.condition.get("signals", {})
-        calls = {name: _TraceSignal(name, call, self) for name, call in signals.items()}
-        members = sorted(frozenset[str]().union(*(call.members for call in calls.values())))
+        said = self._said
+        members = sorted(frozenset[str]().union(*(signal.members for signal in said.signals)))
         for choice in product(*(self.trace.named(name) for name in members)):
             chosen = dict(zip(members, choice, strict=True))
-            values = {name: call.values(chosen) for name, call in calls.items()}
-            yield chosen, {name: float(number) for name, number in numbers.items()} | values
+            values = {signal.variable: self._values(signal, chosen) for signal in said.signals}
+            yield chosen, {**said.numbers, **values}
 
-
-@dataclass(frozen=True)
-class _TraceSignal:
-    """A signal that the formula calls `variable`."""
-
-    variable: str
-    call: Mapping[str, Any]
-    condition: DriveCondition
-
-    @property
-    def entry(self) -> KindEntry:
-        return entry_of(self.condition.registry, "drive_signal", str(self.call["kind"]))
-
-    @property
-    def entities(self) -> dict[str, str]:
-        """The options that name agents and objects, with those names."""
-        return named_entities(self.entry, self.call.get("options", {}))
-
-    @property
-    def members(self) -> frozenset[str]:
-        """The agents and groups of a member signal (`walkers.speed`)."""
-        is_member = drive_signal_kind(self.entry).member
-        return frozenset(self.entities.values() if is_member else ())
-
-    def values(self, chosen: Mapping[str, AgentTrace]) -> Floats:
-        """(T,) the signal of the members `chosen`. Raises RL470, RL474, RL701."""
-        trace, entry = self.condition.trace, self.entry
-        is_member = drive_signal_kind(entry).member
-        options = dict(self.call.get("options", {}))
-        for key, name in self.entities.items():
-            options[key] = chosen[name] if is_member else trace.named(name)
+    def _values(self, signal: NamedSignal, chosen: Mapping[str, AgentTrace]) -> Floats:
+        """(T,) a signal of the members `chosen`. Raises RL470, RL474, RL701."""
+        trace, entry = self.trace, signal.entry
+        options = dict(signal.options)
+        for key, name in signal.entities.items():
+            options[key] = chosen[name] if signal.is_member else trace.named(name)
         values = drive_signal_values(entry, options, trace)
         if values.shape != trace.time.shape:
             fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
             raise wrong_result(entry, None, fault)
         if np.isnan(values).any():
-            signal, engine = self.variable, trace.engine
-            raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=signal, engine=engine))
+            name, engine = signal.variable, trace.engine
+            raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=name, engine=engine))
         return values
 
 

@@ -102,9 +102,9 @@ class Failure:
     @property
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
-        for place, found in enumerate(self._search.failures):
-            if found.outcome == self.outcome:
-                return self._search.failure_drives[place]
+        search, place = self._search, self.rank - 1
+        if search.failures[place].outcome is self.outcome:
+            return search.failure_drives[place]
         return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import KindInstance, row_of_kind
 from ..geometry import DisplacedBatch, displace, over
-from ..geometry.arrays import Floats
+from ..geometry.arrays import Floats, read_only
 from ..ir.batch import BatchRandom, RoadBatch
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
@@ -172,4 +173,12 @@ def _window(call: PassCall, road: RoadBatch, low: float, high: float, taper: flo
     if low == high or reversed_ or low >= end or high <= 0:
         span = call.option_spans.get("over", call.span)
         raise DiagnosticError(interval_off_road(span, road.name, low, high, end))
-    return over(road.stations, low, high, taper, road.period)
+    return _kept_window(road.stations.tobytes(), low, high, taper, road.period)
+
+
+@lru_cache(maxsize=64)
+def _kept_window(
+    stations: bytes, low: float, high: float, taper: float, period: float | None
+) -> Floats:
+    """Kept, as pass after pass and batch after batch is often perturbed on the same interval."""
+    return read_only(over(np.frombuffer(stations), low, high, taper, period))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
@@ -120,12 +120,12 @@ class Bodies:
             "rolling": rolling,
         }
         stacked = self.stacked.copy()
-        columns = {}
+        found = object.__new__(Bodies)  # `replace` takes longer, and drives do this at every step
+        found.__dict__.update(self.__dict__, stacked=stacked)
+        found.__dict__.pop("columns", None)
         for name, values in changed.items():
-            columns[name] = stacked[_STACKED.index(name)]
-            columns[name][rows] = values
-        found = replace(self, **columns)
-        found.__dict__["stacked"] = stacked
+            column = found.__dict__[name] = stacked[_STACKED.index(name)]
+            column[rows] = values
         return found
 
     def take(self, rows: Any) -> Bodies:

@@ -42,6 +42,12 @@ class Motion:
         """That of some agents, in separate arrays."""
         return Motion(**{name: getattr(self, name)[rows] for name in MOTION_COLUMNS})
 
+    def __copy__(self) -> Motion:
+        """The same columns. `copy` would go by way of pickling, at every step."""
+        found = object.__new__(Motion)
+        found.__dict__.update(self.__dict__)
+        return found
+
     def put(self, rows: Any, other: Motion) -> None:
         """Some agents move as they do in `other`."""
         for name in MOTION_COLUMNS:

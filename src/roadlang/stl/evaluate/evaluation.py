@@ -105,7 +105,7 @@ class _Clock:
         return np.frombuffer(self.content)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _plan_at_start(
     formula: f.Formula, boolean: bool, clock: _Clock, wrap: float | None, infinite: bool
 ) -> EvaluationPlan:
