@@ -27,6 +27,7 @@ class CarFollow(SlowsForBends):
     name: ClassVar[str] = "car_follow"
     also_called: ClassVar[tuple[str, ...]] = ("idm", "acc")
     keeps_distance: ClassVar[bool] = True
+    for_vehicles: ClassVar[bool] = True
     speed: Speed = target_speed_option()
     headway: Duration = option(1.5, above=0, maximum=30, help="desired time gap")
     gap: Length = option(STANDING_GAP, minimum=0, help="desired gap at standstill")

@@ -47,6 +47,7 @@ class Traffic(Controller):
     name: ClassVar[str] = "traffic"
     interval: ClassVar[float] = 0.1
     keeps_distance: ClassVar[bool] = True
+    for_vehicles: ClassVar[bool] = True
     speed: Speed | None = option(
         None, above=0, maximum=120, help="target speed; by default the speed limit"
     )

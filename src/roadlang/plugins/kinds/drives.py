@@ -60,6 +60,9 @@ class Controller(Kind):
     """what it leaves to the controller before it, such as "steering": a warning says so where it is
     the first controller of an agent"""
 
+    for_vehicles: ClassVar[bool] = False
+    """whether it drives as vehicles do in a lane: a warning says so of an agent on foot"""
+
     lane_options: ClassVar[tuple[str, ...]] = ()
     """options that hold the id of a lane: one that the road does not have is an error (RL613)"""
 

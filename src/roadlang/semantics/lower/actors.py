@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from ...diagnostics import Code
 from ...ir import scenario as ir
+from ...ir.category import ON_FOOT
 from ...ir.read_only import FrozenDict
-from ...ir.values import NO_OPTIONS, Entity, Options, PassCall, Reference
-from ...plugins.kinds import Controller
+from ...ir.values import NO_OPTIONS, Entity, Options, PassCall, Reference, Value
+from ...plugins.kinds import AgentKind, Controller
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
@@ -53,6 +54,7 @@ def lower_actor(
         return None
     sensors = sensors_of(checker, statement, passes)
     _warn_without_base(checker, name, drive)
+    _warn_on_foot(checker, name, kind.value, drive)
     if on is None and not _fits_without_road(checker, statement):
         return None
     if statement.at is None and route is not None:
@@ -79,6 +81,24 @@ def _warn_without_base(checker: Checker, name: str, drive: tuple[PassCall, ...])
             help="write `drive with traffic` before it; with the same `when`, if the agent is to "
             "stand until then",
         )  # fmt: skip
+
+
+def _warn_on_foot(checker: Checker, name: str, kind: Value, drive: tuple[PassCall, ...]) -> None:
+    """RL294 where an agent that is always on foot is driven as vehicles are."""
+    if not drive:
+        return
+    kinds = [checker.registry.find("agent", call.kind).load() for call in calls_in(kind)]
+    if not kinds or not all(issubclass(k, AgentKind) and k.category in ON_FOOT for k in kinds):
+        return
+    for call in drive:
+        controller = checker.registry.find("drive", call.kind).load()
+        if issubclass(controller, Controller) and controller.for_vehicles and call.span is not None:
+            checker.report(
+                Code.DRIVEN_ON_FOOT, call.span, name=name, kind=kinds[0].name,
+                controller=controller.name,
+                help="write `drive with walk`, or `drive with crossing` for one who crosses the "
+                "road",
+            )  # fmt: skip
 
 
 def _is_network(checker: Checker, name: str) -> bool:
