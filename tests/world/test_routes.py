@@ -175,6 +175,7 @@ def test_a_point_far_from_every_lane(sample: Sample) -> None:
     assert code == "RL617"
     assert message.startswith("(10m, 200m) is 147m from")
     assert "15m" in help_
+    assert "the roads of `town` lie between (5m, 5m) and (165m, 55m)" in help_
 
 
 def test_no_way_against_one_way_roads(sample: Sample) -> None:

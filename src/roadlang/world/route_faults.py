@@ -44,7 +44,7 @@ def route_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic 
         parts = route_parts(actor, copies, lanes)
     for part in parts:
         if isinstance(part, NearPoints) and part.distance(0) > FARTHEST:
-            return _far(actor, part.point(0), part.distance(0), parts.index(part) + by_another)
+            return _far(actor, part, parts.index(part) + by_another, lanes)
     if by_another:
         return _no_way_from_there(actor, candidates, lanes)
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies), lanes)[0]
@@ -90,19 +90,20 @@ def _span_of(actor: ScenarioActor, part: int) -> Span | None:
     return actor.span_of(place if place in actor.option_spans else "route")
 
 
-def _far(
-    actor: ScenarioActor, point: tuple[float, float], distance: float, part: int
-) -> Diagnostic:
+def _far(actor: ScenarioActor, point: NearPoints, part: int, lanes: LaneGraph) -> Diagnostic:
+    x, y = point.point(0)
+    every = np.concatenate([edge.curve.points for edge in lanes.edges.values()])
+    (west, south), (east, north) = every.min(axis=0), every.max(axis=0)
     return diagnose(
         Code.FAR_FROM_LANES,
         _span_of(actor, part),
-        x=f"{point[0]:g}m",
-        y=f"{point[1]:g}m",
-        distance=f"{distance:.3g}m",
+        x=f"{x:g}m",
+        y=f"{y:g}m",
+        distance=f"{point.distance(0):.3g}m",
         network=actor.on,
         name=actor.name,
-        help=f"a point is at most {FARTHEST:g}m from a lane; x counts east, y north, from the "
-        "lower left corner of a picture",
+        help=f"a point is at most {FARTHEST:g}m from a lane; the roads of `{actor.on}` lie between "
+        f"({west:.0f}m, {south:.0f}m) and ({east:.0f}m, {north:.0f}m), x east, y north",
     )
 
 
