@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import tempfile
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
@@ -15,7 +16,7 @@ import numpy as np
 import shapely
 
 from benchmarks.junctions.extracted_networks import drawing
-from benchmarks.junctions.random_networks import random_network
+from benchmarks.junctions.random_networks import KINDS, random_network
 from roadlang.api import Extraction, Extractor, Picture
 from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.testing import sample
@@ -50,15 +51,20 @@ network bent from town {
 """
 
 
-@dataclass(frozen=True)
-class MadeUp(Extractor):
-    """A random town, whatever the picture."""
+def made_up(shape: str, number: int) -> type[Extractor]:
+    """An extractor that finds a random network, whatever the picture."""
 
-    name: ClassVar[str] = "made_up"
+    @dataclass(frozen=True)
+    class MadeUp(Extractor):
+        """A random network."""
 
-    def extract(self, picture: Picture) -> Extraction:
-        """The network alone."""
-        return Extraction(random_network("town", 5).network)
+        name: ClassVar[str] = "made_up"
+
+        def extract(self, picture: Picture) -> Extraction:
+            """The network alone."""
+            return Extraction(random_network(shape, number).network)
+
+    return MadeUp
 
 
 @dataclass
@@ -120,21 +126,36 @@ def _face(road: SceneRoad, end: str) -> tuple[np.ndarray, Any]:
     return np.array([left[chosen][0], right[chosen][0]]), strip
 
 
+def _networks(options: argparse.Namespace) -> Iterator[tuple[str, str, type[Extractor]]]:
+    """Names, texts and what is made up in them."""
+    if not options.kinds:
+        town = made_up("town", 5)
+        yield from (("typed", _TYPED, town), ("drawn", _DRAWN, town), ("made up", _MADE_UP, town))
+    for kind in options.kinds:
+        yield kind, _MADE_UP, made_up(kind, options.seed)
+
+
 def main() -> None:
     """Prints a row for each network."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--variants", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument(
+        "--kinds", nargs="*", choices=list(KINDS), default=[],
+        help="random networks of these kinds, by the seed, in place of the three",
+    )  # fmt: skip
     options = parser.parse_args()
-    print("network   variants junctions faulty corner m overlap m curvature  plans changed  s")
+    print(
+        "network         variants junctions faulty corner m overlap m curvature  plans changed  s"
+    )
     with tempfile.TemporaryDirectory() as folder:
         network = random_network("town", 5).network
         picture = drawing(network, {edge.id: 7.0 for edge in network.edges})
         cv2.imwrite(str(Path(folder) / "town.png"), picture)
-        for name, text in (("typed", _TYPED), ("drawn", _DRAWN), ("made up", _MADE_UP)):
+        for name, text, shape in _networks(options):
             begun = time.process_time()
             scenes = sample(
-                text + _BENT, options.variants, kinds=[MadeUp], seed=options.seed, folder=folder
+                text + _BENT, options.variants, kinds=[shape], seed=options.seed, folder=folder
             )
             spent, faults, first = time.process_time() - begun, Faults(), None
             for scene in (found.record for found in scenes):
@@ -143,7 +164,7 @@ def main() -> None:
             assert first is not None
             places = sum(len(n.junctions) for n in first.networks if n.name == "bent")
             print(
-                f"{name:9} {len(scenes):8} {places:9} {faults.faulty:6} {faults.corner:8.1e} "
+                f"{name:15} {len(scenes):8} {places:9} {faults.faulty:6} {faults.corner:8.1e} "
                 f"{faults.overlap:9.1e} {faults.curvature:9.3f} {faults.changed:14} {spent:.1f}",
                 flush=True,
             )
