@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import shapely
 
 from benchmarks.junctions.checks import check_junction
 from roadlang.geometry import Curve, Edge, Node, RoadNetwork, filleted, network_of_polylines
@@ -40,6 +41,16 @@ def test_no_road_begins_in_a_bend_that_its_inner_border_crosses() -> None:
     bend = 14.0 - 6.0, 14.0 - 6.0 + 6.0 * np.pi / 2.0
     assert plan.trims[3][0] > bend[1] + 1.9 or plan.trims[3][0] < bend[0] - 1.9
     assert faults(plan, network, lanes=4) == [{}]
+
+
+def test_a_bend_of_two_roads_has_no_notch_at_its_outside() -> None:
+    network = network_of_polylines([[(0, 0), (-60, 0)], [(0, 0), (0, 60)]], 7.0)
+    plan = plan_of(network)
+    (joint,) = [junction for junction in plan.junctions if junction.kind == "joint"]
+    area = shapely.Polygon(joint.area)
+    assert area.covers(shapely.Point(1.7, -1.7))  # between the ends at (0, -3.5) and (3.5, 0)
+    assert not area.covers(shapely.Point(2.0, -2.0))
+    assert faults(plan, network) == [{}]
 
 
 def test_a_turn_that_is_sharper_than_its_lane_is_wide_gets_narrower() -> None:

@@ -42,6 +42,8 @@ def surface(
     ]
     parts += [stub(line, min(line.length / 2.0, float(line.s[-1]))) for line in inside]
     parts += [strip(found.fits, row, widths[row]) for row in np.flatnonzero(found.usable).tolist()]
+    if len(place.nodes) == 1 and len(found.arms) == 2:
+        parts.append(_corner_of_bend(found))
     base = shapely.union_all(parts)
     radii = [corner.radius for corner in place.arms.corners if corner.radius is not None]
     radius = max(radii, default=NOSE)
@@ -54,6 +56,15 @@ def surface(
     parts = [part for part in shapely.get_parts(area) if part.geom_type == "Polygon"]
     largest = max(parts, key=lambda part: float(part.area))
     return shapely.Polygon(largest.exterior)
+
+
+def _corner_of_bend(found: Connected) -> Any:
+    """What lies between the square ends of two roads that meet at an angle: without it there would
+    be a notch at the outside of the bend."""
+    import shapely
+
+    corners = [border[0] for arm in found.arms for border in arm.borders(0.0, 1.0)]
+    return shapely.MultiPoint(corners).convex_hull
 
 
 def _apron(face: Face) -> Any:

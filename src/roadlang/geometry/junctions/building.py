@@ -14,7 +14,7 @@ from .area import ring_with_faces, surface
 from .arms import ArmKey, ArmLane, ArmLine
 from .conflicts import conflicts_of, line_shares
 from .connecting import SHARPEST, Connected, pair_widths
-from .connection_curves import sampled
+from .connection_curves import TIGHTEST, sampled
 from .lane_pairs import LanePair
 from .model import Connection, Junction, LaneEnd, Point, Problem, Refusal
 from .places import JunctionSite
@@ -69,8 +69,9 @@ def junction_of(
 
 
 def _connection_widths(found: Connected, row: int) -> tuple[float, float]:
-    """Those of the two lanes of a turn; less where the turn is sharper than they are wide."""
-    most = _MOST_TURNED / max(float(found.fits.peak[row]), 1e-9)
+    """Those of the two lanes of a turn; less where the turn is sharper than they are wide. Sharper
+    turns than are planned come from maps, which may have a kink in a wide one."""
+    most = _MOST_TURNED / min(max(float(found.fits.peak[row]), 1e-9), TIGHTEST)
     source, target = pair_widths(found, found.pairs[row])
     return min(source, most), min(target, most)
 
