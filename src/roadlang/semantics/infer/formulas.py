@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from ...diagnostics import Code, Fix, Span
-from ...ir.dimension import LENGTH, TIME
+from ...ir.dimension import LENGTH, TIME, Dimension
 from ...ir.values import Condition, NumberBinding, Reference
 from ...stl.formula.formulas import And, Comparison, Formula, Not, Truth, compound
 from ...stl.formula.interval import Interval, interval_help
@@ -173,13 +173,18 @@ def as_formula(checker: Checker, typed: TypedExpression, what: str) -> TypedExpr
             return replace(typed, type=FormulaType("scene"), **_flag(typed.value))
         return replace(typed, type=FormulaType("scene"))
     help_ = (
-        ("compare it with something, as in `< 10m`",)
+        (f"compare it with something, as in `< 10{_written_unit(typed.type.dimension)}`",)
         if isinstance(typed.type, Quantity | SignalType)
         else ()
     )
     return checker.report(
         Code.FORMULA_EXPECTED, typed.span, what=what, found=typed.type, help=help_
     )
+
+
+def _written_unit(dimension: Dimension) -> str:
+    """As it is written after a number: `10m/s`, `10/m`."""
+    return dimension.unit.removeprefix("1")
 
 
 def _flag(value: Reference) -> dict[str, Any]:
