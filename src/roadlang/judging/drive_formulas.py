@@ -17,7 +17,7 @@ from ..stl.formula.evaluation_options import EvaluationOptions
 
 
 @dataclass(frozen=True)
-class NamedSignal:
+class VariableSignal:
     """A drive signal that a formula calls `variable`."""
 
     variable: str
@@ -41,7 +41,7 @@ class DriveFormula:
     formula: Formula
     evaluation: EvaluationOptions
     numbers: Mapping[str, float]
-    signals: tuple[NamedSignal, ...]
+    signals: tuple[VariableSignal, ...]
 
 
 def drive_formula(condition: Mapping[str, Any], registry: Registry) -> DriveFormula:
@@ -77,14 +77,14 @@ def _read(condition: Mapping[str, Any], registry: Registry) -> DriveFormula:
         evaluation_from_json(condition.get("evaluation", {})),
         {name: float(number) for name, number in condition.get("numbers", {}).items()},
         tuple(
-            _named_signal(name, call, registry)
+            _variable_signal(name, call, registry)
             for name, call in condition.get("signals", {}).items()
         ),
     )
 
 
-def _named_signal(variable: str, call: Mapping[str, Any], registry: Registry) -> NamedSignal:
+def _variable_signal(variable: str, call: Mapping[str, Any], registry: Registry) -> VariableSignal:
     entry = entry_of(registry, "drive_signal", str(call["kind"]))
     options = call.get("options", {})
     is_member = drive_signal_kind(entry).member
-    return NamedSignal(variable, entry, options, named_entities(entry, options), is_member)
+    return VariableSignal(variable, entry, options, named_entities(entry, options), is_member)

@@ -23,7 +23,7 @@ from ..stl import Formula
 from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
 from ..stl.evaluate.satisfaction import zero_satisfies
 from ..stl.formula.evaluation_options import EvaluationOptions
-from .drive_formulas import DriveFormula, NamedSignal, drive_formula
+from .drive_formulas import DriveFormula, VariableSignal, drive_formula
 from .verdicts import decided
 from .window_warnings import JudgedAxis, window_warnings
 
@@ -121,7 +121,7 @@ class DriveCondition:
             values = {signal.variable: self._values(signal, chosen) for signal in said.signals}
             yield chosen, {**said.numbers, **values}
 
-    def _values(self, signal: NamedSignal, chosen: Mapping[str, AgentTrace]) -> Floats:
+    def _values(self, signal: VariableSignal, chosen: Mapping[str, AgentTrace]) -> Floats:
         """(T,) a signal of the members `chosen`. Raises RL470, RL474, RL701."""
         trace, entry = self.trace, signal.entry
         options = dict(signal.options)
