@@ -61,7 +61,8 @@ class Controller(Kind):
     the first controller of an agent"""
 
     for_vehicles: ClassVar[bool] = False
-    """whether it drives as vehicles do in a lane: a warning says so of an agent on foot"""
+    """whether it drives in a lane as vehicles do: a warning says so where it drives an agent on
+    foot"""
 
     lane_options: ClassVar[tuple[str, ...]] = ()
     """options that hold the id of a lane: one that the road does not have is an error (RL613)"""

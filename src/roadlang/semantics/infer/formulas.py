@@ -173,7 +173,7 @@ def as_formula(checker: Checker, typed: TypedExpression, what: str) -> TypedExpr
             return replace(typed, type=FormulaType("scene"), **_flag(typed.value))
         return replace(typed, type=FormulaType("scene"))
     help_ = (
-        (f"compare it with something, as in `< 10{_written_unit(typed.type.dimension)}`",)
+        (f"compare it with something, as in `> 0{_written_unit(typed.type.dimension)}`",)
         if isinstance(typed.type, Quantity | SignalType)
         else ()
     )
