@@ -73,6 +73,7 @@ def command(
 
     target = Path(folder).absolute()  # before a plugin can change the current folder
     loaded = load(file).with_params(parse_overrides(settings))
+    _ = loaded.scenario  # raises what is wrong with the file, with its warnings
     report(loaded.check())
     with workers_of(cluster, jobs) as workers, ProgressBar("evaluations") as progress:
         search = loaded.falsify(

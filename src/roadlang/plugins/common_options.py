@@ -238,7 +238,7 @@ class FalsifyOptions:
         None,
         above=0,
         help="stop after this time; what is found then depends on the machine",
-        example="10min",
+        example="600s",
     )
     batch: Integer = option(
         250,
