@@ -4,12 +4,14 @@ Other examples: `pytest --hypothesis-profile=seeded --hypothesis-seed=1`.
 """
 
 import os
+from pathlib import Path
 
 # OpenBLAS has kernels for each processor, whose last digits differ. What is stored in tests/golden
 # was computed with these; where extraction counts points, a last digit can become a whole one.
 # Before numpy is imported; other kinds of processors ignore it.
 os.environ.setdefault("OPENBLAS_CORETYPE", "Haswell")
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 settings.register_profile(
@@ -25,3 +27,10 @@ settings.register_profile(
 settings.load_profile("roadlang")
 
 pytest_plugins = ["roadlang.testing", "tests.scene_texts"]
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """With `-m slow`, most files have nothing to run: those are not imported."""
+    if config.option.markexpr != "slow" or not collection_path.name.startswith("test_"):
+        return None
+    return "slow" not in collection_path.read_text(encoding="utf-8") or None

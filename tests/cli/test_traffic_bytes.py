@@ -26,12 +26,12 @@ network town from plan {
   control with signals { green: green, yellow: 2s, offset: 0s..20s }
 }
 agent cars is choice(car, van) on town at random {
-  count: 7
+  count: 5
   drive with traffic { speed_factor: 0.8..1.2, aggression: 0..1 }
 }
 agent walker is pedestrian on town at random { side: right, offset: 1m, drive with walk }
 expect untouched: always (cars.contacts == 0)
-simulate with builtin { duration: 12s }
+simulate with builtin { duration: 8s }
 emit json
 """
 

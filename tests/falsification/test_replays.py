@@ -20,7 +20,7 @@ SLIPPERY = {
 
 @pytest.mark.parametrize("problem", SLIPPERY)
 def test_a_failure_driven_alone_is_the_drive_of_the_search(problem: str, tmp_path: Path) -> None:
-    found = roadlang.loads(SLIPPERY[problem]).falsify(evaluations=120, seed=1)
+    found = roadlang.loads(SLIPPERY[problem]).falsify(evaluations=80, seed=1)
     found.write(tmp_path)
     index = json.loads((tmp_path / "failures/index.json").read_text())
     assert len(index["failures"]) >= 3

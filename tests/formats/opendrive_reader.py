@@ -103,8 +103,9 @@ def pose_of(piece: Element, s: float) -> tuple[float, float, float]:
 
 def arc_length(piece: Element) -> float:
     """How long a geometry element is, by its points."""
-    at = np.linspace(0.0, number(piece, "length"), 2001)
-    points = np.array([pose_of(piece, s)[:2] for s in at[:: 1 if piece[0].tag != "spiral" else 10]])
+    count = {"line": 2, "spiral": 201}.get(piece[0].tag, 501)
+    at = np.linspace(0.0, number(piece, "length"), count)
+    points = np.array([pose_of(piece, s)[:2] for s in at])
     return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -49,7 +50,9 @@ ROADS = {
 }
 
 
+@cache
 def exported(text: str, **options: object) -> tuple[Scene, ReadFile]:
+    """A scene of a text, and what is read of its file: both for all tests that look at them."""
     scene = testing.sample(text)[0].record
     return scene, read(scene, **options)
 
@@ -84,7 +87,7 @@ def read_middles(file: ReadFile) -> MultiLineString:
     lines = []
     for road in file.roads.values():
         if road.junction == -1:
-            at = np.linspace(0.0, road.length, max(2, math.ceil(road.length / 0.25)))
+            at = np.linspace(0.0, road.length, max(2, math.ceil(road.length / 0.4)))
             lines += [[road.middle(id, float(s)) for s in at] for id in road.lane_ids() if id]
     return MultiLineString(lines)
 
@@ -305,7 +308,7 @@ def test_the_header_names_version_and_extent(version: str) -> None:
     assert header.findtext("geoReference") == "+proj=utm +zone=32"
 
 
-@pytest.mark.parametrize("name", ["composed", "drawn_town", "on_ramp", "roundabout", "typed_town"])
+@pytest.mark.parametrize("name", ["composed", "on_ramp", "typed_town"])
 def test_examples_keep_their_lanes_and_turns(name: str) -> None:
     scene = roadlang.load(EXAMPLES / f"{name}.rl").sample(1, seed=0)[0].record
     file = read(scene)

@@ -95,32 +95,31 @@ def decided(kind: str, options: dict[str, float], state: tuple[float, ...]) -> l
     return [None if math.isnan(steering) else steering, float(found.acceleration[0])]
 
 
-def cases() -> list[dict[str, Any]]:
-    """The table as Python decides it now."""
-    return [
-        {
-            "kind": kind,
-            "options": options,
-            "state": [None if math.isinf(value) else value for value in state],
-            "pose": [scene(kind, options, state).agents[0].x,
-                     scene(kind, options, state).agents[0].y,
-                     scene(kind, options, state).agents[0].heading],
-            "control": decided(kind, options, state),
-        }
-        for kind, options in CALLS
-        for state in STATES
-    ]  # fmt: skip
+ASKED = [(kind, options, state) for kind, options in CALLS for state in STATES]
+
+
+def case(kind: str, options: dict[str, float], state: tuple[float, ...]) -> dict[str, Any]:
+    """A row of the table as Python decides it now."""
+    actor = scene(kind, options, state).agents[0]
+    return {
+        "kind": kind,
+        "options": options,
+        "state": [None if math.isinf(value) else value for value in state],
+        "pose": [actor.x, actor.y, actor.heading],
+        "control": decided(kind, options, state),
+    }
 
 
 def table() -> dict[str, Any]:
     """The whole file."""
-    return {"path": path(), "cases": cases()}
+    return {"path": path(), "cases": [case(*asked) for asked in ASKED]}
 
 
 @pytest.mark.parametrize(
-    ("found", "expected"), list(zip(cases(), json.loads(TABLE.read_text())["cases"], strict=True))
+    ("asked", "expected"), list(zip(ASKED, json.loads(TABLE.read_text())["cases"], strict=True))
 )
-def test_python_agrees_with_the_table(found: dict[str, Any], expected: dict[str, Any]) -> None:
+def test_python_agrees_with_the_table(asked: Any, expected: dict[str, Any]) -> None:
+    found = case(*asked)
     assert found["kind"] == expected["kind"]
     assert found["state"] == expected["state"]
     for value, known in zip(found["control"], expected["control"], strict=True):

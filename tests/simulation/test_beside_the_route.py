@@ -30,7 +30,7 @@ def test_bicycles_keep_to_the_line_of_their_lane(drives: str) -> None:
     agent west is bicycle on town at (120m, 13m) {{
       lane: bike, route: [(70m, 50m)], drive with {drives} {{ speed: 6m/s }} }}
     """
-    ((one,)) = testing.sample(text, 1).run("builtin", duration=15.0)
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=15.0, control_step=0.1)
     east, west = one.trace.agents["east"], one.trace.agents["west"]
     assert east.y == pytest.approx(np.full(len(east.y), EAST), abs=0.2)
     assert east.x[-1] > 100.0
@@ -73,14 +73,21 @@ agent rider is bicycle on town at (PLACE) {
 ALONGSIDE, ONCOMING = "139m, 45m..75m", "131m, 205m..225m"
 
 
-@pytest.mark.parametrize("control", ["right_first", "yield", "signals { green: 15s }"])
-@pytest.mark.parametrize(("turn", "place"), [("right", ALONGSIDE), ("left", ONCOMING)])
+@pytest.mark.parametrize(
+    ("turn", "place", "control"),
+    [
+        ("right", ALONGSIDE, "yield"),
+        ("right", ALONGSIDE, "signals { green: 15s }"),
+        ("left", ONCOMING, "right_first"),
+        ("left", ONCOMING, "signals { green: 15s }"),
+    ],
+)
 def test_who_turns_lets_riders_in_the_bike_lane_go_straight_on(
     control: str, turn: str, place: str
 ) -> None:
     text = CROSSING.replace("CONTROL", control).replace("TURN", turn).replace("PLACE", place)
     close = 0
-    for one in testing.sample(text, 4, seed=3).run("builtin", duration=60.0):
+    for one in testing.sample(text, 3, seed=3).run("builtin", duration=60.0, control_step=0.1):
         ego, rider = one.trace.agents["ego"], one.trace.agents["rider"]
         apart = np.hypot(ego.x - rider.x, ego.y - rider.y)
         close += apart.min() < 15.0

@@ -40,7 +40,9 @@ def least_speed(trace: Trace, after: float) -> float:
 
 @pytest.mark.parametrize("kind", ["traffic", "car_follow"])
 def test_a_motorcycle_between_the_lanes_does_not_stop_a_jam(kind: str) -> None:
-    (drive,) = testing.sample(JAM.replace("KIND", kind), 1).run("builtin", duration=35.0)
+    (drive,) = testing.sample(JAM.replace("KIND", kind), 1).run(
+        "builtin", duration=35.0, control_step=0.1
+    )
     trace = drive.trace
     assert not trace.events
     rider, slow = trace.agents["rider"], trace.agents["slow"]

@@ -57,14 +57,14 @@ def decisions(scene: Scene, mirror: Mirror, time: int, trace: object) -> Decisio
     return mirror.decide()
 
 
-@pytest.mark.parametrize("text", [SIDE_BY_SIDE, 0, 6, 13], ids=["road", "cross", "ring", "fork"])
+@pytest.mark.parametrize("text", [SIDE_BY_SIDE, 0, 6], ids=["road", "cross", "ring"])
 def test_alone_as_among_others(text: str | int, tmp_path: Path) -> None:
     if isinstance(text, int):
         pair = random_pair(text)
         pair.write(tmp_path)
         text = pair.right
     (one,) = testing.sample(text, kinds=[Lines], folder=tmp_path, seed=1)
-    scene, trace = one.record, one.run(duration=4.0, control_step=0.1).trace
+    scene, trace = one.record, one.run(duration=3.0, control_step=0.1).trace
     registry = load_registry()
     alone = {name: Alone(found) for name, found in python_controllers(scene, registry).items()}
     step = float(trace.time[1] - trace.time[0])

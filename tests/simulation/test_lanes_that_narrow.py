@@ -154,9 +154,9 @@ def test_who_is_in_a_lane_that_ends_goes_over_to_the_next_in_turn() -> None:
 
 def test_three_lanes_become_one_without_contact() -> None:
     """In most such scenes, who came from the outer lane met who was in the inner one."""
-    for one in testing.sample(FUNNEL, 4, seed=7).run("builtin", duration=34.0):
-        assert not one.trace.events
-        last = [agent.lane[-1] for agent in one.trace.agents.values() if agent.present[-1]]
+    for one in drive(FUNNEL, 3, seed=7, duration=34.0):
+        assert not one.events
+        last = [agent.lane[-1] for agent in one.agents.values() if agent.present[-1]]
         assert last.count(-1.0) >= len(last) - 2
 
 

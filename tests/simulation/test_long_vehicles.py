@@ -137,7 +137,7 @@ def buses(seed: int) -> Any:
     agent buses is bus on town at random { count: 4, drive with traffic }
     """
     )
-    (driven,) = testing.sample(text, 1, seed=seed).run("builtin", duration=60.0)
+    (driven,) = testing.sample(text, 1, seed=seed).run("builtin", duration=60.0, control_step=0.1)
     return driven.trace
 
 

@@ -49,14 +49,14 @@ def test_with_a_free_road_it_passes_and_pulls_in_with_its_gap() -> None:
     assert trace.events == ()
 
 
-def test_no_collision_over_fifty_draws_of_oncoming_traffic() -> None:
-    traces = drive(ROAD + PASSES + ONCOMING, 50, seed=3, duration=70)
-    assert [trace.events for trace in traces] == [()] * 50
-    assert sum(map(passed, traces)) >= 47
+def test_no_collision_over_twenty_draws_of_oncoming_traffic() -> None:
+    traces = drive(ROAD + PASSES + ONCOMING, 20, seed=3, duration=70)
+    assert [trace.events for trace in traces] == [()] * 20
+    assert sum(map(passed, traces)) >= 18
     waits = sum(
         trace.agents["ego"].y[trace.agents["ego"].time < 5].max() < -1.0 for trace in traces
     )
-    assert 3 <= waits <= 47  # it depends on the draw whether it can pass at once
+    assert 2 <= waits <= 18  # it depends on the draw whether it can pass at once
 
 
 def test_who_is_not_beside_the_target_yet_falls_back() -> None:
@@ -87,7 +87,7 @@ def test_it_never_passes_where_the_speed_limit_leaves_nothing_to_gain() -> None:
 def test_in_left_hand_traffic_it_passes_on_the_right() -> None:
     straight = ROAD.replace("arc(500m, 40deg)", "straight(100m)")
     right, left = (
-        drive(straight + PASSES + ONCOMING + f"world {{ traffic: {side} }}", 3, duration=40)
+        drive(straight + PASSES + ONCOMING + f"world {{ traffic: {side} }}", 2, duration=30)
         for side in ("right", "left")
     )
     for one, other in zip(right, left, strict=True):
@@ -95,8 +95,8 @@ def test_in_left_hand_traffic_it_passes_on_the_right() -> None:
 
 
 def test_a_drive_is_the_same_alone_and_in_a_batch() -> None:
-    many = drive(ROAD + PASSES + ONCOMING, 5, seed=3, duration=30)
-    (alone,) = drive(ROAD + PASSES + ONCOMING, 1, seed=3, duration=30)
+    many = drive(ROAD + PASSES + ONCOMING, 3, seed=3, duration=15)
+    (alone,) = drive(ROAD + PASSES + ONCOMING, 1, seed=3, duration=15)
     for column in ("x", "y", "speed", "cross_track_error"):
         values = (getattr(one.agents["ego"], column) for one in (alone, many[0]))
         assert len({value.tobytes() for value in values}) == 1
@@ -118,7 +118,7 @@ agent oncoming is car on street at 190m..295m { facing: back, drive with traffic
     ],
 )
 def test_what_stands_in_the_lane_is_passed_when_the_road_is_free(things: str) -> None:
-    for trace in drive(STANDING + things, 6, duration=60):
+    for trace in drive(STANDING + things, 3, duration=45):
         ego, oncoming = trace.agents["ego"], trace.agents["oncoming"]
         assert trace.events == ()
         assert ego.station.max() > 200.0
@@ -129,7 +129,7 @@ def test_what_stands_in_the_lane_is_passed_when_the_road_is_free(things: str) ->
         assert not (out & meeting).any()
 
 
-@pytest.mark.parametrize("gap", [3, 5, 7])
+@pytest.mark.parametrize("gap", [3, 7])
 def test_it_pulls_out_from_close_behind_a_bus_that_stands(gap: int) -> None:
     (trace,) = drive(f"""
     road main {{ draw with segments {{ pieces: [straight(300m)] }}, lanes: 2, speed_limit: 50km/h }}
@@ -137,7 +137,7 @@ def test_it_pulls_out_from_close_behind_a_bus_that_stands(gap: int) -> None:
     agent ego is car on main at behind(bus, {gap}m) {{
       start_speed: 0m/s, drive with car_follow, drive with overtake {{ target: bus }}
     }}
-    """, duration=30)  # fmt: skip
+    """, duration=24)  # fmt: skip
     assert trace.events == ()
     assert trace.agents["ego"].station[-1] > 200.0
 

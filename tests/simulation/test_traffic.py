@@ -36,9 +36,9 @@ def scene_with(rule: str, plan: str = CROSSING, lanes: int = 2, world: str = "")
 
 
 def test_queues_get_through_without_contact_or_red_lights() -> None:
-    """At four arms and three, under all rules, two scenes each: all in one block."""
+    """At four arms and three, under all rules, all in one block."""
     empty = [(rule, scene_with(rule, plan)) for rule in RULES for plan in (CROSSING, TEE)]
-    cases = [(rule, queues(scene, seed)) for rule, scene in empty for seed in range(2)]
+    cases = [(rule, queues(scene, seed)) for seed, (rule, scene) in enumerate(empty)]
     traces = drive_scenes([scene for _, scene in cases], duration=70.0)
     for (rule, scene), trace in zip(cases, traces, strict=True):
         assert contacts(trace) == [], rule
@@ -51,12 +51,12 @@ def test_queues_get_through_without_contact_or_red_lights() -> None:
 @pytest.mark.parametrize("rule", RULES)
 def test_queues_in_several_lanes_get_through(rule: str) -> None:
     empty = scene_with(rule, lanes=4)
-    scenes = [queues(empty, seed) for seed in range(2)]
-    for scene, trace in zip(scenes, drive_scenes(scenes, duration=90.0), strict=True):
-        assert contacts(trace) == []
-        passed = line_crossings(scene, trace)
-        assert not [name for name, _, red in passed if red]
-        assert len(passed) >= 0.9 * len(scene.agents)
+    scene = queues(empty, 0)
+    (trace,) = drive_scenes([scene], duration=90.0)
+    assert contacts(trace) == []
+    passed = line_crossings(scene, trace)
+    assert not [name for name, _, red in passed if red]
+    assert len(passed) >= 0.9 * len(scene.agents)
 
 
 def lone_car(scene: Scene, distance: float, begins: float, **options: float) -> Scene:
@@ -68,11 +68,11 @@ def lone_car(scene: Scene, distance: float, begins: float, **options: float) -> 
     )
 
 
-@pytest.mark.parametrize("yellow", [0.0, 1.0, 3.0, 5.0])
+@pytest.mark.parametrize("yellow", [0.0, 1.0, 4.0])
 def test_nobody_crosses_at_red_whenever_the_light_changes(yellow: float) -> None:
     control = f"control with signals {{ green: 6s, yellow: {yellow}s, all_red: 1s }}"
     empty = network_scene(CROSSING, f"lanes: 2, speed_limit: 60km/h\n{control}")
-    scenes = [lone_car(empty, distance, 16.0) for distance in np.linspace(20.0, 100.0, 17)]
+    scenes = [lone_car(empty, distance, 16.0) for distance in np.linspace(20.0, 100.0, 9)]
     for scene, trace in zip(scenes, drive_scenes(scenes, duration=40.0), strict=True):
         ((_, _, red),) = line_crossings(scene, trace)
         assert not red
@@ -131,7 +131,7 @@ def test_cars_let_one_pass_that_runs_a_red_light() -> None:
         runs = number == 0
         drives = call("lane_follow", speed=12.0) if runs else call("traffic")
         agents.append(car(scene, f"car{number}", path, drive=drives, speed=12.0))
-    offsets = np.arange(0.0, 20.0, 2.5)
+    offsets = np.arange(0.0, 20.0, 4.0)
     scenes = [_offset(replace(scene, agents=tuple(agents)), offset) for offset in offsets]
     red_lights = 0
     for one, trace in zip(scenes, drive_scenes(scenes, duration=20.0), strict=True):
@@ -258,9 +258,9 @@ def test_the_options_do_what_they_say() -> None:
 
 def test_traffic_alone_is_its_row_of_a_block() -> None:
     scenes = [queues(scene_with(rule), seed, cars=2) for seed, rule in enumerate(RULES)]
-    together = drive_scenes(scenes, duration=20.0)
+    together = drive_scenes(scenes, duration=12.0)
     for scene, trace in zip(scenes, together, strict=True):
-        (alone,) = drive_scenes([scene], duration=20.0)
+        (alone,) = drive_scenes([scene], duration=12.0)
         assert bytes_of(alone) == bytes_of(trace)
 
 
@@ -300,7 +300,7 @@ def test_left_hand_traffic_drives_as_the_mirror_image_of_right_hand_traffic() ->
                 agents.append(car(right, f"{number}.{turn}", path, drive=call("traffic")))
                 images.append(image_of(agents[-1], turn, distance + number, left, 30 * 8.0))
         scenes += [replace(right, agents=tuple(agents)), replace(left, agents=tuple(images))]
-    traces = drive_scenes(scenes, duration=25.0)
+    traces = drive_scenes(scenes, duration=15.0)
     for rule, trace, mirrored in zip(RULES, traces[::2], traces[1::2], strict=True):
         for name, one in trace.agents.items():
             image = mirrored.agents[name]
