@@ -143,17 +143,19 @@ TWEAKED = {
     "pieces": 6,
     "bent": 5,
     "values": 5,
-    "town": 4,
-    "places": 4,
-    "right_places": 4,
-    "picture": 4,
+    "town": 3,
+    "places": 3,
+    "right_places": 2,
+    "picture": 2,
     "table": 4,
     "search": 4,
-    "drawn": 4,
+    "drawn": 2,
     "approaches": 4,
     "copies": 5,
     "joined": 4,
 }
+TWEAKED_TWICE = ("controllers", "lane_changes", "replay")
+"""Until one of their changes can be driven."""
 COMMANDS = (
     ("plugins", "show", "car"),
     ("plugins", "show", "segments"),
@@ -208,14 +210,14 @@ def _cases() -> Iterable[Case]:
         yield Case("drives", f"{name}.drive", partial(_drive, name))
     for first in range(0, 9, 3):
         seeds = range(first, first + 3)
-        yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 16.0))
-    yield Case("drives", "options.drive", partial(option_lines, 9.0))
+        yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 10.0))
+    yield Case("drives", "options.drive", partial(option_lines, 7.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
     for first in range(0, 96, 24):
-        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 4)))
+        yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 3)))
     for first in (0, 24):
-        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 5)))
-    yield Case("towns", "towns.mapped", partial(mapped_lines, range(5)))
+        yield Case("towns", f"towns.{first}", partial(town_lines, range(first, first + 3)))
+    yield Case("towns", "towns.mapped", partial(mapped_lines, range(3)))
     yield Case("mistakes", "odd_kinds", odd_kind_lines)
     for name in FIGURES:
         yield Case("scenes", f"{name}.figure", partial(_figure, name), FIGURE)
@@ -228,25 +230,18 @@ def _cases() -> Iterable[Case]:
     yield Case("scenes", "table.console", partial(console_lines, "table", "-n", "4"))
     for name, changes in TWEAKED.items():
         yield Case("tweaks", f"{name}.tweaks", partial(tweaked_lines, name, changes))
-    for name in (
-        "controllers",
-        "lane_changes",
-        "conditions",
-        "lap",
-        "cross_stop",
-        "replay",
-        "joined",
-    ):
-        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, 2, drive=True))
-    yield Case("extraction", "evidence", partial(evidence_lines, 1, 4), FIGURE)
-    yield Case("extraction", "pictures", partial(picture_lines, 1, 3), FIGURE)
+    for name in (*TWEAKED_TWICE, "conditions", "lap", "cross_stop", "joined"):
+        changes = 2 if name in TWEAKED_TWICE else 1
+        yield Case("tweaks", f"{name}.driven", partial(tweaked_lines, name, changes, drive=True))
+    yield Case("extraction", "evidence", partial(evidence_lines, 1, 2), FIGURE)
+    yield Case("extraction", "pictures", partial(picture_lines, 1, 2), FIGURE)
     for first in (1, 2, 3):
         yield Case("geometry", f"junctions.{first}", partial(junction_lines, 100 * first, 10))
     yield Case("geometry", "curves", partial(curve_lines, 1, 16))
     yield Case("geometry", "rectangles", partial(rectangle_lines, 1, 8))
     yield Case("geometry", "sections", partial(section_lines, 1, 16))
     yield Case("geometry", "joined", partial(joined_lines, 1, 8))
-    yield Case("geometry", "networks", partial(network_lines, 1, 4))
+    yield Case("geometry", "networks", partial(network_lines, 1, 3))
     yield Case("geometry", "folds", partial(fold_lines, 1, 9))
     yield Case("handles", "edits", edit_lines)
     for name in HANDLED:
@@ -269,12 +264,12 @@ def _cases() -> Iterable[Case]:
     yield Case("formulas", "online", partial(online_lines, 1, 40))
     yield Case("formulas", "plot", plot_lines, FIGURE)
     for name in SOURCES:
-        yield Case("language", f"{name}.faults", partial(fault_lines, name, 50))
+        yield Case("language", f"{name}.faults", partial(fault_lines, name, 30))
         yield Case("language", f"{name}.scenario", partial(scenario_lines, name))
     yield Case("language", "mistakes", mistake_lines)
-    yield Case("mistakes", "mistakes_edited", partial(edited_mistake_lines, 2))
+    yield Case("mistakes", "mistakes_edited", partial(edited_mistake_lines, 1))
     yield Case("mistakes", "habits", partial(habit_lines, 5))
-    yield Case("mistakes", "habits_checked", partial(checked_habit_lines, 2))
+    yield Case("mistakes", "habits_checked", partial(checked_habit_lines, 1))
     yield Case("mistakes", "faults_of_samples", partial(fault_of_sample_lines, 4))
     yield Case("language", "files", file_lines, FIGURE)
     yield Case("language", "kinds", kind_lines)
@@ -288,12 +283,12 @@ def _cases() -> Iterable[Case]:
     for name in ("values", "cross_signals", "tour"):
         yield Case("scenes", f"{name}.objects", partial(scene_object_lines, name))
     yield Case("searches", "search.objects", partial(search_object_lines, "search"))
-    few = {"evaluations": 40, "batch": 20}
+    few = {"evaluations": 24, "batch": 12}
     for kind in ("cma", "elites", "random", "grid", "halton"):
         worst = kind in ("cma", "grid")
         lines = partial(search_lines, "search", worst, searcher=kind, **few)
         yield Case("searches", f"search.{kind}", lines)
-    falsify = ("falsify", "--evaluations", "40", "--seed", "5", "--batch", "20")
+    falsify = ("falsify", "--evaluations", "24", "--seed", "5", "--batch", "12")
     yield Case("searches", "search.page", partial(command_lines, *falsify), FIGURE)
     yield Case("searches", "run.page", partial(command_lines, "run", "-n", "2"), FIGURE)
     yield Case("searches", "rival.env", partial(environment_lines, "rival", scenes=3))

@@ -115,8 +115,8 @@ def mining_lines() -> Iterator[str]:
             yield f"{text} {options}"
             try:
                 yield f"  {stl.mine(text, parameters, recordings, **options)}"
-                if len(parameters) > 1 and options in ways[:2]:
-                    for point in stl.mine_front(text, parameters, recordings, points=5, **options):
+                if len(parameters) > 1 and not options:
+                    for point in stl.mine_front(text, parameters, recordings, points=4, **options):
                         yield f"  front {point}"
             except DiagnosticError as fault:
                 yield f"  {fault}".replace("\n", " / ")

@@ -111,5 +111,5 @@ def scene_object_lines(name: str) -> Iterator[str]:
 
 def search_object_lines(name: str) -> Iterator[str]:
     """What a search has found."""
-    found = loaded(name).falsify(seed=SEED, searcher="random", evaluations=40, batch=20)
+    found = loaded(name).falsify(seed=SEED, searcher="random", evaluations=24, batch=12)
     yield from Description().lines(found, "found")

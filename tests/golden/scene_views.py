@@ -7,6 +7,7 @@ import io
 import json
 import tempfile
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +26,9 @@ def loaded(name: str) -> LoadedScenario:
     return LoadedScenario(path.read_text(encoding="utf-8"), path, {}, registry_of({}))
 
 
+@cache
 def sampled(name: str, count: int | None) -> SceneSet:
-    """Its scenes, also those of a scenario that falls short of `count`."""
+    """Its scenes, also those of a scenario that falls short of `count`: once for many cases."""
     try:
         return loaded(name).sample(count, seed=SEED)
     except NoSceneError as error:
