@@ -117,6 +117,26 @@ def test_cma_begins_with_random_candidates_that_satisfy_the_requirements() -> No
     assert first[:, 1].std() > 0.2
 
 
+def test_cma_begins_anew_where_nothing_fails_for_long_if_random_candidates_can_be_driven() -> None:
+    def away(points: Floats) -> Floats:
+        return np.asarray(np.abs(points - 0.3).mean(axis=1))
+
+    def medians(screen: Callable[[Floats], Floats]) -> list[float]:
+        search, found = Cma().start(CONTINUOUS, seed=3), []
+        search.screen_with(screen)
+        for count in (240, 240, 20, 20):
+            points = search.ask(count)
+            search.tell(points, 0.1 + 0.5 * away(points), points)
+            found.append(float(np.median(away(points))))
+        return found
+
+    *_, near, anew = medians(lambda points: np.zeros(len(points)))
+    assert near < 0.1
+    assert anew > 0.2
+    *_, near, still = medians(lambda points: np.where(away(points) < 0.1, 0.0, 1.5))
+    assert max(near, still) < 0.1
+
+
 def test_a_near_miss_whose_neighbors_are_no_better_is_given_up() -> None:
     near_misses = NearMisses(np.random.Generator(np.random.Philox(key=1)), APART)
     best, beside, elsewhere = np.full(3, 0.2), np.full(3, 0.25), np.full(3, 0.8)

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from roadlang.geometry import Floats
 
+    from .failure_spread import FailureSpread
+
 
 _FIRST_BATCH, _GROWTH = 11, 6
 """Candidates in the first batches, and how many more for each distinct failure that is known."""
@@ -26,6 +28,10 @@ _ROUNDS = 6
 """How often candidates are drawn until there are enough that satisfy the requirements."""
 _STALE = 10
 """Generations without a better point after which a run has stagnated."""
+_FRUITLESS = 500
+"""Evaluations without a failure after which all that is known is forgotten. Until then a failure in
+the next hundred becomes no less likely; a search that has found none by then is near safe drives
+from which none can be reached, and seldom leaves them."""
 
 
 @dataclass(frozen=True)
@@ -33,11 +39,11 @@ class Cma(Searcher):
     """CMA-ES (Hansen and Ostermeier 2001) with restarts, and a model of what was evaluated: the
     default. It begins with random candidates. Until something fails, half of each batch is near the
     two drives that came nearest to it (near others where three batches find nothing better), and
-    half where a model of the drives so far leaves hope; then all are around failures, each unlike
-    those that are known. Most candidates that violate a requirement are replaced before they are
-    evaluated, which costs a small part of a drive; they are not counted. The strategy leads to
-    scenes that satisfy the requirements where none is found at random, and has what `spread`
-    leaves."""
+    half where a model of the drives so far leaves hope; after 500 evaluations without a failure it
+    forgets them and begins anew. Then all are around failures, each unlike those that are known.
+    Most candidates that violate a requirement are replaced before they are evaluated, which costs a
+    small part of a drive; they are not counted. The strategy leads to scenes that satisfy the
+    requirements where none is found at random, and has what `spread` leaves."""
 
     name: ClassVar[str] = "cma"
     is_default: ClassVar[bool] = True
@@ -73,17 +79,18 @@ class CmaSearch(Search):
         import numpy as np
 
         from .cube_encoding import CubeEncoding
-        from .failure_spread import FailureSpread
 
         self._random = np.random.Generator(np.random.Philox(key=seed % 2**64))
         self._encoding = CubeEncoding(axes)
         self._options = options
         self._screen: Callable[[Floats], Floats] = _unscreened
-        self._spread = FailureSpread(self._random, self._encoding.choices, self._screened)
+        self._spread = self._new_spread()
         self._runs: list[_Run] = []
         self._started = 0
         self._population = 0
         self._told = 0
+        self._begun = 0
+        """how much was told before there were parents, or since all were forgotten"""
         self._pending: list[tuple[_Run | FailureSpread, Floats]] = []
 
     def screen_with(self, screen: Callable[[Floats], Floats]) -> None:
@@ -103,8 +110,7 @@ class CmaSearch(Search):
         self._population = self._population or max(_SMALLEST, round(0.5 * count))
         share = round(count * self._options.spread)
         if share:
-            has_parents = self._spread.has_parents
-            spread = self._spread.ask(share) if has_parents else self._drawn(share)
+            spread = self._around(share)
             self._pending.append((self._spread, spread))
             count -= len(spread)
         number = 0
@@ -127,6 +133,23 @@ class CmaSearch(Search):
             if isinstance(source, _Run) and source.tell(vectors, values[part], restart):
                 self._runs.remove(source)
             self._spread.tell(vectors, values[part], descriptors[part])
+        if not self._spread.has_parents:
+            self._begun = self._told
+
+    def _around(self, count: int) -> Floats:
+        """At most `count` vectors around failures and near misses. While there are none, or after
+        a long time without a failure, they are random: where a search ends up depends on where it
+        began."""
+        if not self._spread.has_parents:
+            return self._drawn(count)
+        if len(self._spread) or self._told - self._begun < _FRUITLESS:
+            return self._spread.ask(count)
+        self._begun = self._told
+        drawn = self._drawn(count)
+        if len(drawn) < count:  # what the strategy has led to would not be found again
+            return self._spread.ask(count)
+        self._spread = self._new_spread()
+        return drawn
 
     def _drawn(self, count: int) -> Floats:
         """At most `count` random vectors that satisfy the requirements."""
@@ -142,6 +165,11 @@ class CmaSearch(Search):
 
     def _screened(self, vectors: Floats) -> Floats:
         return self._screen(self._encoding.points(vectors))
+
+    def _new_spread(self) -> FailureSpread:
+        from .failure_spread import FailureSpread
+
+        return FailureSpread(self._random, self._encoding.choices, self._screened)
 
     def _new_run(self) -> _Run:
         import numpy as np
