@@ -105,6 +105,17 @@ def test_a_scene_may_fail_without_any_of_its_draws(
     assert "it fails with all of its 4 random values at their simplest" in capsys.readouterr().out
 
 
+def test_a_failure_that_is_not_the_worst_shrinks_too() -> None:
+    Path("bend.rl").write_text(
+        TEXT.replace("simulate", "expect slower: always (ego.speed < 8m/s)\nsimulate")
+    )
+    assert run(["falsify", "bend.rl", "-o", "out", "--evaluations", "8"]) == 4
+    second = Path("out/failures/0002.json")
+    assert failure_in(second).rank == 2
+    assert run(["shrink", str(second)]) == 0
+    assert second.with_name("0002.shrunk.svg").read_text().startswith("<svg")
+
+
 def shrunk_of(failure: Path) -> Path:
     return failure.with_name("0001.shrunk.json")
 
