@@ -21,7 +21,8 @@ _FIRST_BATCH, _GROWTH = 11, 6
 """Candidates in the first batches, and how many more for each distinct failure that is known."""
 _SHARE = 1 / 30
 """Of all candidates so far, the part that a batch has at least: where failures are rare, a search
-does not consist of very many small batches."""
+does not consist of very many small batches. Until something fails, what is forgotten does not
+count: one that begins anew learns from small batches again."""
 _SMALLEST = 6
 """Points in a generation, at least."""
 _ROUNDS = 6
@@ -98,7 +99,8 @@ class CmaSearch(Search):
 
     def batch_size(self, most: int) -> int:
         known = _FIRST_BATCH + _GROWTH * len(self._spread)
-        return min(most, max(known, round(_SHARE * self._told)))
+        told = self._told if len(self._spread) else self._told - self._begun
+        return min(most, max(known, round(_SHARE * told)))
 
     def ask(self, count: int) -> Floats:
         import numpy as np
