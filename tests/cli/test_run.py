@@ -124,8 +124,8 @@ def test_results_say_what_they_were_made_from_and_how_to_make_them_again() -> No
 
 
 def test_processes_change_nothing() -> None:
-    run(["run", "bend.rl", "-n", "4", "-o", "one"])
-    run(["run", "bend.rl", "-n", "4", "-o", "two", "--jobs", "2"])
+    run(["run", "bend.rl", "-n", "3", "-o", "one"])
+    run(["run", "bend.rl", "-n", "3", "-o", "two", "--jobs", "2"])
     names = {path.name for path in Path("one").iterdir()}
     assert names == {path.name for path in Path("two").iterdir()}
     for name in names:

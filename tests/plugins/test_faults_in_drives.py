@@ -52,7 +52,10 @@ expect far: always (distance(ego, lead) > 40m)
 
 def seconds(scenes: Sequence[Scene]) -> list[float]:
     """How long scenes are driven side by side; a second beyond their violations."""
-    registry, simulator = load_registry(), Builtin(after_violation=1.0, duration=30.0)
+    registry, simulator = (
+        load_registry(),
+        Builtin(after_violation=1.0, duration=20.0, control_step=0.1),
+    )
     controllers = [python_controllers(scene, registry) for scene in scenes]
     return [float(trace.time[-1]) for trace in simulator.drive_all(scenes, controllers)]
 
@@ -63,7 +66,7 @@ def scenes_of(text: str, n: int) -> list[Scene]:
 
 def test_a_signal_that_fails_in_one_scene_lets_the_others_end_early(site: Path) -> None:
     install(site, "fragile", FRAGILE)
-    scenes = scenes_of(SCENE, 8)
+    scenes = scenes_of(SCENE, 5)
     together = seconds(scenes)
     assert together == [seconds([scene])[0] for scene in scenes]
     is_slow = [scene.values["first"] < 20.0 for scene in scenes]
@@ -72,7 +75,7 @@ def test_a_signal_that_fails_in_one_scene_lets_the_others_end_early(site: Path) 
 
 
 def test_an_agent_that_one_scene_lacks_lets_the_others_end_early() -> None:
-    scenes = scenes_of(PRESENT, 8)
+    scenes = scenes_of(PRESENT, 5)
     assert {len(scene.agents) for scene in scenes} == {1, 2}
     together = seconds(scenes)
     assert together == [seconds([scene])[0] for scene in scenes]

@@ -38,7 +38,7 @@ def cutting(gap: float, start: int, lane: int = -1, speed: int = 20) -> str:
 def test_it_ends_in_front_of_its_target_with_the_gap() -> None:
     """From behind, beside and ahead of it, from the left and from the right."""
     cases = list(product((6.0, 15.0), (110, 150, 185), (-1, -2)))
-    traces = drive_together((cutting(*case) for case in cases), duration=30)
+    traces = drive_together((cutting(*case) for case in cases), duration=22)
     for case, trace in zip(cases, traces, strict=True):
         ego, cutter = trace.agents["ego"], trace.agents["cutter"]
         assert trace.events == (), case
@@ -186,7 +186,7 @@ agent fast is car on motorway at 30m..60m {
 def test_who_turned_back_changes_one_lane_only() -> None:
     """Its center may be in the new lane for a moment after it has turned back: what is to the left
     of that is not where it wants to go."""
-    for one in testing.sample(RAMP, 7, seed=3).run("builtin", duration=26.0):
+    for one in testing.sample(RAMP, 4, seed=3).run("builtin", duration=26.0):
         ego = one.trace.agents["ego"]
         assert ego.lane.max() == -2
         assert ego.speed.min() > 8.0, "those in the lane let it in"

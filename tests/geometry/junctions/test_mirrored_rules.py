@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cache
 
 import pytest
 from hypothesis import assume, given, settings
@@ -23,7 +24,8 @@ STARS = [
 ]  # fmt: skip
 
 
-def junction_of(degrees: list[float], left_hand: bool) -> Junction:
+@cache
+def junction_of(degrees: tuple[float, ...], left_hand: bool) -> Junction:
     network = star(*degrees)
     sections = sections_of(network)
     if left_hand:
@@ -34,7 +36,7 @@ def junction_of(degrees: list[float], left_hand: bool) -> Junction:
 def both(degrees: list[float], mirror: Mirror, order: list[int]) -> tuple[Junction, Junction]:
     """The junction, and the mirrored one, whose roads are drawn in another order."""
     image = [mirror(degrees[place]) for place in order]
-    return junction_of(degrees, False), junction_of(image, True)
+    return junction_of(tuple(degrees), False), junction_of(tuple(image), True)
 
 
 def roads(junction: Junction, ids: tuple[int, ...], order: list[int] | None) -> set[int]:
@@ -81,7 +83,7 @@ def test_any_junction_has_mirrored_phases_and_minor_roads(
 
 
 def test_in_left_hand_traffic_right_turns_yield_to_oncoming_traffic() -> None:
-    junction = junction_of([0, 90, 180, 270], True)
+    junction = junction_of((0, 90, 180, 270), True)
     found = yields(junction.connections, junction.conflicts, left_hand=junction.left_hand)
     assert found == junction.yields
     by_id = {one.id: one for one in junction.connections}
