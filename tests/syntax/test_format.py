@@ -52,7 +52,7 @@ def test_any_tree_is_read_back_as_it_was_printed(tree: ast.File) -> None:
 
 @pytest.mark.slow
 @given(files())
-@settings(slow_to_draw, max_examples=125)
+@settings(slow_to_draw, max_examples=75)
 def test_very_many_trees_are_read_back(tree: ast.File) -> None:
     again, found = parse(Source("printed.rl", format_file(tree)))
     assert not found

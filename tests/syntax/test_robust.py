@@ -70,4 +70,4 @@ def test_damaged_samples_are_survived() -> None:
 
 @pytest.mark.slow
 def test_many_damaged_samples_are_survived() -> None:
-    _damage(2_000, seed=2)
+    _damage(1_000, seed=2)
