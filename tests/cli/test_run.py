@@ -148,7 +148,9 @@ def test_an_interrupted_run_goes_on(capsys: pytest.CaptureFixture[str]) -> None:
 def test_the_run_of_another_seed_is_not_gone_on_with(capsys: pytest.CaptureFixture[str]) -> None:
     run(["run", "bend.rl", "-o", "out"])
     assert run(["run", "bend.rl", "-o", "out", "--seed", "7", "--resume"]) == 2
-    assert "RL702" in capsys.readouterr().err
+    refused = capsys.readouterr().err
+    assert "RL702" in refused
+    assert "leave out `--resume`" in refused
 
 
 def test_a_scene_that_compile_wrote_is_driven_as_it_is() -> None:

@@ -10,6 +10,7 @@ import pytest
 from gymnasium.spaces import Box, Dict
 
 from roadlang.api import ReadingArray
+from roadlang.envs import SceneEnv
 from roadlang.envs.episode_rewards import reward_function
 from roadlang.envs.observed import joined, observation_space, row_of
 from roadlang.envs.spaces import checked_actions
@@ -50,13 +51,26 @@ def test_batches_are_joined_and_taken_apart_by_rows() -> None:
 
 
 def test_actions_are_held_within_their_space() -> None:
-    held = checked_actions([[-2.0, 0.5], [np.inf, -np.inf]], 2)
+    held = checked_actions([[-2.0, 0.5], [np.inf, -np.inf]], 2, 2)
     assert held.tolist() == [[-1.0, 0.5], [1.0, -1.0]]
     for wrong in ([[1.0, 0.0]], [[1.0], [0.0]], [1.0, 0.0]):
-        with pytest.raises(ValueError, match="actions have the shape"):
-            checked_actions(wrong, 2)
+        with pytest.raises(ValueError, match=r"must have the shape \(2, 2\), not"):
+            checked_actions(wrong, 2, 2)
+    with pytest.raises(ValueError, match=r"must have the shape \(2,\), not \(1,\)"):
+        checked_actions([0.0], 2)
     with pytest.raises(ValueError, match="not a number"):
-        checked_actions([[0.0, 0.0], [np.nan, 0.0]], 2)
+        checked_actions([[0.0, 0.0], [np.nan, 0.0]], 2, 2)
+
+
+@pytest.mark.parametrize(
+    ("name", "help"),
+    [("scene", "did you mean `scenes`"), ("render_mode", "its settings are agent")],
+)
+def test_a_setting_that_there_is_not_is_named_with_those_that_there_are(
+    name: str, help: str
+) -> None:
+    with pytest.raises(TypeError, match=f"SceneEnv has no setting `{name}`: {help}"):
+        SceneEnv("never_read.rl", None, **{name: 3})
 
 
 def happened(**margins: list[float]) -> Any:

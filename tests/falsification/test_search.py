@@ -227,15 +227,22 @@ def test_several_islands_search_side_by_side() -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "code"),
+    ("change", "code", "help"),
     [
-        (lambda text: text.split("expect in_lane")[0] + "simulate with slider", "RL703"),
-        (lambda text: text.replace("8m/s..14m/s", "9m/s").replace(PERTURBED, ""), "RL705"),
+        (lambda text: text.split("expect in_lane")[0] + "simulate with slider", "RL703", "add one"),
+        (
+            lambda text: text.replace("8m/s..14m/s", "9m/s").replace(PERTURBED, ""),
+            "RL705",
+            "write a range",
+        ),
     ],
 )
-def test_what_cannot_be_searched_is_refused(change: Callable[[str], str], code: str) -> None:
-    with pytest.raises(DiagnosticError, match=code):
+def test_what_cannot_be_searched_is_refused(
+    change: Callable[[str], str], code: str, help: str
+) -> None:
+    with pytest.raises(DiagnosticError, match=code) as refused:
         slides(change(TEXT)).falsify(evaluations=10)
+    assert help in refused.value.diagnostics[0].help[0]
 
 
 def test_an_expectation_that_does_not_exist_is_refused() -> None:

@@ -68,5 +68,5 @@ def test_lines_are_read_of_any_key_but_damaged_and_unfinished_ones_are_not(path:
 @pytest.mark.parametrize("header", [b'{"schema": "other"}', b"[]", b'"text"'])
 def test_another_file_is_no_journal(path: Path, header: bytes) -> None:
     path.write_bytes(header + b'\n{"a": 1}\n')
-    with pytest.raises(ValueError, match="it is no journal of roadlang"):
+    with pytest.raises(ValueError, match="it is not a journal of roadlang"):
         read_lines(path)

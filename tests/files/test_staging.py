@@ -204,6 +204,7 @@ def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
     with pytest.raises(DiagnosticError) as refused:
         fill(tmp_path / "out", "a")
     assert refused.value.diagnostics[0].code == "RL460"
+    assert "`out` is a file, not a folder" in refused.value.diagnostics[0].message
     assert (tmp_path / "out").read_text() == "mine"
 
 

@@ -209,7 +209,14 @@ def test_from_the_command_line(
     assert target.read_text().startswith("<!doctype html>")
 
 
-@pytest.mark.parametrize("kind", ["nothing", "file", "empty"])
+SAID = {
+    "nothing": "there is no such folder",
+    "file": "it is a file",
+    "empty": f"there is no {RESULTS_FILE}",
+}
+
+
+@pytest.mark.parametrize("kind", SAID)
 def test_without_results_there_is_a_diagnostic(
     kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -221,7 +228,8 @@ def test_without_results_there_is_a_diagnostic(
     assert run(["report", str(folder)]) == 2
     said = capsys.readouterr().err
     assert "RL720" in said
-    assert (f"there is no {RESULTS_FILE}" if kind == "empty" else "it is no folder") in said
+    assert SAID[kind] in said
+    assert f"`roadlang run FILE -o {folder}` makes them" in said
     assert not (folder / "report.html").exists()
 
 

@@ -201,6 +201,12 @@ HABITS = [
     ),
     (EGO + "expect e: always (ego.lane < 1m)", "RL205", "`ego.lane_offset` is a length", None),
     (EGO + "expect e: always (not collides(ego, main))", "RL225", "ego.contacts", None),
+    (
+        "falsify with halton { sigma: 0.3 }",
+        "RL220",
+        "`sigma` is an option of `falsify with cma`",
+        None,
+    ),
     (BENT.replace("9m", "[5m, 9m]"), "RL206", "`5m..9m`", "5m..9m"),
     (BENT.replace("9m", "(5m, 9m)"), "RL206", "`5m..9m`", "5m..9m"),
     (BENT.replace("9m", "9m, over: 2m..90m"), "RL206", "`[2m, 90m]`", "[2m, 90m]"),

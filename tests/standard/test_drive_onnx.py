@@ -89,6 +89,7 @@ def test_the_digest_of_the_network_is_in_the_manifest(
     [
         (lambda path: path.write_bytes(b"no network"), "it cannot be loaded"),
         (lambda path: network(path, inputs=7), r"not float32 (1, 19)"),
+        (lambda path: network(path, inputs=29), "the network fits with `agents: 2`"),
         (lambda path: network(path, np.zeros((FEATURES + 1, 3))), r"not (1, 2)"),
         (lambda path: network(path, np.full((FEATURES + 1, 2), np.nan)), "is not finite"),
     ],

@@ -19,6 +19,8 @@ from roadlang.api import (
 if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
 
+MOST_AGENTS = 100
+
 
 @dataclass(frozen=True)
 class OnnxController(Controller):
@@ -32,7 +34,9 @@ class OnnxController(Controller):
     distances: ListOf[Length] = option(
         (5.0, 10.0, 20.0, 30.0, 50.0), help="distances ahead at which it observes the path"
     )
-    agents: Integer = option(4, minimum=0, maximum=100, help="number of other agents it observes")
+    agents: Integer = option(
+        4, minimum=0, maximum=MOST_AGENTS, help="number of other agents it observes"
+    )
     steering: Angle = option(0.61, above=0, maximum=1.5, help="value of an output of 1")
     acceleration: Acceleration = option(4.0, above=0, maximum=20, help="value of an output of 1")
     deceleration: Acceleration = option(8.0, above=0, maximum=20, help="value of an output of -1")
@@ -49,6 +53,18 @@ class OnnxController(Controller):
         distances = tuple(rows[0].tolist())
         agents = int(np.ravel(self.agents)[0])
         vectors = ObservationVector(distances, agents).of(observations)
-        wanted = policy(self.model).wanted(vectors, observations.sensors)
+        network = policy(self.model)
+        help_ = _agents_of(network.width, distances)
+        wanted = network.wanted(vectors, observations.sensors, help_)
         scale = np.where(wanted[:, 1] < 0.0, self.deceleration, self.acceleration)
         return ControlBatch(wanted[:, 0] * self.steering, wanted[:, 1] * scale)
+
+
+def _agents_of(width: int | None, distances: tuple[float, ...]) -> tuple[str, ...]:
+    """Help: the number of other agents with which a network of that width fits, if one does."""
+    from roadlang.api import ObservationVector
+
+    alone, one = (len(ObservationVector(distances, agents).names) for agents in (0, 1))
+    agents, rest = divmod((width or 0) - alone, one - alone)
+    fits = rest == 0 and 0 <= agents <= MOST_AGENTS
+    return (f"the network fits with `agents: {agents}`",) if fits else ()

@@ -29,7 +29,9 @@ class Grid(Searcher):
         """Raises RL614 beyond ten million combinations."""
         levels = [axis.levels(self.steps) for axis in axes]
         if prod(map(len, levels)) > MOST_COMBINATIONS:
-            raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST_COMBINATIONS:,}"))
+            most = f"{MOST_COMBINATIONS:,}"
+            help_ = "use fewer `steps`, make fewer values random, or `falsify with halton`"
+            raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=most, help=help_))
         return _GridSearch(levels)
 
 

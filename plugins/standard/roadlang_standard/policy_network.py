@@ -39,15 +39,16 @@ class Policy:
     readings: tuple[tuple[Any, str, str], ...]
 
     def wanted(
-        self, vectors: NDArray[np.float32], sensors: Mapping[str, Reading]
+        self, vectors: NDArray[np.float32], sensors: Mapping[str, Reading], help: tuple[str, ...]
     ) -> NDArray[np.float64]:
         """What (N, 2) it gives for vectors (N, F) and readings of N agents, within -1 and 1.
 
-        Each agent is asked for alone: the same bytes, whoever else is asked for. Raises RL741.
+        Each agent is asked for alone: the same bytes, whoever else is asked for. Raises RL741, with
+        the `help` where F does not fit.
         """
         columns: dict[str, NDArray[Any]] = {}
         if self.vector is not None:
-            columns[self.vector.name] = self._fitting(self.vector, vectors)
+            columns[self.vector.name] = self._fitting(self.vector, vectors, help)
         for input_, sensor, array in self.readings:
             if sensor not in sensors or array not in sensors[sensor]:
                 known = [f"{name}.{of}" for name, found in sensors.items() for of in found]
@@ -67,7 +68,15 @@ class Policy:
             raise _unusable(self.name, "it gave a number that is not finite")
         return np.minimum(np.maximum(out, -1.0), 1.0)
 
-    def _fitting(self, input_: Any, column: NDArray[Any]) -> NDArray[Any]:
+    @property
+    def width(self) -> int | None:
+        """F, where it is fixed."""
+        shape = () if self.vector is None else tuple(self.vector.shape)
+        return shape[1] if len(shape) == 2 and isinstance(shape[1], int) else None
+
+    def _fitting(
+        self, input_: Any, column: NDArray[Any], help: tuple[str, ...] = ()
+    ) -> NDArray[Any]:
         """A column (N, ...) as an input takes it. Raises RL741 where the shape is another."""
         shape = column.shape[1:] or (1,)
         if input_.type not in _TYPES or not _fits(input_.shape, shape):
@@ -76,6 +85,7 @@ class Policy:
                 self.name,
                 f"its input `{input_.name}` is {input_.type} {input_.shape}, not float32 "
                 f"(1, {listed})",
+                help,
             )
         column = column.reshape(len(column), *shape)
         return np.ascontiguousarray(column, dtype=_TYPES[input_.type])
@@ -154,5 +164,5 @@ def _first_line(error: Exception) -> str:
     return (str(error).strip().splitlines() or [type(error).__name__])[0][:300]
 
 
-def _unusable(name: str, reason: str) -> DiagnosticError:
-    return DiagnosticError(diagnose(Code.UNUSABLE_POLICY, file=name, reason=reason))
+def _unusable(name: str, reason: str, help: tuple[str, ...] = ()) -> DiagnosticError:
+    return DiagnosticError(diagnose(Code.UNUSABLE_POLICY, file=name, reason=reason, help=help))

@@ -34,7 +34,9 @@ class GridSampler(Sampler):
         for draw in draws:
             count *= len(draw.levels(self.steps))
             if count > MOST_COMBINATIONS:
-                raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=f"{MOST_COMBINATIONS:,}"))
+                most = f"{MOST_COMBINATIONS:,}"
+                help_ = "use fewer `steps`, make fewer values random, or `sample with halton`"
+                raise DiagnosticError(diagnose(Code.GRID_TOO_LARGE, most=most, help=help_))
         return count
 
     def points(self, indices: NDArray[np.int64], draws: Sequence[DrawnValue], seed: int) -> Floats:

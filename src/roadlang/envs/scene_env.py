@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import gymnasium
@@ -13,7 +12,7 @@ from .episode_rewards import reward_function
 from .episodes import Episodes
 from .observed import Observed, observation_space, row_of
 from .scene_pool import Source, pool_of
-from .settings import EnvSettings
+from .settings import EnvSettings, changed
 from .spaces import ACTIONS, checked_actions
 
 _ONLY = np.zeros(1, dtype=np.int64)
@@ -35,7 +34,7 @@ class SceneEnv(gymnasium.Env[Observed, NDArray[np.float32]]):
     metadata: dict[str, Any] = {"render_modes": []}  # noqa: RUF012 - as gymnasium has it
 
     def __init__(self, source: Source, settings: EnvSettings | None = None, **changes: Any) -> None:
-        self.settings = replace(settings or EnvSettings(), **changes)
+        self.settings = changed(settings or EnvSettings(), changes, type(self).__name__)
         self.pool = pool_of(source, self.settings)
         self.names = self.settings.vector.names
         self.observation_space = observation_space(self.settings.vector, self.pool.sensors)
@@ -61,7 +60,7 @@ class SceneEnv(gymnasium.Env[Observed, NDArray[np.float32]]):
         """Hold an action for `step` seconds."""
         if self._episodes is None:
             raise RuntimeError("reset() comes before the first step()")
-        actions = checked_actions(np.asarray(action)[None], 1)
+        actions = checked_actions(action, 2)[None]
         happened, ends = self._episodes.step(_ONLY, actions)
         terminated = bool(ends.terminated[0])
         return (

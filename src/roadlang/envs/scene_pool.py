@@ -16,6 +16,7 @@ from ..plugins.kinds import ReadingArray
 from ..plugins.registry import Registry
 from ..session.loading import LoadedScenario, load
 from ..session.scene import Scene, installed
+from ..simulation.simulating import AN_AGENT
 from .margins import margin_formula
 from .observed import Arrays
 from .settings import EnvSettings
@@ -120,7 +121,7 @@ def _records(
 def _place(scene: SceneRecord, name: str | None) -> int:
     names = [actor.name for actor in scene.agents]
     if not names:
-        raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name))
+        raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name, help=AN_AGENT))
     if name is None:
         return 0
     if name not in names:

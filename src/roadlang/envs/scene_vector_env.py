@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import deepcopy
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from .episode_rewards import reward_function
 from .observed import Observed, observation_space, row_of
 from .rows import Rows, rows_of
 from .scene_pool import Source, pool_of
-from .settings import EnvSettings
+from .settings import EnvSettings, changed
 from .spaces import ACTIONS, checked_actions
 
 Array = NDArray[Any]
@@ -52,7 +51,7 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
     ) -> None:
         if num_envs < 1 or (scenes_each is not None and scenes_each < 1):
             raise ValueError("num_envs and scenes_each must be at least 1")
-        self.settings = replace(settings or EnvSettings(), **changes)
+        self.settings = changed(settings or EnvSettings(), changes, type(self).__name__)
         self.pool = pool_of(source, self.settings)
         self.num_envs = num_envs
         self.names = self.settings.vector.names
@@ -98,7 +97,7 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
         over, mode = self._over, self.autoreset_mode
         if mode == AutoresetMode.DISABLED and over.any():
             raise RuntimeError("an episode is over: reset(options={'reset_mask': ...}) it first")
-        happened, ends = rows.step(checked_actions(actions, self.num_envs))
+        happened, ends = rows.step(checked_actions(actions, self.num_envs, 2))
         rewards = np.array(self._reward(happened), dtype=np.float64)
         terminated, truncated = ends.terminated, ends.late & ~ends.terminated
         info: dict[str, Any] = dict(ends.reasons)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
+from ..diagnostics import did_you_mean
 from ..geometry.arrays import Floats
 from ..simulation.observing.observation_vector import DISTANCES, ObservationVector
 from .rewards import Transition
@@ -84,6 +85,17 @@ class EnvSettings:
     def vector(self) -> ObservationVector:
         """What is observed."""
         return ObservationVector(tuple(self.distances), self.agents)
+
+
+def changed(settings: EnvSettings, changes: Mapping[str, Any], owner: str) -> EnvSettings:
+    """Settings with changes that an `owner` was given. Raises TypeError for others than there are,
+    ValueError for values that make no sense."""
+    known = [field.name for field in fields(EnvSettings)]
+    for name in changes:
+        if name not in known:
+            help_ = did_you_mean(name, known) or (f"its settings are {', '.join(known)}",)
+            raise TypeError(f"{owner} has no setting `{name}`: {help_[0]}")
+    return replace(settings, **changes)
 
 
 def _is_number(value: Any) -> bool:

@@ -14,11 +14,11 @@ ACTIONS: Space[NDArray[np.float32]] = Box(-1.0, 1.0, (2,), np.float32)
 """Steering (1: all the way to the left) and acceleration (-1: brakes)."""
 
 
-def checked_actions(actions: Any, count: int) -> Floats:
-    """(N, 2) actions, within -1 and 1. Raises ValueError for another shape, and NaN."""
+def checked_actions(actions: Any, *shape: int) -> Floats:
+    """Actions within -1 and 1. Raises ValueError for another shape, and NaN."""
     found = np.asarray(actions, dtype=np.float64)
-    if found.shape != (count, 2):
-        raise ValueError(f"actions have the shape {found.shape}, not {(count, 2)}")
+    if found.shape != shape:
+        raise ValueError(f"actions must have the shape {shape}, not {found.shape}")
     if np.isnan(found).any():
         raise ValueError("an action is not a number")
     return np.minimum(np.maximum(found, -1.0), 1.0)

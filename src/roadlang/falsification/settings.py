@@ -20,6 +20,7 @@ from .plan import Plan
 
 SETTINGS = tuple(option.name for option in schema_of(FalsifyOptions))
 """The options that every `falsify` has."""
+_EXPECT = "add one, such as `expect slow: always (ego.speed < 50km/h)`"
 
 
 def plan_of(
@@ -62,7 +63,7 @@ def _settings(scenario: IndexedScenario) -> dict[str, Any]:
 def _expects(source: Scenario, names: Sequence[str]) -> tuple[str, ...]:
     declared = [item.name for item in source.expectations]
     if not declared:
-        raise DiagnosticError(diagnose(Code.NOTHING_TO_FALSIFY))
+        raise DiagnosticError(diagnose(Code.NOTHING_TO_FALSIFY, help=_EXPECT))
     for name in names:
         if name not in declared:
             help_ = did_you_mean(name, declared) or (f"there are {', '.join(declared)}",)

@@ -8,10 +8,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from .not_written import not_written
 
 SCHEMA = "roadlang.journal/1"
 JOURNAL_FILE = "journal.jsonl"
 """Its name in the folder that `run` or `falsify` writes."""
+_ANEW = "choose another folder with `-o`, or leave out `--resume` to begin anew"
 
 
 class JournalFile:
@@ -33,7 +35,7 @@ class JournalFile:
             else:
                 path.write_bytes(header + b"\n")
         except OSError as error:
-            raise _unwritable(path, error) from error
+            raise not_written(path, error) from error
 
     def append(self, lines: Sequence[bytes]) -> None:
         """Write lines at once. Raises `DiagnosticError` RL460."""
@@ -41,7 +43,7 @@ class JournalFile:
             with self.path.open("ab") as file:
                 file.write(b"".join(line + b"\n" for line in lines))
         except OSError as error:
-            raise _unwritable(self.path, error) from error
+            raise not_written(self.path, error) from error
 
 
 def read_lines(path: Path) -> list[bytes]:
@@ -50,7 +52,7 @@ def read_lines(path: Path) -> list[bytes]:
     first, *lines = path.read_bytes().split(b"\n")
     header = json.loads(first)
     if not isinstance(header, dict) or header.get("schema") != SCHEMA:
-        raise ValueError("it is no journal of roadlang")
+        raise ValueError("it is not a journal of roadlang")
     return [line for line in lines[:-1] if _is_json(line)]
 
 
@@ -60,7 +62,7 @@ def _finished(path: Path, header: bytes) -> list[bytes]:
     content = path.read_bytes()
     first, *lines = content.split(b"\n")
     if first != header:
-        raise DiagnosticError(diagnose(Code.OTHER_JOURNAL, path=str(path)))
+        raise DiagnosticError(diagnose(Code.OTHER_JOURNAL, path=str(path), help=_ANEW))
     if not lines:
         with path.open("ab") as file:
             file.write(b"\n")
@@ -75,8 +77,3 @@ def _is_json(line: bytes) -> bool:
     except ValueError:
         return False
     return True
-
-
-def _unwritable(path: Path, error: OSError) -> DiagnosticError:
-    reason = error.strerror or str(error)
-    return DiagnosticError(diagnose(Code.OUTPUT_NOT_WRITTEN, file=str(path), reason=reason))

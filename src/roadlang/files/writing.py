@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from .locking import folder_lock
+from .not_written import not_written
 from .transaction import PREFIX, is_plain, recover, replace_files
 
 Content = bytes | str
@@ -123,10 +124,4 @@ def reported(folder: Path) -> Iterator[None]:
         yield
     except OSError as error:
         path = str(error.filename or folder)
-        if PREFIX in path:
-            path = str(folder)
-        raise DiagnosticError(
-            diagnose(
-                Code.OUTPUT_NOT_WRITTEN, path=path, file=path, reason=error.strerror or str(error)
-            )
-        ) from error
+        raise not_written(folder if PREFIX in path else Path(path), error) from error

@@ -28,9 +28,20 @@ def read_record(folder: Path) -> ResultsRecord:
     """
     path = folder / RESULTS_FILE
     if not path.is_file():
-        reason = "it is no folder" if not folder.is_dir() else f"there is no {RESULTS_FILE}"
-        raise DiagnosticError(diagnose(Code.NO_RESULTS, path=str(folder), reason=reason))
+        raise _no_results(folder)
     return parsed(path, _record)
+
+
+def _no_results(folder: Path) -> DiagnosticError:
+    """What is there instead, and the folder that is meant, if one is near."""
+    reason, help_ = f"there is no {RESULTS_FILE}", f"`roadlang run FILE -o {folder}` makes them"
+    if not folder.is_dir():
+        reason = "it is a file" if folder.exists() else "there is no such folder"
+    if (folder.parent / RESULTS_FILE).is_file():
+        help_ = f"did you mean `{folder.parent}`?"
+    elif (folder / JOURNAL_FILE).is_file():
+        help_ = "the search was interrupted: `--resume` goes on with it"
+    return DiagnosticError(diagnose(Code.NO_RESULTS, path=str(folder), reason=reason, help=help_))
 
 
 def read_drive(stem: Path) -> tuple[Scene, Trace]:

@@ -45,6 +45,10 @@ if TYPE_CHECKING:
 
 SAFE_DRIVES = 12
 """Scenes in which nothing is violated that are written beside the failures, to compare."""
+_RANGE = (
+    "write a range, such as `speed: 8m/s..20m/s`, where a value may vary",
+    "`roadlang run` drives the only scene that there is",
+)
 
 
 @dataclass(frozen=True)
@@ -254,7 +258,7 @@ def falsified(
     plan, expects = plan_of(scenario, seed, searcher, settings)
     axes = axes_of(scenario, seed)
     if not axes:
-        raise DiagnosticError(diagnose(Code.NOTHING_TO_SEARCH))
+        raise DiagnosticError(diagnose(Code.NOTHING_TO_SEARCH, help=_RANGE))
     names = tuple(axis.name for axis in axes)
     task = Task(
         source, registry, seed, names, expects, drives.engine, dict(drives.options), loaded.params,

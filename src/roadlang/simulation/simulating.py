@@ -24,6 +24,7 @@ from .vehicles import compiled, motion
 from .vehicles.bodies import Body
 from .vehicles.motion import Advance
 
+AN_AGENT = "add one, such as `agent ego is car on main at 5m { drive with pure_pursuit }`"
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""
 LEFT_OUT = 0.25
@@ -65,7 +66,7 @@ def simulate_scenes(
     """
     for scene in scenes:
         if not scene.agents:
-            raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name))
+            raise DiagnosticError(diagnose(Code.NO_AGENTS, scene=scene.name, help=AN_AGENT))
     for start, stop in _blocks(scenes):
         agents = sum(len(scene.agents) for scene in scenes[start:stop])
         pays = compiled.pays(settings.ticks(settings.duration), agents)

@@ -183,3 +183,15 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
     if name in _PLACES and verb not in ("agent", "object"):
         return ()
     return (_OPTIONS[name],) if name in _OPTIONS else ()
+
+
+def option_elsewhere(checker: Checker, name: str, owner: str) -> tuple[str, ...]:
+    """The one or two kinds beside the `owner`, `falsify with halton`, that have the option."""
+    verb, with_, _ = owner.strip("`").partition(" with ")
+    kinds = map(loaded, checker.registry.of(verb)) if with_ else ()
+    found = [
+        f"`{verb} with {kind.entry.name}`"
+        for kind in kinds
+        if isinstance(kind, ResolvedKind) and any(option.name == name for option in kind.schema)
+    ]
+    return (f"`{name}` is an option of {' and '.join(found)}",) if 0 < len(found) < 3 else ()

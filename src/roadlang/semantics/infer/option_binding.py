@@ -19,7 +19,7 @@ from ..types.assignable import check_assignable
 from ..types.dimensions import common_dimension, dimension_of
 from ..types.expression_types import TypedExpression
 from .file_option import check_file
-from .habits import option_help
+from .habits import option_elsewhere, option_help
 from .legend import check_legend
 from .when_condition import check_condition
 
@@ -158,7 +158,7 @@ def report_unknown(
     habit = () if key.text in known else option_help(checker, key.text, owner, known)
     meant = None if habit else meant_name(key.text, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
-    help_ = habit or (() if meant else (listed,))
+    help_ = habit or (() if meant else (*option_elsewhere(checker, key.text, owner), listed))
     checker.report(
         Code.UNKNOWN_OPTION, key.span, name=key.text, owner=owner, help=help_, meant=meant
     )
