@@ -35,7 +35,7 @@ agent ego is choice(car, van) on bent at 5m..15m {
 world { friction: 0.45 }
 expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
 """
-FEW: dict[str, Any] = {"evaluations": 120, "batch": 30, "seed": 2}
+FEW: dict[str, Any] = {"evaluations": 90, "batch": 30, "seed": 2}
 
 
 @pytest.fixture(scope="module")
@@ -130,8 +130,8 @@ def test_every_failure_replays_alone_to_the_same_bytes(
 @pytest.mark.parametrize(
     ("command", "tables"),
     [
-        (["falsify", "--evaluations", "120", "--batch", "20"], ["failing.csv", "safe.csv"]),
-        (["run", "-n", "40"], ["results.csv"]),
+        (["falsify", "--evaluations", "40", "--batch", "10"], ["failing.csv", "safe.csv"]),
+        (["run", "-n", "24"], ["results.csv"]),
     ],
     ids=["falsify", "run"],
 )
@@ -144,7 +144,7 @@ def test_what_was_killed_is_resumed_to_the_same_tables(
     for jobs in ("1", "2"):
         part = [*arguments, "-o", jobs, "--jobs", jobs]
         interrupted = _roadlang(part, tmp_path)
-        _wait_for_rows(tmp_path / jobs / "journal.jsonl", 20)
+        _wait_for_rows(tmp_path / jobs / "journal.jsonl", 8)
         os.killpg(interrupted.pid, signal.SIGKILL)
         interrupted.wait()
         assert _roadlang([*part, "--resume"], tmp_path).wait() in (0, 4)

@@ -21,7 +21,7 @@ NUMBERS = ("nan", "inf", "-1", "0", "1e308", "", "x", "1e9", "-1e6", "9" * 20, "
 _ATTRIBUTE = re.compile(r' [\w]+="([^"]*)"')
 _TAG = re.compile(r"<[^>]*>")
 QUIET = settings(
-    max_examples=100,
+    max_examples=60,
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )

@@ -123,7 +123,7 @@ places = st.tuples(st.integers(-2, 22), st.integers(-6, 12)).map(
 strokes = st.lists(places, min_size=2, max_size=4, unique=True)
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(
     st.lists(strokes, max_size=2), st.lists(st.lists(places, min_size=1, max_size=2), max_size=2)
 )

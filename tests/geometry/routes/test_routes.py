@@ -163,7 +163,7 @@ numbers = st.floats(0.0, 1.0, exclude_max=True)
     number=numbers,
     share=numbers,
 )
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 def test_a_random_route_is_drivable(
     angles: list[int], lanes: int, number: float, share: float
 ) -> None:
@@ -199,7 +199,7 @@ def test_all_turns_are_equally_likely() -> None:
 @given(
     x=st.floats(-5.0, 165.0), y=st.floats(-5.0, 165.0), u=st.floats(-5, 165), v=st.floats(-5, 165)
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 def test_every_two_points_of_a_grid_of_streets_are_joined(
     x: float, y: float, u: float, v: float
 ) -> None:
