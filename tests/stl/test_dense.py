@@ -17,6 +17,9 @@ from roadlang.stl.formula.formulas import COMPOUNDS, Measured, SampleStep, Truth
 from tests.dense_reference import DenseReference, Grid
 from tests.stl_draws import NAMES, FormulaDraw
 
+QUICK = [seed for seed in range(120) if seed not in (68, 71, 80, 85, 116, 118)]
+"""Seeds of formulas that the reference can value within a second or two."""
+
 
 class DenseDraw(FormulaDraw):
     """Formulas that have a meaning between samples, with bounds that a double holds exactly."""
@@ -55,7 +58,7 @@ def draw_grids(seed: int, *, same: bool) -> dict[str, Grid]:
 
 
 @pytest.mark.parametrize("semantics", ["held", "linear"])
-@pytest.mark.parametrize("seed", range(70))
+@pytest.mark.parametrize("seed", QUICK[:80])
 def test_robustness_is_that_of_the_definitions(seed: int, semantics: Any) -> None:
     formula = DenseDraw(seed, bounded=True).formula(1 + seed % 3)
     grids = draw_grids(seed, same=seed % 2 == 0)
@@ -74,7 +77,7 @@ def test_robustness_is_that_of_the_definitions(seed: int, semantics: Any) -> Non
 
 
 @pytest.mark.parametrize("semantics", ["held", "linear"])
-@pytest.mark.parametrize("seed", range(70))
+@pytest.mark.parametrize("seed", QUICK)
 def test_durations_are_those_of_the_definitions(seed: int, semantics: Any) -> None:
     """At all breakpoints of the result, next to them, and in between."""
     draw = DenseDraw(9000 + seed, bounded=True)
