@@ -45,13 +45,13 @@ def main() -> None:
             scores["photos"] = round(measure.relaxed_f1(net, photos), 4)
         return scores
 
-    schedule = Schedule(steps=told.steps, minutes=told.minutes, rate=told.rate)
+    schedule = Schedule(told.steps, told.minutes, told.rate, uses=told.uses)
     feed = batches(told.folder / "pool", told.seed, told.batch, told.workers)
-    net, history = fit(_net(told), feed, schedule, told.folder, validate)
+    net, history = fit(_net(told), feed, schedule, told.folder, validate, told.seed)
     torch.save(net.state_dict(), told.folder / "final.pt")
     difference = export(net, told.output)
     run = Run(told.seed, told.scenes, told.batch, asdict(schedule), history, difference)
-    told.output.with_name("MODEL_CARD.md").write_text(card(run, net, told.output))
+    told.output.with_suffix(".md").write_text(card(run, net, told.output))
     (told.folder / "history.json").write_text(json.dumps(history, indent=1))
 
 
@@ -84,6 +84,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--minutes", type=float, default=90.0, help="end after this long at most")
     parser.add_argument("--rate", type=float, default=2e-3)
     parser.add_argument("--batch", type=int, default=12)
+    parser.add_argument(
+        "--uses", type=int, default=1, help="batches that each crop is in, on average"
+    )
     parser.add_argument("--threads", type=int, default=1, help="of the net")
     parser.add_argument("--workers", type=int, default=1, help="processes that make crops")
     parser.add_argument("--jobs", type=int, default=2, help="processes that render")

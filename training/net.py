@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from typing import ClassVar
 
 import torch
 from torch import Tensor, nn
@@ -34,9 +35,20 @@ class Residual(nn.Module):
 class RoadNet(nn.Module, ABC):
     """RGB 0..255 (n, 3, h, w), sides multiples of 32, to (n, 2, h/2, w/2): surface, line."""
 
+    origin: ClassVar[str]
+    """Where its weights come from, and under which license."""
+
     @abstractmethod
+    def features(self, x: Tensor) -> list[Tensor]:
+        """What the part that learns starts from."""
+
+    @abstractmethod
+    def decoded(self, features: list[Tensor]) -> Tensor:
+        """The two maps before the sigmoid, of features."""
+
     def logits(self, x: Tensor) -> Tensor:
         """The two maps before the sigmoid."""
+        return self.decoded(self.features(x))
 
     def forward(self, x: Tensor) -> Tensor:
         """Probabilities in [0, 1]; `logits` gives them before the sigmoid."""
@@ -45,6 +57,10 @@ class RoadNet(nn.Module, ABC):
 
 class PlainNet(RoadNet):
     """All of it learned from renderings."""
+
+    origin: ClassVar[str] = (
+        "No photograph was used for training, so no third party's rights touch the weights."
+    )
 
     def __init__(self) -> None:
         super().__init__()
@@ -63,8 +79,13 @@ class PlainNet(RoadNet):
         self.head = nn.Conv2d(HALF, 2, 1)
         nn.init.constant_(self.head.bias, -2.5)
 
-    def logits(self, x: Tensor) -> Tensor:
-        """See `RoadNet.logits`."""
+    def features(self, x: Tensor) -> list[Tensor]:
+        """The picture itself."""
+        return [x]
+
+    def decoded(self, features: list[Tensor]) -> Tensor:
+        """See `RoadNet.decoded`."""
+        (x,) = features
         half = self.stem((x - 115.0) / 60.0)
         quarter = self.quarter(half)
         eighth = self.eighth(quarter)
@@ -73,6 +94,11 @@ class PlainNet(RoadNet):
         y = self.up_quarter(twice(self.to_quarter(y)) + quarter)
         y = self.up_half(twice(self.to_half(y)) + self.skip_half(half))
         return self.head(y)
+
+
+def has_half_precision() -> bool:
+    """Whether bfloat16 is faster than float32 on this processor; on others it takes far longer."""
+    return "AVX512" in torch.backends.cpu.get_cpu_capability()
 
 
 def twice(x: Tensor) -> Tensor:

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import Request, Seen, roads_of_evidence, roads_of_photo
+from roadlang_standard.extraction.aerial import Request, roads_of_evidence, roads_of_photo
 from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.extraction.photo_evidence import Seen
 from roadlang_standard.extraction.road_net import evidence, road_net
 from training.rendering.aerial import render_aerial
 
@@ -49,7 +50,7 @@ def test_brightness_and_contrast_do_not_matter() -> None:
 def test_tiles_leave_no_seam(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("roadlang_standard.extraction.road_net._TILE", 320)
     scene = render_aerial("suburb", 8, size=460).image
-    net = road_net()
+    net = road_net().predict
     whole = evidence(scene, net, mirrored=False).surface
     part = evidence(np.ascontiguousarray(scene[100:400, 100:400]), net, mirrored=False).surface
     gap = np.abs(whole[200:380, 200:380] - part[100:280, 100:280])

@@ -20,14 +20,13 @@ from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
 from .linking import dead_ends, link
 from .masks import without_holes, without_specks
-from .road_net import Net, evidence, road_net
+from .photo_evidence import Seen, look, typical_width
+from .road_net import Net, road_net
 from .scale import resized, view_scales
 from .skeleton import skeleton
 from .smoothing import stations
 from .tones import Image, Layer
 
-_COARSE = 0.35
-"""Share of the half-size view in the evidence."""
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""
 _RELAXED = (0.64, 0.36)
@@ -72,14 +71,6 @@ class Request:
             through=tuple(moved(p) for p in self.through),
             leave_out=tuple(tuple(moved(p) for p in box) for box in self.leave_out),
         )
-
-
-@dataclass(frozen=True)
-class Seen:
-    """Road surface (h, w), 0..1: as seen at full size, and blended with the view at half size."""
-
-    surface: Layer
-    blend: Layer
 
 
 @dataclass(frozen=True)
@@ -133,25 +124,6 @@ def _view(image: Image, scale: float, request: Request, net: Net) -> FoundNetwor
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
 
 
-def look(image: Image, net: Net) -> Seen:
-    """Evidence at the picture's size, and its blend with that of a half-size view."""
-    fine = evidence(image, net).surface
-    if min(image.shape[:2]) < 96:
-        return Seen(fine, fine)
-    coarse = evidence(resized(image, 0.5), net).surface
-    size = image.shape[1::-1]
-    return Seen(fine, cv2.addWeighted(fine, 1 - _COARSE, cv2.resize(coarse, size), _COARSE, 0))
-
-
-def _typical_width(seen: Seen) -> float:
-    """Usual width of what is surely road, in pixels."""
-    mask = without_specks(seen.surface > 0.8, 40)
-    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
-    ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3), np.uint8))) & mask]
-    ridge = np.minimum(ridge, max(mask.shape))  # infinite where all is road
-    return float(2 * np.median(ridge) - 1) if len(ridge) else 0.0
-
-
 def roads_of_evidence(
     seen: Seen, request: Request = Request(), cutoffs: Cutoffs = Cutoffs()
 ) -> FoundNetwork:
@@ -171,7 +143,7 @@ def roads_of_evidence(
         if request.only_through:
             _forget_others([surface, score], score, paths, cutoffs.weak)
         for path in paths:
-            paint(surface, score, path, request.width or max(5.0, _typical_width(seen)))
+            paint(surface, score, path, request.width or max(5.0, typical_width(seen.surface)))
         cutoffs = cutoffs.stricter(min(float(stations(path)[-1]) for path in paths))
     graph, mask = _traced(score, cutoffs)
     few = request.threshold is None and len(graph.lines) <= _FEW

@@ -24,7 +24,8 @@ def roads_by_ribbons(image: Image, longest: float = float("inf")) -> FoundNetwor
 
     None of it where ribbons are longer in all than `longest` sides of the picture.
     """
-    from .aerial import Cutoffs, Request, Seen, roads_of_evidence
+    from .aerial import Cutoffs, Request, roads_of_evidence
+    from .photo_evidence import Seen
     from .scale import has_detail, resized
 
     scale = 1.0 if has_detail(image) else max(_SMALLER, min(1.0, 64 / min(image.shape[:2])))

@@ -1,4 +1,4 @@
-"""What the net says about a picture: road surface and center line, by tiles without seams."""
+"""What a net says about a picture: road surface and center line, by tiles without seams."""
 
 from __future__ import annotations
 
@@ -20,6 +20,8 @@ from .nodata import nodata
 from .tones import Image
 
 Layer = NDArray[np.float32]
+Predictor = Callable[[Image], NDArray[np.float32]]
+"""From an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2)."""
 _TILE, _MARGIN = 768, 96
 
 
@@ -33,20 +35,29 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Net:
-    """A net that OpenCV reads, and the digest of its file."""
+    """A net that OpenCV reads, one that helps it where roads are wide, and the digest of both."""
 
-    predict: Callable[[Image], NDArray[np.float32]]
-    """from an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2)"""
+    predict: Predictor
     digest: str
+    second: Predictor | None = None
 
 
 @lru_cache(maxsize=4)
 def road_net(path: str = "") -> Net:
-    """The net in an ONNX file; the shipped one without a path. A net of one map serves as both.
+    """The net in an ONNX file; without a path those that are shipped. A net of one map serves as
+    both.
 
     Raises OSError for a file that cannot be read and cv2.error for one that is no net.
     """
-    data = Path(path).read_bytes() if path else _shipped()
+    if path:
+        data = Path(path).read_bytes()
+        return Net(_predictor(data), hashlib.sha256(data).hexdigest())
+    first, second = (_shipped(name) for name in ("roads.onnx", "wide_roads.onnx"))
+    digest = hashlib.sha256(first + second).hexdigest()
+    return Net(_predictor(first), digest, _predictor(second))
+
+
+def _predictor(data: bytes) -> Predictor:
     net = cv2.dnn.readNetFromONNX(np.frombuffer(data, np.uint8))
 
     def predict(tile: Image) -> NDArray[np.float32]:
@@ -54,7 +65,7 @@ def road_net(path: str = "") -> Net:
         maps = np.asarray(net.forward(), np.float32)[0]
         return maps if len(maps) >= 2 else np.repeat(maps, 2, axis=0)
 
-    return Net(predict, hashlib.sha256(data).hexdigest())
+    return predict
 
 
 def checked_net(path: str) -> Net:
@@ -74,16 +85,16 @@ def checked_net(path: str) -> Net:
     return net
 
 
-def _shipped() -> bytes:
-    return files(__package__).joinpath("weights", "roads.onnx").read_bytes()
+def _shipped(name: str) -> bytes:
+    return files(__package__).joinpath("weights", name).read_bytes()
 
 
-def evidence(image: Image, net: Net, mirrored: bool = True) -> Evidence:
+def evidence(image: Image, predict: Predictor, mirrored: bool = True) -> Evidence:
     """The maps of a picture (h, w, 3) at its own size; mirrored, two views are averaged."""
     even = even_exposure(image)
-    maps = _tiled(even, net)
+    maps = _tiled(even, predict)
     if mirrored:
-        maps += _tiled(np.ascontiguousarray(even[:, ::-1]), net)[:, :, ::-1]
+        maps += _tiled(np.ascontiguousarray(even[:, ::-1]), predict)[:, :, ::-1]
         maps /= 2
     height, width = image.shape[:2]
     size = (2 * maps.shape[2], 2 * maps.shape[1])
@@ -95,7 +106,7 @@ def evidence(image: Image, net: Net, mirrored: bool = True) -> Evidence:
     return Evidence(np.ascontiguousarray(full[0]), np.ascontiguousarray(full[1]))
 
 
-def _tiled(image: Image, net: Net) -> NDArray[np.float32]:
+def _tiled(image: Image, predict: Predictor) -> NDArray[np.float32]:
     """Maps (2, ceil(h/2), ceil(w/2)); tiles overlap and fade into each other."""
     height, width = image.shape[:2]
     rows, columns = -(-height // 2), -(-width // 2)
@@ -103,7 +114,7 @@ def _tiled(image: Image, net: Net) -> NDArray[np.float32]:
     weight = np.zeros((rows, columns), np.float32)
     for top, bottom in _spans(height):
         for left, right in _spans(width):
-            maps = _predicted(image[top:bottom, left:right], net)
+            maps = _predicted(image[top:bottom, left:right], predict)
             fade = np.outer(_fade(top, bottom, height), _fade(left, right, width)).astype(
                 np.float32
             )
@@ -116,7 +127,7 @@ def _tiled(image: Image, net: Net) -> NDArray[np.float32]:
     return np.asarray(total / weight)
 
 
-def _predicted(tile: Image, net: Net) -> NDArray[np.float32]:
+def _predicted(tile: Image, predict: Predictor) -> NDArray[np.float32]:
     height, width = tile.shape[:2]
     down, right = -height % 32, -width % 32
     padded = cv2.copyMakeBorder(
@@ -127,7 +138,7 @@ def _predicted(tile: Image, net: Net) -> NDArray[np.float32]:
         right,
         cv2.BORDER_REFLECT_101 if min(height, width) > 32 else cv2.BORDER_REPLICATE,
     )
-    return net.predict(padded)[:2, : -(-height // 2), : -(-width // 2)]
+    return predict(padded)[:2, : -(-height // 2), : -(-width // 2)]
 
 
 def _spans(size: int) -> Iterator[tuple[int, int]]:
