@@ -66,6 +66,7 @@ def test_the_guide_shows_a_plugin_of_every_kind_that_strangers_write() -> None:
         "DriveSignal",
         "Backend",
         "Controller",
+        "Searcher",
     ):
         assert re.search(rf"^class \w+\({base}\)", guide, re.MULTILINE), base
 
