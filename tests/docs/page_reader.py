@@ -16,6 +16,8 @@ How a code block is meant follows from the words behind its language:
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 import re
 import shlex
@@ -27,6 +29,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+import pytest
+
+from roadlang.cli.main import run
 from roadlang_godot.engines.engine import find
 from roadlang_godot.faults import EngineError
 
@@ -57,6 +62,7 @@ class Reader:
         self.folder = folder
         self.site = folder / ".site"
         self.left_out = False
+        self.has_code = False
         self.program = ""
         for path in (ROOT / "examples").iterdir():
             if path.is_file():
@@ -95,6 +101,7 @@ class Reader:
             path = self.folder / block.words[0]
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(block.text, encoding="utf-8")
+            self.has_code |= block.language in ("python", "toml")
         elif block.language == "roadlang":
             self.check(block)
         elif block.language == "console":
@@ -102,7 +109,7 @@ class Reader:
                 self.left_out = True
                 return
             for line in block.text.splitlines():
-                self.console(line)
+                self.console(line, apart="godot" in block.words)
 
     def check(self, block: Block) -> None:
         mode = block.words[0] if block.words else "scene.rl"
@@ -116,23 +123,38 @@ class Reader:
         name = "wrong.rl" if mode == "wrong" else mode
         (self.folder / name).write_text(block.text, encoding="utf-8")
         if mode == "wrong":
-            done = self.run(sys.executable, "-m", "roadlang", "check", name)
+            done = self.roadlang("check", name)
             assert re.findall(r"error\[(RL\d+)\]", done.stderr) == [block.words[1]], done.stderr
         else:
-            self.succeeds(sys.executable, "-m", "roadlang", "check", name)
+            done = self.roadlang("check", name)
+            assert done.returncode == 0, f"check {name}\n{done.stdout}{done.stderr}"
 
-    def console(self, line: str) -> None:
+    def console(self, line: str, *, apart: bool) -> None:
         words = shlex.split(line.removeprefix("$ "), comments=True)
         if line.startswith("$ roadlang"):
+            done = self.roadlang(*words[1:], apart=apart)
             # A search that finds failures ends with 4: that is its success.
-            self.succeeds(sys.executable, "-m", *words, also=4 if words[1] == "falsify" else 0)
+            good = (0, 4 if words[1] == "falsify" else 0)
+            assert done.returncode in good, f"{line}\n{done.stdout}{done.stderr}"
         elif line.startswith("$ pip install ./"):
             options = ("--no-deps", "--no-build-isolation", "--quiet", "--target", str(self.site))
+            self.has_code = True
             self.succeeds(sys.executable, "-m", "pip", "install", *options, *words[2:])
 
-    def succeeds(self, *command: str, also: int = 0) -> None:
+    def succeeds(self, *command: str) -> None:
         done = self.run(*command)
-        assert done.returncode in (0, also), f"{shlex.join(command)}\n{done.stdout}{done.stderr}"
+        assert done.returncode == 0, f"{shlex.join(command)}\n{done.stdout}{done.stderr}"
+
+    def roadlang(self, *words: str, apart: bool = False) -> subprocess.CompletedProcess[str]:
+        """A command, in this process unless `apart`, or the page has programs or plugins."""
+        if apart or self.has_code:
+            return self.run(sys.executable, "-m", "roadlang", *words)
+        out, err = io.StringIO(), io.StringIO()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.chdir(self.folder)
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+                code = run(words)
+        return subprocess.CompletedProcess(words, code, out.getvalue(), err.getvalue())
 
 
 def pictures(page: Path) -> Iterator[tuple[Path, str]]:
