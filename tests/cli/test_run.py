@@ -165,7 +165,17 @@ def test_a_scene_that_compile_wrote_is_driven_as_it_is() -> None:
 def test_a_file_that_is_no_scene_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     Path("other.json").write_text("{}")
     assert run(["run", "other.json"]) == 1
-    assert "RL461" in capsys.readouterr().err
+    refused = capsys.readouterr().err
+    assert "RL461" in refused
+    assert "--> other.json" in refused
+
+
+@pytest.mark.parametrize("option", [["-n", "3"], ["--set", "reach=3m"], ["--params", "a.yaml"]])
+def test_options_of_sampling_are_refused_with_a_scene(
+    option: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["run", "scene.json", *option]) == 2
+    assert f"{option[0]} applies to scene files" in capsys.readouterr().err
 
 
 def test_failures_replay_from_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:

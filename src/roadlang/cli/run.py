@@ -80,6 +80,7 @@ def command(  # noqa: PLR0913 - one parameter per option
         outputs = None if emit is None else parse_outputs(emit)
         batch = RunBatch(target, engine, options, workers, resume, as_json, outputs)
         if file.endswith(_CONCRETE):
+            _refuse_sampling({"-n": count, "--set": settings, "--params": params})
             batch.add_scene(file)
         else:
             batch.add_variants(file, params, parse_overrides(settings), count, seed)
@@ -89,6 +90,15 @@ def command(  # noqa: PLR0913 - one parameter per option
     else:
         echo(f"{batch.summary()}traces and verdicts in {shown(target)}")
     click.get_current_context().exit(exit_codes.severest(batch.codes))
+
+
+def _refuse_sampling(options: dict[str, Any]) -> None:
+    """Of a scene, which is driven as it is: what has a say in which scenes a file gives."""
+    for name, value in options.items():
+        if value:
+            raise click.UsageError(
+                f"{name} applies to scene files (.rl); a scene is driven as it is"
+            )
 
 
 class RunBatch:
@@ -126,7 +136,7 @@ class RunBatch:
         from ..session.scene_files import read_scene_file
 
         text = read_scene_file(file)
-        scene, digest = Scene.from_json(text), sha256(text.encode()).hexdigest()
+        scene, digest = Scene.from_json(text, file), sha256(text.encode()).hexdigest()
         outputs, registry = self._outputs, scene.registry
         backends = [] if outputs is None else named_backends(outputs, registry)
         origin = record_of_scene(scene, file, digest, self._engine, self._options, outputs)

@@ -20,11 +20,17 @@ from ..report.reading import read_record, read_typed
 from ..scenes.instantiate import driven_scene
 from ..world.index import index_scenario
 from .falsification import Failure, Falsification
+from .falsification_files import SHRUNK
 from .loading import LoadedScenario, load
 from .scene import Scene
 from .scene_files import read_scene_file
 
 FAILURES, INDEX = "failures", "index.json"
+_OTHER = {
+    "roads": "its roads differ", "agents": "its agents differ", "objects": "its objects differ",
+    "world": "its world differs",
+}  # fmt: skip
+"""Parts of a scene, in the order in which they are compared."""
 
 
 def failure_in(file: str | Path, scene_file: str | Path | None = None) -> Failure:
@@ -35,7 +41,7 @@ def failure_in(file: str | Path, scene_file: str | Path | None = None) -> Failur
     scene now, and what `load` raises.
     """
     path = Path(file)
-    scene = Scene.from_json(read_scene_file(str(path))).record
+    scene = Scene.from_json(read_scene_file(str(path)), str(path)).record
     record = _record(path)
     loaded = load(record.source if scene_file is None else scene_file).with_params(record.params)
     indexed = index_scenario(loaded.scenario, loaded.registry)
@@ -94,6 +100,9 @@ def _place(
         for rank, item in enumerate(index.failures, 1):
             if item.scene == path.name:
                 return rank, index.axes, Proposal(item.evaluation, item.point)
+        if path.name.endswith(SHRUNK):
+            failure = path.name.removesuffix(SHRUNK) + ".json"
+            raise _no_failure(path, f"it is what `roadlang shrink` made of {failure}")
         raise _no_failure(path, f"{INDEX} beside it does not name it")
     if record.sampler.rpartition(".")[2] != "random":
         reason = f"its scenes were chosen by `{record.sampler}`, not at random"
@@ -120,14 +129,13 @@ def _evaluated(
     reason = "it has other random values"
     if len(proposal.point) == axes:
         again = evaluator.full_scene(proposal)
-        names = ("roads", "agents", "objects", "world")
-        other = [name for name in names if getattr(again, name) != getattr(scene, name)]
+        other = [name for name in _OTHER if getattr(again, name) != getattr(scene, name)]
         if not other:
             outcome = evaluator.evaluate([proposal])[0]
             if outcome.is_failure:
                 return outcome
             raise _no_failure(path, "its drive violates no expectation")
-        reason = f"its {other[0]} are others"
+        reason = _OTHER[other[0]]
     raise DiagnosticError(
         diagnose(Code.OTHER_SCENE, path=str(path), file=str(path), source=source, reason=reason)
     )

@@ -121,8 +121,9 @@ class Scene:
         self._loaded = loaded
 
     @classmethod
-    def from_json(cls, text: str | bytes) -> Scene:
-        """The scene in a document that `emit json` or `to_json` wrote.
+    def from_json(cls, text: str | bytes, path: str | None = None) -> Scene:
+        """The scene in a document that `emit json` or `to_json` wrote; `path` is the file that it
+        comes from.
 
         Raises `DiagnosticError` (RL461) for anything else.
         """
@@ -131,7 +132,9 @@ class Scene:
         try:
             return cls(scene_from_json(text))
         except ValueError as error:
-            raise DiagnosticError(diagnose(Code.NOT_A_SCENE, reason=str(error))) from error
+            raise DiagnosticError(
+                diagnose(Code.NOT_A_SCENE, path=path, reason=str(error))
+            ) from error
 
     def __repr__(self) -> str:
         roads = ", ".join(self.roads)
