@@ -97,6 +97,24 @@ def test_at_a_stop_sign_cars_stop_even_if_nobody_comes() -> None:
     assert ego.speed[before].min() < 0.3
 
 
+@pytest.mark.parametrize("rule", ["right_first", "yield"])
+def test_who_yields_lets_pass_who_comes_at_nearly_the_same_time(rule: str) -> None:
+    scene = scene_with(rule)
+    junction = scene.networks[-1].junctions[0]
+    straight = {one.id: one.source for one in junction.connections if one.turn == "straight"}
+    first, second = next(pair for pair in junction.yields if set(pair) <= set(straight))
+    agents = []
+    for name, id, distance in (("yields", first, 30.0), ("passes", second, 31.0)):
+        road, lane = straight[id].road, straight[id].lane
+        path = route(scene, road, lane, before_junction(scene, road, lane, distance), ["straight"])
+        agents.append(car(scene, name, path, drive=call("traffic", speed=10.0), speed=10.0))
+    one = replace(scene, agents=tuple(agents))
+    (trace,) = drive_scenes([one], duration=20.0)
+    order = sorted(line_crossings(one, trace), key=lambda row: row[1])
+    assert [name for name, _, _ in order] == ["passes", "yields"]
+    assert contacts(trace) == []
+
+
 def test_who_came_first_goes_first_where_all_have_to_stop() -> None:
     scene = scene_with("all_way_stop")
     agents = []
