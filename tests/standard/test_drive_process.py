@@ -172,6 +172,15 @@ def test_the_agent_may_brake_instead_and_the_others_go_on(tmp_path: Path) -> Non
     assert drive.trace.agents["other"].speed[-1] == pytest.approx(5.0, abs=0.3)
 
 
+@pytest.mark.parametrize("body", [None, "raise SystemExit(3)"])
+def test_a_program_that_never_drove_is_an_error_although_agents_may_brake(
+    tmp_path: Path, body: str | None
+) -> None:
+    path = tmp_path / "missing.py" if body is None else program(tmp_path, body)
+    with pytest.raises(roadlang.DiagnosticError, match="current folder of roadlang"):
+        driven(scene(path, ", brake_on_failure: true"))
+
+
 def test_the_same_drive_alone_and_beside_others(tmp_path: Path) -> None:
     text = scene(program(tmp_path, GOOD)).replace("at 5m", "at 5m..15m")
     scenes = testing.sample(text, 4)

@@ -13,12 +13,13 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.api import ControlBatch, DiagnosticError, ObservationBatch
 
     from .process.program import ControllerProcess
 
 A = TypeVar("A")
 R = TypeVar("R")
+_WHERE = "programs are started in the current folder of roadlang"
 BRAKING = 4.0
 """m/s^2, of an agent whose program failed, with `brake_on_failure`."""
 START = 20.0
@@ -36,8 +37,8 @@ class Process(Controller):
     timeout: Duration = option(1.0, minimum=0.001, maximum=600, help="time limit for each answer")
     brake_on_failure: Flag = option(
         False,
-        help="when it dies, is late or answers nonsense, the agent brakes to a stop and the drive"
-        " is judged; by default the run ends with an error",
+        help="when it dies, is late or answers nonsense on the way, the agent brakes to a stop and"
+        " the drive is judged; by default the run ends with an error",
     )
 
     def start(self, count: int) -> NDArray[np.object_]:
@@ -71,7 +72,8 @@ class Process(Controller):
         return ControlBatch(steering, acceleration)
 
     def _begin(self, seen: ObservationBatch, state: NDArray[Any]) -> None:
-        """Start the programs of those that have none, all at once, then greet them."""
+        """Start the programs of those that have none, all at once, then greet them. One that cannot
+        be started, or gives no greeting, has never driven: that is an error in any case."""
         from .process.messages import greeting
         from .process.program import ControllerProcess, ProgramFailed
 
@@ -79,11 +81,14 @@ class Process(Controller):
         for row in new:
             try:
                 state[row] = ControllerProcess(self.command)
+                state[row].send(greeting(seen, row))
             except ProgramFailed as error:
-                self._fail(state, row, error)
-            self._attempt(state, row, _send, greeting(seen, row))
+                raise self._failed(error, _WHERE) from error
         for row in new:
-            self._attempt(state, row, _greeted, START)
+            try:
+                _greeted(state[row], START)
+            except ProgramFailed as error:
+                raise self._failed(error, _WHERE) from error
 
     def _attempt(
         self, state: NDArray[Any], row: int, step: Callable[[ControllerProcess, A], R], argument: A
@@ -103,12 +108,16 @@ class Process(Controller):
 
     def _fail(self, state: NDArray[Any], row: int, error: Exception) -> None:
         """The program of a row is none any more. Raises DiagnosticError RL740, unless it may be."""
-        from roadlang.api import Code, DiagnosticError, diagnose
-
         state[row] = False
         if not self.brake_on_failure:
-            command = " ".join(self.command)
-            raise DiagnosticError(diagnose(Code.PROGRAM_FAILED, command=command, reason=str(error)))
+            raise self._failed(error)
+
+    def _failed(self, error: Exception, *help: str) -> DiagnosticError:
+        from roadlang.api import Code, DiagnosticError, diagnose
+
+        command = " ".join(self.command)
+        fault = diagnose(Code.PROGRAM_FAILED, command=command, reason=str(error), help=help)
+        return DiagnosticError(fault)
 
 
 def _send(program: ControllerProcess, line: str) -> None:
