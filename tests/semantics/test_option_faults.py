@@ -141,7 +141,7 @@ FAULTS = [
     (FALSIFY, "wth random", "RL021", "wth", "with"),
     (FALSIFY, "with random { evalutions: 3 }", "RL220", "evalutions", "evaluations"),
     (FALSIFY, "with random { evaluations: 3m }", "RL201", "3m", None),
-    (FALSIFY, "with random { seconds: 3 }", "RL202", "3", "3min"),
+    (FALSIFY, "with random { seconds: 3 }", "RL202", "3", "3s"),
     (FALSIFY, "with random { evaluations: integer(9, 20) }", "RL229", "integer(9, 20)", None),
     (FALSIFY, "with random { seconds: 3s..5s }", "RL229", "3s..5s", None),
     (FALSIFY, "with cma { sigma: 0.1..0.2 }", "RL229", "0.1..0.2", None),
