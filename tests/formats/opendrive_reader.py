@@ -101,10 +101,11 @@ def pose_of(piece: Element, s: float) -> tuple[float, float, float]:
     return x + float(np.cos(angle).mean() * s), y + float(np.sin(angle).mean() * s), end
 
 
-def arc_length(piece: Element) -> float:
-    """How long a geometry element is, by its points."""
-    count = {"line": 2, "spiral": 201}.get(piece[0].tag, 501)
-    at = np.linspace(0.0, number(piece, "length"), count)
+def arc_length(piece: Element, count: int = 501) -> float:
+    """How long a geometry element is, by points on it: `count` where it is a cubic."""
+    at = np.linspace(
+        0.0, number(piece, "length"), {"line": 2, "spiral": 201}.get(piece[0].tag, count)
+    )
     points = np.array([pose_of(piece, s)[:2] for s in at])
     return float(np.hypot(*np.diff(points, axis=0).T).sum())
 
