@@ -170,7 +170,9 @@ def test_a_file_that_is_no_scene_is_refused(capsys: pytest.CaptureFixture[str]) 
     assert "--> other.json" in refused
 
 
-@pytest.mark.parametrize("option", [["-n", "3"], ["--set", "reach=3m"], ["--params", "a.yaml"]])
+@pytest.mark.parametrize(
+    "option", [["-n", "3"], ["--seed", "5"], ["--set", "reach=3m"], ["--params", "a.yaml"]]
+)
 def test_options_of_sampling_are_refused_with_a_scene(
     option: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:

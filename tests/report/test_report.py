@@ -229,7 +229,8 @@ def test_without_results_there_is_a_diagnostic(
     said = capsys.readouterr().err
     assert "RL720" in said
     assert SAID[kind] in said
-    assert f"`roadlang run FILE -o {folder}` makes them" in said
+    makes = "DIR` makes a folder with results" if kind == "file" else f"{folder}` makes them"
+    assert f"`roadlang run FILE -o {makes}" in said
     assert not (folder / "report.html").exists()
 
 

@@ -153,7 +153,7 @@ def test_the_error_has_the_end_of_standard_error(tmp_path: Path) -> None:
 
 def test_a_command_that_is_not_there() -> None:
     text = scene(Path("x.py")).replace(sys.executable, "/nowhere/driver")
-    with pytest.raises(roadlang.DiagnosticError, match="cannot be started"):
+    with pytest.raises(roadlang.DiagnosticError, match="cannot be started: No such file"):
         driven(text)
 
 
@@ -177,7 +177,7 @@ def test_a_program_that_never_drove_is_an_error_although_agents_may_brake(
     tmp_path: Path, body: str | None
 ) -> None:
     path = tmp_path / "missing.py" if body is None else program(tmp_path, body)
-    with pytest.raises(roadlang.DiagnosticError, match="current folder of roadlang"):
+    with pytest.raises(roadlang.DiagnosticError, match="not in that of the scene file"):
         driven(scene(path, ", brake_on_failure: true"))
 
 

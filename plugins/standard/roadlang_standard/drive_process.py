@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 A = TypeVar("A")
 R = TypeVar("R")
-_WHERE = "programs are started in the current folder of roadlang"
+_WHERE = "programs start in the current folder, not in that of the scene file"
 BRAKING = 4.0
 """m/s^2, of an agent whose program failed, with `brake_on_failure`."""
 START = 20.0
@@ -37,8 +37,8 @@ class Process(Controller):
     timeout: Duration = option(1.0, minimum=0.001, maximum=600, help="time limit for each answer")
     brake_on_failure: Flag = option(
         False,
-        help="when it dies, is late or answers nonsense on the way, the agent brakes to a stop and"
-        " the drive is judged; by default the run ends with an error",
+        help="if the program dies, is late or gives an invalid answer during the drive, the agent"
+        " brakes to a stop and the drive is judged; by default the run ends with an error",
     )
 
     def start(self, count: int) -> NDArray[np.object_]:
@@ -73,7 +73,7 @@ class Process(Controller):
 
     def _begin(self, seen: ObservationBatch, state: NDArray[Any]) -> None:
         """Start the programs of those that have none, all at once, then greet them. One that cannot
-        be started, or gives no greeting, has never driven: that is an error in any case."""
+        be started, or does not answer the greeting, is an error, also with `brake_on_failure`."""
         from .process.messages import greeting
         from .process.program import ControllerProcess, ProgramFailed
 

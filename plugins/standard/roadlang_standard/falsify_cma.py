@@ -22,7 +22,7 @@ _FIRST_BATCH, _GROWTH = 11, 6
 _SHARE = 1 / 30
 """Of all candidates so far, the part that a batch has at least: where failures are rare, a search
 does not consist of very many small batches. Until something fails, what is forgotten does not
-count: one that begins anew learns from small batches again."""
+count: one that starts over learns from small batches again."""
 _SMALLEST = 6
 """Points in a generation, at least."""
 _ROUNDS = 6
@@ -41,7 +41,7 @@ class Cma(Searcher):
     default. It begins with random candidates. Until something fails, half of each batch is near the
     two drives that came nearest to it (near others where three batches find nothing better), and
     half where a model of the drives so far leaves hope; after 500 evaluations without a failure it
-    forgets them and begins anew. Then all are around failures, each unlike those that are known.
+    discards them and starts over. Then all are around failures, each unlike those that are known.
     Most candidates that violate a requirement are replaced before they are evaluated, which costs a
     small part of a drive; they are not counted. The strategy leads to scenes that satisfy the
     requirements where none is found at random, and has what `spread` leaves."""

@@ -80,7 +80,7 @@ def command(  # noqa: PLR0913 - one parameter per option
         outputs = None if emit is None else parse_outputs(emit)
         batch = RunBatch(target, engine, options, workers, resume, as_json, outputs)
         if file.endswith(_CONCRETE):
-            _refuse_sampling({"-n": count, "--set": settings, "--params": params})
+            _refuse_sampling({"-n": count, "--seed": seed, "--set": settings, "--params": params})
             batch.add_scene(file)
         else:
             batch.add_variants(file, params, parse_overrides(settings), count, seed)
@@ -93,7 +93,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 
 
 def _refuse_sampling(options: dict[str, Any]) -> None:
-    """Of a scene, which is driven as it is: what has a say in which scenes a file gives."""
+    """Usage errors of options that choose scenes of a scene file: a scene is driven as it is."""
     for name, value in options.items():
         if value:
             raise click.UsageError(

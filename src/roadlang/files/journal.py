@@ -13,7 +13,7 @@ from .not_written import not_written
 SCHEMA = "roadlang.journal/1"
 JOURNAL_FILE = "journal.jsonl"
 """Its name in the folder that `run` or `falsify` writes."""
-_ANEW = "choose another folder with `-o`, or leave out `--resume` to begin anew"
+_ANEW = "choose another folder with `-o`, or leave out `--resume` to start over"
 
 
 class JournalFile:

@@ -35,12 +35,14 @@ def read_record(folder: Path) -> ResultsRecord:
 def _no_results(folder: Path) -> DiagnosticError:
     """What is there instead, and the folder that is meant, if one is near."""
     reason, help_ = f"there is no {RESULTS_FILE}", f"`roadlang run FILE -o {folder}` makes them"
-    if not folder.is_dir():
-        reason = "it is a file" if folder.exists() else "there is no such folder"
+    if folder.is_file():
+        reason, help_ = "it is a file", "`roadlang run FILE -o DIR` makes a folder with results"
+    elif not folder.exists():
+        reason = "there is no such folder"
     if (folder.parent / RESULTS_FILE).is_file():
         help_ = f"did you mean `{folder.parent}`?"
     elif (folder / JOURNAL_FILE).is_file():
-        help_ = "the search was interrupted: `--resume` goes on with it"
+        help_ = "it was interrupted: run the same command again with `--resume`"
     return DiagnosticError(diagnose(Code.NO_RESULTS, path=str(folder), reason=reason, help=help_))
 
 

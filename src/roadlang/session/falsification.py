@@ -47,7 +47,7 @@ SAFE_DRIVES = 12
 """Scenes in which nothing is violated that are written beside the failures, to compare."""
 _RANGE = (
     "write a range, such as `speed: 8m/s..20m/s`, where a value may vary",
-    "`roadlang run` drives the only scene that there is",
+    "`roadlang run` drives the only scene there is",
 )
 
 

@@ -42,7 +42,8 @@ class ControllerProcess:
                 start_new_session=True,
             )
         except (OSError, ValueError) as error:
-            raise ProgramFailed(f"it cannot be started: {error}{_words_of(command)}") from error
+            reason = getattr(error, "strerror", None) or str(error)
+            raise ProgramFailed(f"it cannot be started: {reason}{_words_of(command)}") from error
         self._errors: deque[bytes] = deque(maxlen=TAIL)
         self._answers: queue.Queue[bytes] = queue.Queue()
         process = self._process
