@@ -52,7 +52,7 @@ def test_with_a_free_road_it_passes_and_pulls_in_with_its_gap() -> None:
 def test_no_collision_over_twenty_draws_of_oncoming_traffic() -> None:
     traces = drive(ROAD + PASSES + ONCOMING, 20, seed=3, duration=70)
     assert [trace.events for trace in traces] == [()] * 20
-    assert sum(map(passed, traces)) >= 18
+    assert sum(map(passed, traces)) >= 19
     waits = sum(
         trace.agents["ego"].y[trace.agents["ego"].time < 5].max() < -1.0 for trace in traces
     )
