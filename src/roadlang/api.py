@@ -124,10 +124,11 @@ if TYPE_CHECKING:
     from .ir.actuation import ActuationBatch
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.category import ON_FOOT, VEHICLES
-    from .ir.control import Control, ControlBatch, Observation, ObservationBatch
+    from .ir.control import Control, ControlBatch
     from .ir.dataset import Dataset, DatasetFrame
     from .ir.encoding import scene_from_json, to_json
     from .ir.frame_labels import CameraGeometry, FrameLabels, LabeledThing
+    from .ir.observation import Observation, ObservationBatch
     from .ir.picture import Extraction, FoundObject, Picture
     from .ir.placed_batch import PlacedBatch
     from .ir.readings import Reading, SensorRecord
@@ -190,7 +191,8 @@ _LATER = {
     ".ir.batch": "BatchRandom RoadBatch",
     ".ir.category": "ON_FOOT VEHICLES",
     ".ir.placed_batch": "PlacedBatch",
-    ".ir.control": "Control ControlBatch Observation ObservationBatch",
+    ".ir.control": "Control ControlBatch",
+    ".ir.observation": "Observation ObservationBatch",
     ".ir.dataset": "Dataset DatasetFrame",
     ".ir.encoding": "scene_from_json to_json",
     ".ir.frame_labels": "CameraGeometry FrameLabels LabeledThing",

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from .ir.batch import BatchRandom, RoadBatch
-    from .ir.control import Observation
+    from .ir.observation import Observation
     from .ir.trace import AgentTrace, Trace
     from .session.scene_set import SceneSet
 
@@ -189,7 +189,7 @@ def trace(*agents: AgentTrace) -> Trace:
 def observation(**members: Any) -> Observation:
     """What a controller gets once a step: an agent at the start of a straight line along the x
     axis, which it follows at rest. `members` of `Observation` change that."""
-    from .ir.control import Observation
+    from .ir.observation import Observation
 
     position = {"x": members.get("station", 0.0), "y": members.get("cross_track_error", 0.0)}
     defaults: dict[str, Any] = {

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from roadlang.ir.control import ObservationBatch
+from roadlang.ir.observation import ObservationBatch
 from roadlang.ir.surroundings import Neighbor, Neighbors
 
 SEEN = testing.observation(

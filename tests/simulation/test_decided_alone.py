@@ -9,7 +9,8 @@ import pytest
 
 from roadlang import testing
 from roadlang.drive.controllers import python_controllers
-from roadlang.ir.control import Control, Observation
+from roadlang.ir.control import Control
+from roadlang.ir.observation import Observation
 from roadlang.ir.scene import Scene
 from roadlang.plugins.discovery import load_registry
 from roadlang.plugins.kinds import Controller

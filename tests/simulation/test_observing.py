@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from roadlang.ir.control import ObservationBatch
+from roadlang.ir.observation import ObservationBatch
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.observing.observing import Surroundings, View
 

@@ -163,13 +163,18 @@ def test_a_command_line_in_one_text_is_shown_word_by_word() -> None:
 
 
 def test_the_agent_may_brake_instead_and_the_others_go_on(tmp_path: Path) -> None:
-    body = GOOD + "        if seen['time'] > 2.0: sys.exit(1)\n"
+    body = GOOD + "        if seen['time'] > 2.0: sys.exit('no road')\n"
     good = json.dumps([sys.executable, str(program(tmp_path, GOOD, "good.py"))])
     other = f"agent other is car on main at 40m {{ drive with process {{ command: {good} }} }}"
     text = scene(program(tmp_path, body), ", brake_on_failure: true", other)
     (drive,) = driven(text)
     assert drive.trace.agents["ego"].speed[-1] == 0.0
     assert drive.trace.agents["other"].speed[-1] == pytest.approx(5.0, abs=0.3)
+    (failure,) = drive.trace.controller_failures
+    assert failure.agent == "ego"
+    assert failure.time == pytest.approx(2.08, abs=0.05)
+    assert "it ended with code 1" in failure.summary
+    assert failure.summary.endswith("no road")
 
 
 @pytest.mark.parametrize("body", [None, "raise SystemExit(3)"])

@@ -57,19 +57,20 @@ class Process(Controller):
         steering = np.zeros(len(state))
         acceleration = np.full(len(state), -BRAKING)
         timeout = np.broadcast_to(np.asarray(self.timeout, dtype=np.float64), len(state))
+        failures: dict[int, str] = {}
         try:
             self._begin(observations, state)
             for row, line in enumerate(lines_of(observations)):
-                self._attempt(state, row, _send, line)
+                self._attempt(state, row, failures, _send, line)
             for row, seconds in enumerate(timeout.tolist()):
-                answer = self._attempt(state, row, _answered, seconds)
+                answer = self._attempt(state, row, failures, _answered, seconds)
                 if answer is not None:
                     steering[row], acceleration[row] = answer
         except BaseException:  # Ctrl-C too: no program outlives the drive
             for program in filter(None, state):
                 program.close()
             raise
-        return ControlBatch(steering, acceleration)
+        return ControlBatch(steering, acceleration, failures=failures)
 
     def _begin(self, seen: ObservationBatch, state: NDArray[Any]) -> None:
         """Start the programs of those that have none, all at once, then greet them. One that cannot
@@ -91,9 +92,15 @@ class Process(Controller):
                 raise self._failed(error, _WHERE) from error
 
     def _attempt(
-        self, state: NDArray[Any], row: int, step: Callable[[ControllerProcess, A], R], argument: A
+        self,
+        state: NDArray[Any],
+        row: int,
+        failures: dict[int, str],
+        step: Callable[[ControllerProcess, A], R],
+        argument: A,
     ) -> R | None:
-        """What a step with the program of a row gives; None where that has failed."""
+        """What a step with the program of a row gives; None where that has failed. Why it fails now
+        is put into `failures`. Raises DiagnosticError RL740, unless the agent may brake."""
         from .process.program import ProgramFailed
 
         program = state[row]
@@ -103,14 +110,10 @@ class Process(Controller):
             return step(program, argument)
         except ProgramFailed as error:
             program.close()
-            self._fail(state, row, error)
+            state[row], failures[row] = False, str(error)
+            if not self.brake_on_failure:
+                raise self._failed(error) from error
             return None
-
-    def _fail(self, state: NDArray[Any], row: int, error: Exception) -> None:
-        """The program of a row is none any more. Raises DiagnosticError RL740, unless it may be."""
-        state[row] = False
-        if not self.brake_on_failure:
-            raise self._failed(error)
 
     def _failed(self, error: Exception, *help: str) -> DiagnosticError:
         from roadlang.api import Code, DiagnosticError, diagnose

@@ -18,11 +18,19 @@ def print_drive(drive: Drive, run: str, in_full: bool) -> None:
     took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
     if not in_full:
         echo(f"{label}: {_outcome(drive)} ({took} driven)")
+        _print_controller_failures(drive)
         return
     echo(f"{label}: {took} driven in {drive.engine}")
     for verdict in drive.verdicts.values():
         rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
         echo(f"  {_word(verdict.satisfied, 8)}  {verdict.name}: {verdict.text}{rho}")
+    _print_controller_failures(drive)
+
+
+def _print_controller_failures(drive: Drive) -> None:
+    for failure in drive.trace.controller_failures:
+        word = style("failed", fg="red")
+        echo(f"  {word}  controller of {failure.agent} at {failure.time:.1f} s: {failure.summary}")
 
 
 def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
@@ -30,6 +38,9 @@ def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str
     from ..judging.badness import badness
 
     text = holding(sum(satisfied), len(satisfied))
+    failed = sum("controller failure time" in row for row in rows)
+    if failed:
+        text += f"; controllers failed in {failed}"
     judged = [row for row in rows if row.get("worst") and row.get(row["worst"]) is not None]
     if len(rows) < 2 or not judged:
         return f"{text}; "

@@ -133,5 +133,7 @@ def _line(failure: Failure) -> str:
         place = f", first at {moment.time:.1f} s"
         place += "" if moment.station is None else f", s = {moment.station:.0f} m"
         place += f", {moment.partner}" if moment.partner else ""
+    for failed in failure.outcome.controller_failures[:1]:
+        place += f"; controller of {failed.agent} failed at {failed.time:.1f} s: {failed.summary}"
     word = style("violated", fg="red")
     return f"  {word}  failures/{failure.rank:04d}.json  {name}{rho}{place}"

@@ -182,6 +182,7 @@ class Evaluator:
             measures(scene, driven.trace, name),
             descriptor(scene, driven.trace, name, moment),
             moment,
+            driven.trace.controller_failures,
         )
 
     def _with_simulator(self, scene: Scene) -> Scene:

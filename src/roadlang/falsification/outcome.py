@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..ir.controller_failure import ControllerFailure
+
 
 @dataclass(frozen=True, slots=True)
 class Moment:
@@ -56,6 +58,8 @@ class Outcome:
     """what the drive was like: further apart than 1 is distinct"""
     moment: Moment | None = None
     """of a violated expectation, the most important first"""
+    controller_failures: tuple[ControllerFailure, ...] = ()
+    """controllers that failed while the drive went on"""
 
     @property
     def is_valid(self) -> bool:
@@ -70,6 +74,6 @@ class Outcome:
     @property
     def cause(self) -> str:
         """What failed and against whom: failures of different causes are distinct."""
-        if self.moment is None:
-            return ""
-        return f"{self.moment.expectation} {self.moment.partner_kind}".rstrip()
+        moment = self.moment
+        violated = "" if moment is None else f"{moment.expectation} {moment.partner_kind}".rstrip()
+        return " ".join((violated, *(failure.agent for failure in self.controller_failures)))

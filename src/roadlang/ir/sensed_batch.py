@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ..geometry.arrays import Booleans, Floats
     from .batch import BatchRandom
-    from .control import ObservationBatch
+    from .observation import ObservationBatch
 
 CastRays = Callable[["ArrayLike", "ArrayLike", "ArrayLike", "ArrayLike"], "Floats"]
 

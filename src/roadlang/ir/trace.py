@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics.renamed_names import OldName
+from .controller_failure import ControllerFailure, controller_failures
 from .read_only import Frozen
 
 if TYPE_CHECKING:
@@ -153,6 +154,11 @@ class Trace(Frozen):
     engine: str = ""
     events: tuple[Mapping[str, Any], ...] = field(default_factory=tuple)
     inputs: Mapping[str, Floats] = field(default_factory=dict)
+
+    @property
+    def controller_failures(self) -> tuple[ControllerFailure, ...]:
+        """The controllers that failed while the drive went on, in the order of their times."""
+        return controller_failures(self.events)
 
     def named(self, name: str) -> tuple[AgentTrace, ...]:
         """The agents that a name stands for: itself, or all copies `name[i]`."""

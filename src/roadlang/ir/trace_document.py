@@ -72,7 +72,7 @@ class TraceDocument:
     agents: Mapping[str, AgentColumns]
     """by name; the third of the group `oncoming` is `oncoming[2]`"""
     events: tuple[Mapping[str, Any], ...]
-    """what else the simulator reports, such as collisions"""
+    """what else happened: contacts, and controllers that failed while the drive went on"""
     schema: str = TRACE_SCHEMA
 
 

@@ -117,6 +117,9 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
         if view.moment is None
         else int(np.searchsorted(indices, view.moment.sample)),
         "place": view.place,
+        "controllerFailures": [
+            [failure.agent, failure.time, failure.reason] for failure in trace.controller_failures
+        ],
         "shrunk": drive.shrunk,
         "explanation": drive.explanation,
     }

@@ -149,6 +149,9 @@ def _facts(results: Results, views: Sequence[DriveView]) -> Iterator[tuple[str, 
         rate = results.rate
         span = f"{percent(rate.low)} to {percent(rate.high)}"
         yield "Failure rate at random", span, f"95 % interval, {rate.failures:,} of {rate.scenes:,}"
+    broken = sum("controller failure time" in row.values for row in rows)
+    if broken:
+        yield "Controllers failed", f"{broken:,}", f"in {percent(broken / len(rows))} of the scenes"
     units = {j.verdict.name: j.unit for view in views for j in view.judged}
     for name in results.expects:
         found = [(rho, row) for row in rows if (rho := row.robustness.get(name)) is not None]

@@ -14,7 +14,7 @@ _PLACE_UNITS = {
     f"{moment} {name}": unit
     for moment in ("worst", "violation")
     for name, unit in (("time", "s"), ("x", "m"), ("y", "m"), ("station", "m"))
-}
+} | {"controller failure time": "s"}
 
 
 def table_record(results: Results, units: Mapping[str, str], drives: Mapping[int, int]) -> Any:

@@ -14,6 +14,7 @@ from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.standing import without_objects
 from ..drive.trace_files import COLUMNS, to_csv, to_json
+from ..ir.controller_failure import failure_columns
 from ..judging.badness import badness
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
 from ..judging.robustness_series import robustness_series
@@ -227,7 +228,9 @@ class DriveSet(Sequence[Drive]):
     def rows(self) -> list[dict[str, Any]]:
         """Of each drive: `scene`, params and draws, then for each expectation its robustness and,
         as `NAME satisfied`, how it came out; `verdict` of all; which is the worst, and when and
-        where (`worst`, `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`)."""
+        where (`worst`, `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`); where
+        a controller failed during the drive, `controller failure time`, `... agent`, `... reason`.
+        """
         rows = []
         for drive in self:
             row: dict[str, Any] = {"scene": drive.scene.index}
@@ -235,7 +238,8 @@ class DriveSet(Sequence[Drive]):
             for name, verdict in drive.verdicts.items():
                 row |= {name: verdict.robustness, f"{name} satisfied": verdict.satisfied}
             row["verdict"] = drive.verdict
-            rows.append(row | _worst_columns(drive))
+            failures = failure_columns(drive.trace.controller_failures)
+            rows.append(row | _worst_columns(drive) | failures)
         return rows
 
     def to_dict(self) -> dict[str, list[Any]]:

@@ -105,6 +105,7 @@ def _drive_files(number: int, drive: Drive) -> dict[str, str]:
 def _record(failure: Failure) -> dict[str, Any]:
     outcome, drive = failure.outcome, failure.drive
     again = {name: drive.verdicts[name].robustness for name in outcome.expectations}
+    controllers = [dataclasses.asdict(failure) for failure in outcome.controller_failures]
     return {
         "scene": f"{failure.rank:04d}.json",
         "evaluation": outcome.index,
@@ -114,6 +115,7 @@ def _record(failure: Failure) -> dict[str, Any]:
         "moment": None if outcome.moment is None else dataclasses.asdict(outcome.moment),
         "draws": dict(outcome.draws),
         "point": list(outcome.point),
+        **({"controller_failures": controllers} if controllers else {}),
     }
 
 

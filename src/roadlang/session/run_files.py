@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -104,7 +105,8 @@ class RunFolder:
 
 
 def record_of(drive: Drive) -> dict[str, Any]:
-    """How the expectations came out."""
+    """How the expectations came out, and which controllers failed, where any did."""
+    failures = [dataclasses.asdict(failure) for failure in drive.trace.controller_failures]
     return {
         "scene": drive.scene.index,
         "name": drive.scene.name,
@@ -112,6 +114,7 @@ def record_of(drive: Drive) -> dict[str, Any]:
             {"name": v.name, "text": v.text, "robustness": v.robustness, "satisfied": v.satisfied}
             for v in drive.verdicts.values()
         ],
+        **({"controller_failures": failures} if failures else {}),
     }
 
 

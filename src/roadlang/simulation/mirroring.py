@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..ir.control import Control, ControlBatch, Observation
+from ..ir.control import Control, ControlBatch
+from ..ir.observation import Observation
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.kinds import Controller
@@ -146,6 +147,7 @@ class Mirror:
         if self._alone:
             rows, found = self._decided_alone()
             decision.put(rows, found)
+        self._recorder.note_failures(world, decision.failures)
         return replace(decision, acceleration=world.limited(decision.acceleration))
 
     def limited(self, acceleration: Floats) -> Floats:

@@ -113,6 +113,7 @@ def _drive_block(
             world, poses = world.take(going_on), poses.take(agents)
             recorder.go_on_with(going_on, agents, count)
         decision = drivers.decide(world, poses)
+        recorder.note_failures(world, decision.failures)
         steps = min(held, last - world.tick)
         samples = range(sampled - world.tick % sampled, steps, sampled)
         pose = None if decision.pose is None else (decision.pose, held)

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
     from ...geometry.arrays import Floats
     from ...ir.actuation import ActuationBatch
-    from ...ir.control import Control, ControlBatch, Observation, ObservationBatch
+    from ...ir.control import Control, ControlBatch
+    from ...ir.observation import Observation, ObservationBatch
     from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
     from ...ir.trace import Trace

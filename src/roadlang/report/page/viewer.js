@@ -144,6 +144,11 @@ class Viewer {
       if (verdict.robustness !== null) line.append(`, robustness ${shown(verdict.robustness, verdict.unit)}`);
       if (verdict.name === drive.worst && drive.place) line.append(`, ${drive.failed ? "first violated" : "worst"} at ${drive.place}`);
     });
+    for (const [agent, time, reason] of drive.controllerFailures) {
+      const [first, ...rest] = reason.split("\n");
+      line.append(make("br"), make("span", { class: "violated" }, "failed"), ` controller of ${agent} at ${time.toFixed(1)}\u00a0s: ${first}`);
+      if (rest.length) line.append(make("pre", {}, rest.join("\n")));
+    }
     const command = make("p", {}, "Drive it again: ", make("code", {}, `roadlang run ${drive.name}.json`));
     byId("drive-notes").replaceChildren(command, ...foundByCommands(drive));
   }

@@ -12,7 +12,8 @@ import numpy as np
 
 from ...geometry.arrays import Floats
 from ...ir.actuation import ActuationBatch
-from ...ir.control import Control, ControlBatch, Observation, ObservationBatch
+from ...ir.control import Control, ControlBatch
+from ...ir.observation import Observation, ObservationBatch
 from ...plugins.guard import plugin_guard, wrong_result
 from ...plugins.kinds import Controller, implements
 from ...plugins.registry import KindEntry
@@ -123,7 +124,18 @@ class GuardedController(Controller):
             )
         )
         pose = None if decided.pose is None else self._poses(decided.pose, count)
-        return ControlBatch(steering, acceleration, heading, offset, time, pose, limit)
+        failures = self._failures(decided.failures, count)
+        return ControlBatch(steering, acceleration, heading, offset, time, pose, limit, failures)
+
+    def _failures(self, reasons: Any, count: int) -> Mapping[int, str] | None:
+        if not reasons:
+            return None
+        if not isinstance(reasons, Mapping) or not all(
+            place in range(count) and isinstance(reason, str) for place, reason in reasons.items()
+        ):
+            fault = f"gave failures that are no texts by place in a batch of {count}: {reasons!r}"
+            raise wrong_result(self.entry, None, fault)
+        return {int(place): reason for place, reason in reasons.items()}
 
     def _poses(self, values: Any, count: int) -> Floats:
         numbers = real_numbers(values, "poses", self.entry, None)
@@ -174,6 +186,7 @@ def _only(batch: ControlBatch) -> Control:
     return Control(
         float(batch.steering[0]), float(batch.acceleration[0]), number(batch.heading, math.nan),
         number(batch.line_offset, math.nan), number(batch.line_time, 0.0), pose,
+        (batch.failures or {}).get(0, ""),
     )  # fmt: skip
 
 

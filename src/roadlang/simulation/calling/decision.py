@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -24,6 +24,8 @@ class Decision:
     limit: Floats | None = None
     """(N,) the greatest acceleration where it is decided by controllers before the one in charge;
     infinite for none"""
+    failures: dict[int, str] = field(default_factory=dict)
+    """by agent: why its controller fails from now on"""
 
     @classmethod
     def open(cls, driven: Booleans) -> Decision:
@@ -57,6 +59,7 @@ class Decision:
                 self.pose = np.full((len(self.steering), 4), math.nan)
             self.pose[rows] = found.pose
         self._bound(rows, found)
+        self._note_failures(rows, found)
 
     def fill(self, rows: Integers, found: ControlBatch) -> None:
         """What controllers before those decide, where it is still open."""
@@ -66,6 +69,11 @@ class Decision:
         ):
             mine[rows] = np.where(np.isnan(mine[rows]), theirs, mine[rows])
         self._bound(rows, found)
+        self._note_failures(rows, found)
+
+    def _note_failures(self, rows: Integers, found: ControlBatch) -> None:
+        for place, reason in (found.failures or {}).items():
+            self.failures[int(rows[place])] = reason
 
     def _bound(self, rows: Integers, found: ControlBatch) -> None:
         """A controller that leaves the acceleration open may limit what those before it decide."""

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...ir.control import ObservationBatch
+from ...ir.observation import ObservationBatch
 from ...plugins.guard import plugin_guard, wrong_result
 from ...plugins.kinds import ReadingArray, Sensor
 from ...plugins.registry import KindEntry

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -212,10 +213,13 @@ def _decided(
 def _held(group: Group, chosen: Integers, view: View, interval: float) -> ControlBatch:
     """What some agents decided at most `interval` seconds ago."""
     time = view.world.time
-    old = chosen[time - group.since[chosen] > interval - 0.5 * view.world.dt]
-    if len(old):
-        group.hold(old, _decided_now(group, old, view), time)
-    return group.last_decided(chosen)
+    due = np.flatnonzero(time - group.since[chosen] > interval - 0.5 * view.world.dt)
+    if not len(due):
+        return group.last_decided(chosen)
+    now = _decided_now(group, chosen[due], view)
+    group.hold(chosen[due], now, time)
+    failures = {int(due[place]): reason for place, reason in (now.failures or {}).items()}
+    return replace(group.last_decided(chosen), failures=failures)
 
 
 def _decided_now(

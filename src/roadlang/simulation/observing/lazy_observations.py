@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ...ir.control import ObservationBatch
+from ...ir.observation import ObservationBatch
 from ..surroundings.nearest import nearest
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...geometry.arrays import Floats, wrapped
-from ...ir.control import ObservationBatch
+from ...ir.observation import ObservationBatch
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...ir.control import ObservationBatch
+from ...ir.observation import ObservationBatch
 from ...ir.readings import Reading, Readings
 from ...ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from ..lanes.road_lanes import LanesHere, RoadLanes, lane_values

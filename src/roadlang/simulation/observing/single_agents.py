@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from ...geometry.arrays import Integers
-from ...ir.control import Observation, ObservationBatch
+from ...ir.observation import Observation, ObservationBatch
 from ...ir.read_only import ReadOnlyMapping
 from ...ir.readings import Reading, Readings
 from ...ir.scene import Scene

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers, inverse_index
+from ...ir.controller_failure import ControllerFailure
 from ...ir.scene import Scene
 from ...ir.trace import AgentTrace, Trace
 from ..signals.columns import COLUMNS
@@ -71,6 +73,14 @@ class Recorder:
             }
             row = int(self._rows[contact.agent // self._slots])
             self._events.setdefault(row, []).append(event)
+
+    def note_failures(self, world: World, failures: Mapping[int, str]) -> None:
+        """Controllers that fail from now on, by agent, as events of their scenes."""
+        for agent, reason in failures.items():
+            actor = world.actors[agent]
+            assert actor is not None, "somebody has decided for it"
+            event = ControllerFailure(actor.name, world.time, reason).event
+            self._events.setdefault(int(self._rows[agent // self._slots]), []).append(event)
 
     def go_on_with(self, rows: Integers, agents: Integers, count: int) -> None:
         """Of the scenes that went on, only these still do, with these of `count` agents."""

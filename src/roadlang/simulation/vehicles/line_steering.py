@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...geometry.arrays import Floats, wrapped
-from ...ir.control import ObservationBatch
+from ...ir.observation import ObservationBatch
 from .vehicle_dynamics import FRONT_STIFFNESS, GRAVITY
 
 PREVIEW_TIME = 0.12

@@ -1,0 +1,238 @@
+"""What a controller written in Python sees, once a step: of one agent, or of many."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
+from typing import TYPE_CHECKING, Any
+
+from ..diagnostics.renamed_names import OldName
+from .read_only import Frozen
+from .readings import Reading, Readings, batch_of_one
+from .surroundings import (
+    LaneChoice,
+    LanePlace,
+    LanePlaces,
+    Neighbor,
+    Neighbors,
+    nearest_of,
+    points_ahead,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..geometry.arrays import Floats, Integers
+
+_FREE = (math.inf, math.inf, 0.0)
+_NO_JUNCTION = (math.inf, 0.0, math.inf)
+
+
+@dataclass(frozen=True, slots=True)
+class Observation(Frozen):
+    """The state of one agent, SI units and radians; the line is the one that it should follow.
+
+    `line_ahead(d)` gives x, y, heading and curvature of that line `d` meters on.
+    """
+
+    time: float
+    step: float
+    agent: str
+    x: float
+    y: float
+    heading: float
+    speed: float
+    steering: float
+    cross_track_error: float
+    """distance from the line, left positive"""
+    heading_error: float
+    """own heading minus that of the line"""
+    station: float
+    wheelbase: float
+    line_ahead: Callable[[float], tuple[float, float, float, float]]
+    others: Mapping[str, Observation] = field(default_factory=dict)
+    """all agents by name, this one too; theirs have no `others`"""
+    road_offset: float = 0.0
+    """distance from the center line of the road, left positive"""
+    road_width: float = math.inf
+    speed_for_bends: Callable[[float, float, float], float] = lambda lateral, braking, on: math.inf
+    """`speed_for_bends(a, b, d)`: the greatest speed, `d` meters on, from which the bends of the
+    line ahead can be driven with a lateral acceleration of at most `a`, braking before them with
+    `b`"""
+    vehicle_ahead: Callable[[], tuple[float, float]] = lambda: (math.inf, 0.0)
+    """`vehicle_ahead()`: gap to the next agent ahead in the lane, and its speed along it"""
+    acceleration_ahead: Callable[[], float] = lambda: 0.0
+    """of that one, along the lane"""
+    obstacle_ahead: Callable[[], float] = lambda: math.inf
+    """`obstacle_ahead()`: gap to the next object that stands in the way"""
+    lane_end: Callable[[], float] = lambda: math.inf
+    """`lane_end()`: how far ahead of the center its lane becomes too narrow to drive in"""
+    length: float = 4.5
+    width: float = 1.8
+    yaw_rate: float = 0.0
+    acceleration: float = 0.0
+    """along the body"""
+    contacts: float = 0.0
+    """how many things were touched"""
+    traveled: float = 0.0
+    """meters along the line since the start of the drive"""
+    lane_place: Callable[[], LanePlace] = LanePlace
+    """its place among the lanes: `lane`, `lane_offset`, `lane_width` and `speed_limit`"""
+    offset_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
+    """`offset_of_lane(-2)`, `offset_of_lane("left")`: how far left of its reference line
+    (see `LanePlace`) the middle of a lane is here; NaN where there is none"""
+    direction_of_lane: Callable[[LaneChoice], float] = lambda lane: math.nan
+    """of its traffic: 1 as the agent goes, -1 against it, 0 for both or none; NaN for no lane"""
+    speed_limit_ahead: Callable[[float, float], float] = lambda braking, on: math.inf
+    """`speed_limit_ahead(b, d)`: the greatest speed, `d` meters on, from which the speed limits
+    ahead can be obeyed by braking with `b`"""
+    stop_ahead: Callable[[], float] = lambda: math.inf
+    """`stop_ahead()`: how far before the front it has to stop, infinite: nowhere. Who asks obeys"""
+    right_of_way: Callable[[float, float], tuple[float, float, float]] = lambda polite, bold: _FREE
+    """`right_of_way(p, a)`: what `stop_ahead` says, and where lanes merge the gap to who goes first
+    there, infinite for nobody, and its speed; politeness and aggression are from 0 to 1"""
+    junction_ahead: Callable[[], tuple[float, float, float]] = lambda: _NO_JUNCTION
+    """`junction_ahead()`: how far ahead of its front its next junction begins, negative inside,
+    infinite for none; the length of its way there; and the seconds until red, infinite for never"""
+    nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
+    """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
+    sensors: Mapping[str, Reading] = field(default_factory=dict)
+    """the readings of the sensors of the agent, by name: `sensors["front"].rgb`"""
+
+    @property
+    def lane(self) -> int:
+        """The id of the lane in which the agent is, 0 for none."""
+        return self.lane_place().lane
+
+    @property
+    def lane_offset(self) -> float:
+        """Of the middle of that lane, left of the reference line."""
+        return self.lane_place().offset
+
+    @property
+    def lane_width(self) -> float:
+        """Of that lane."""
+        return self.lane_place().width
+
+    @property
+    def speed_limit(self) -> float:
+        """Of that lane, infinite where there is none."""
+        return self.lane_place().speed_limit
+
+
+@dataclass(frozen=True, slots=True)
+class ObservationBatch:
+    """The states of N agents: columns (N,) of what `Observation` says of one, during the call."""
+
+    time: Floats
+    step: float
+    agent: NDArray[np.object_]
+    """their names"""
+    x: Floats
+    y: Floats
+    heading: Floats
+    speed: Floats
+    steering: Floats
+    cross_track_error: Floats
+    heading_error: Floats
+    station: Floats
+    wheelbase: Floats
+    road_offset: Floats
+    road_width: Floats
+    line_ahead: Callable[[Floats | float], tuple[Floats, Floats, Floats, Floats]]
+    """of each agent, a distance ahead: a number, or (N,)"""
+    speed_for_bends: Callable[[Floats | float, Floats | float, Floats | float], Floats]
+    vehicle_ahead: Callable[[], tuple[Floats, Floats]]
+    acceleration_ahead: Callable[[], Floats]
+    obstacle_ahead: Callable[[], Floats]
+    lane_end: Callable[[], Floats]
+    length: Floats
+    width: Floats
+    yaw_rate: Floats
+    acceleration: Floats
+    contacts: Floats
+    traveled: Floats
+    lane_place: Callable[[], LanePlaces]
+    offset_of_lane: Callable[[LaneChoice | Floats], Floats]
+    """of each agent; ids may be a column (N,)"""
+    direction_of_lane: Callable[[LaneChoice | Floats], Floats]
+    speed_limit_ahead: Callable[[Floats | float, Floats | float], Floats]
+    stop_ahead: Callable[[], Floats]
+    right_of_way: Callable[[Floats | float, Floats | float], tuple[Floats, Floats, Floats]]
+    junction_ahead: Callable[[], tuple[Floats, Floats, Floats]]
+    nearby: Callable[[float], Neighbors]
+    path_ahead: Callable[[Floats], tuple[Floats, Floats]]
+    """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
+    nearest: Callable[[int], tuple[Floats, Floats, Floats, Floats]]
+    """`nearest(n)`: (N, n) x, y, heading and speed of the nearest others; NaN: no more of them"""
+    sensors: Mapping[str, Reading] = field(default_factory=dict)
+    """the readings of sensors that all N agents have, by name; arrays have a leading axis N"""
+    of_one = OldName("of_single")
+    """deprecated: now `of_single`"""
+
+    @property
+    def lane(self) -> Integers:
+        """Ids of the lanes in which the agents are, 0 for none."""
+        return self.lane_place().lane
+
+    @property
+    def lane_offset(self) -> Floats:
+        """Of the middle of those lanes, left of the reference lines."""
+        return self.lane_place().offset
+
+    @property
+    def lane_width(self) -> Floats:
+        """Of those lanes."""
+        return self.lane_place().width
+
+    @property
+    def speed_limit(self) -> Floats:
+        """Of those lanes, infinite where there is none."""
+        return self.lane_place().speed_limit
+
+    @classmethod
+    def number_columns(cls) -> tuple[str, ...]:
+        """The names of its columns of numbers."""
+        return tuple(field_.name for field_ in fields(cls) if field_.type == "Floats")
+
+    @classmethod
+    def of_single(cls, seen: Observation) -> ObservationBatch:
+        """A batch of one agent."""
+        import numpy as np
+
+        def column(value: float) -> Floats:
+            return np.array([value], dtype=np.float64)
+
+        def first(value: Floats | float) -> float:
+            return float(np.ravel(value)[0])
+
+        def columns(values: tuple[float, ...]) -> Any:
+            return tuple(column(value) for value in values)
+
+        def lane(which: LaneChoice | Floats) -> LaneChoice:
+            return which if isinstance(which, str | int) else round(first(which))
+
+        return cls(
+            **{name: column(getattr(seen, name)) for name in cls.number_columns()},
+            step=seen.step,
+            agent=np.array([seen.agent], dtype=object),
+            line_ahead=lambda distance: columns(seen.line_ahead(first(distance))),
+            speed_for_bends=lambda *limits: column(seen.speed_for_bends(*map(first, limits))),
+            vehicle_ahead=lambda: columns(seen.vehicle_ahead()),
+            acceleration_ahead=lambda: column(seen.acceleration_ahead()),
+            obstacle_ahead=lambda: column(seen.obstacle_ahead()),
+            lane_end=lambda: column(seen.lane_end()),
+            lane_place=lambda: LanePlaces.of_single(seen.lane_place()),
+            offset_of_lane=lambda which: column(seen.offset_of_lane(lane(which))),
+            direction_of_lane=lambda which: column(seen.direction_of_lane(lane(which))),
+            speed_limit_ahead=lambda *at: column(seen.speed_limit_ahead(*map(first, at))),
+            stop_ahead=lambda: column(seen.stop_ahead()),
+            right_of_way=lambda *temper: columns(seen.right_of_way(*map(first, temper))),
+            junction_ahead=lambda: columns(seen.junction_ahead()),
+            nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
+            path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
+            nearest=lambda count: nearest_of(seen, seen.others, count),
+            sensors=Readings({name: batch_of_one(one) for name, one in seen.sensors.items()}),
+        )
