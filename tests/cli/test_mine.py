@@ -40,3 +40,21 @@ def test_a_parameter_of_which_larger_values_fail_again_is_warned_of(
 @pytest.mark.parametrize(("bounds", "code"), [("limit=0..1", 1), ("limit", 2), ("x=0..1", 1)])
 def test_refusals(trace: Any, bounds: str, code: int) -> None:
     assert run(["mine", "always (e <= limit)", "--param", bounds, trace]) == code
+
+
+def test_a_parameter_that_the_formula_lacks_may_be_a_word_that_is_no_signal(
+    trace: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["mine", "always (e < lmit)", "--param", "limit=0..9", trace]) == 1
+    assert "did you mean `lmit`?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", [["monitor"], ["mine", "--param", "limit=0..9"]])
+def test_a_trace_without_a_sample_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], command: list[str]
+) -> None:
+    (tmp_path / "empty.csv").write_text("t,e\n")
+    assert run([*command, "always (e < limit)", str(tmp_path / "empty.csv")]) == 1
+    told = capsys.readouterr().err
+    assert "error[RL300]" in told
+    assert "empty.csv has no row below" in told

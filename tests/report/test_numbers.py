@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from roadlang.report.numbers import number, percent, quantity
+from roadlang.report.numbers import number, percent, plain, quantity
 
 
 @pytest.mark.parametrize(
@@ -32,6 +32,10 @@ def test_few_digits_commas_and_a_minus(value: float, digits: int, text: str) -> 
 )  # fmt: skip
 def test_units_are_those_that_people_read(value: float | None, unit: str, text: str) -> None:
     assert quantity(value, unit) == text
+
+
+def test_terminals_have_the_signs_of_keyboards() -> None:
+    assert plain(f"{quantity(-2.5, 'm')} {number(-math.inf)}") == "-2.5 m -inf"
 
 
 def test_shares_are_per_cent() -> None:

@@ -142,7 +142,9 @@ def test_another_road_than_that_of_the_first_agent(tmp_path: Path) -> None:
     points = json.loads((tmp_path / "scene-0000.sbft.json").read_text())
     assert points[0] == [0.0, 0.0]
     assert points[-1] == [120.0, 110.0]
-    with pytest.raises(roadlang.DiagnosticError, match="it has no road `mian`"):
+    with pytest.raises(
+        roadlang.DiagnosticError, match=r"it has no road `mian`; did you mean `main`\?"
+    ):
         testing.sample(text.replace('"main"', '"mian"'), 1).emit(tmp_path)
 
 

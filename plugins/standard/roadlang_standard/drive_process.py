@@ -34,7 +34,9 @@ class Process(Controller):
 
     name: ClassVar[str] = "process"
     command: ListOf[String] = option(at_least=1, help="the program and its arguments")
-    timeout: Duration = option(1.0, minimum=0.001, maximum=600, help="time limit for each answer")
+    timeout: Duration = option(
+        1.0, minimum=0.001, maximum=600, help="time limit for each answer", example="500ms"
+    )
     brake_on_failure: Flag = option(
         False,
         help="if the program dies, is late or gives an invalid answer during the drive, the agent"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend, Flag, Length, String, option
+from roadlang.api import Backend, Flag, Length, String, did_you_mean, option
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -34,7 +34,8 @@ class SbftBackend(Backend):
         if not (contents.roads or contents.networks):
             yield "it has no road"
         elif self.road and named not in (*contents.roads, *contents.networks):
-            yield f"it has no road `{self.road}`"
+            known = did_you_mean(named, (*contents.roads, *contents.networks))
+            yield "; ".join((f"it has no road `{self.road}`", *known))
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         import json

@@ -24,14 +24,14 @@ def explain_failure(file: str, scene_file: str | None) -> None:
 
 
 def _lines(record: Mapping[str, Any]) -> list[str]:
-    from ..report.numbers import quantity
+    from ..report.numbers import plain, quantity
 
     name, medians = record["expectation"], record["medians"]
     singles = [item for item in medians if len(item["draws"]) == 1]
     holding = {item["draws"][0] for item in singles if _holds(item)}
     pairs = [item for item in medians if len(item["draws"]) == 2 and not holding & {*item["draws"]}]
     head = f"{style('violated', fg='red')}  {name}: {record['text']}"
-    rho = quantity(record["robustness"], record["unit"])
+    rho = plain(quantity(record["robustness"], record["unit"]))
     lines = [f"{head}  robustness {rho}", *_moment(record["moment"])]
     lines += ["", f"robustness of {name} with a random value at its median, the others as they are"]
     lines += _rows(singles, record["unit"])
@@ -53,12 +53,12 @@ def _moment(moment: Mapping[str, Any] | None) -> list[str]:
 
 
 def _rows(items: Sequence[Mapping[str, Any]], unit: str) -> list[str]:
-    from ..report.numbers import quantity
+    from ..report.numbers import plain, quantity
 
     rows = []
     for item in items[:_SHOWN]:
         rho = item["robustness"]
-        number = "no scene" if rho is None else quantity(rho, unit)
+        number = "no scene" if rho is None else plain(quantity(rho, unit))
         word = style("holds", fg="green") if _holds(item) else ""
         rows.append(f"  {number:>11}  {' + '.join(item['draws'])}  {word}".rstrip())
     more = len(items) - _SHOWN

@@ -97,6 +97,9 @@ def _exit_code(search: Falsification) -> int:
 
 
 def _print(search: Falsification, target: Path, as_json: bool) -> None:
+    from ..diagnostics import Code, diagnose
+    from ..search.rejection_report import as_text
+
     report(search.diagnostics)
     if as_json:
         from ..session.falsification_files import summary
@@ -109,7 +112,9 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
     if more > 0:
         echo(f"  ... and {more} more")
     if not search.driven:
-        note("no candidate satisfied the requirements; `roadlang compile` shows which rejects most")
+        tried, file = f"{len(search.outcomes):,}", str(search.loaded.path)
+        report([diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried)])
+        note(f"\n{as_text(search.rejections, len(search.outcomes))}")
     failing = sum(outcome.is_failure for outcome in search.driven)
     echo(
         f"{len(search.failures)} distinct of {failing} failures in {len(search.driven):,} scenes"

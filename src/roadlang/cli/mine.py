@@ -69,10 +69,12 @@ def command(
         raise click.UsageError("--front needs two parameters or more")
     from ..stl.explain.mining import mine, mine_front
     from ..stl.formats.column_units import check_units
-    from ..stl.formats.trace_files import read_trace
+    from .read_traces import read_samples
+    from .trace_dimensions import check_dimensions
 
     check_units(formula, traces)
-    recordings = [read_trace(path, agent)[1:] for path in traces]
+    check_dimensions(formula, traces)
+    recordings = [read_samples(path, agent)[1:] for path in traces]
     digits = how["digits"]
     if front:
         mined = mine_front(formula, parameters, recordings, points=front, **how)

@@ -93,18 +93,21 @@ def command(
     these. Infinities are the strings "inf" and "-inf".
     """
     _refuse_combinations(traces, following, plot, as_json, how)
-    from ..stl import parse, read_trace
+    from ..stl import parse
     from ..stl.formats.column_units import check_units
+    from .read_traces import read_samples
+    from .trace_dimensions import check_dimensions
 
-    parsed = parse(formula)
-    check_units(formula, [path for path in traces if path != "-"])
+    parsed, files = parse(formula), [path for path in traces if path != "-"]
+    check_units(formula, files)
+    check_dimensions(formula, files)
     if following:
         from .follow import follow
 
         failed = follow(parsed, traces[0])
         code = exit_codes.EXPECTATION_VIOLATED if failed else exit_codes.DONE
         click.get_current_context().exit(code)
-    columns = [(path, read_trace(path, how["agent"])) for path in traces]
+    columns = [(path, read_samples(path, how["agent"])) for path in traces]
     findings = [_judged(parsed, trace, path, plot, how) for path, trace in columns]
     _show(parsed, findings, as_json, how["is_open"])
     failing = ("violated", "vacuous") if how["strict"] else ("violated",)

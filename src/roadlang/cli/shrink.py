@@ -38,12 +38,12 @@ def command(failure: str, scene_file: str | None, target: str | None) -> None:
 
 
 def _print(found: Failure, simple: Failure) -> None:
-    from ..report.numbers import quantity
+    from ..report.numbers import plain, quantity
     from ..session.failure_findings import reported_draws, unit_of
 
     name = found.outcome.violated[0]
     before, after = (
-        quantity(failure.robustness[name], unit_of(found)) for failure in (found, simple)
+        plain(quantity(failure.robustness[name], unit_of(found))) for failure in (found, simple)
     )
     word = style("violated", fg="red")
     echo(f"{word}  {name}: robustness {after} (before: {before})")
@@ -61,6 +61,6 @@ def _print(found: Failure, simple: Failure) -> None:
 
 
 def _value(value: object, unit: str) -> str:
-    from ..report.numbers import quantity
+    from ..report.numbers import plain, quantity
 
-    return quantity(float(value), unit) if isinstance(value, int | float) else str(value)
+    return plain(quantity(float(value), unit)) if isinstance(value, int | float) else str(value)

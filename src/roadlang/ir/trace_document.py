@@ -10,6 +10,14 @@ from .schema import Schema, schema_of_dataclass
 
 TRACE_SCHEMA = "roadlang.trace/2"
 
+COLUMN_UNITS = {
+    "time": "s", "x": "m", "y": "m", "heading": "rad", "speed": "m/s", "acceleration": "m/s^2",
+    "steering": "rad", "station": "m", "cross_track_error": "m", "progress": "", "contacts": "",
+    "road": "", "lane": "", "lane_offset": "m", "route_progress": "m", "speed_limit": "m/s",
+    "off_road": "m", "red_light": "", "collision": "m/s", "present": "",
+}  # fmt: skip
+"""What the columns of a trace are in; nothing for plain numbers."""
+
 Column = tuple[float | None, ...]
 
 

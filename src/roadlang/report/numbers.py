@@ -28,6 +28,11 @@ def quantity(value: float | None, unit: str = "", digits: int = 3) -> str:
     return number(value * scaled, digits) + (f"{_SPACE}{shown}" if shown else "")
 
 
+def plain(text: str) -> str:
+    """Numbers as terminals have them: with the signs that keyboards have, to copy into files."""
+    return text.replace(_MINUS, "-").replace(_SPACE, " ").replace("\N{INFINITY}", "inf")
+
+
 def shown_unit(unit: str) -> tuple[float, str]:
     """The unit in which people read what is in this SI unit, and the factor."""
     if unit == "rad":

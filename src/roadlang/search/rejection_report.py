@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -102,6 +102,26 @@ def rows_of(
                 requirement.implied,
                 index in impossible,
                 stats.settled[index],
+            )
+        )
+    return tuple(sorted(rows, key=lambda row: -row.rejected))
+
+
+def rows_of_outcomes(
+    requirements: Sequence[Requirement], robustness: Sequence[Mapping[str, float | None]]
+) -> tuple[RejectionRow, ...]:
+    """The table of candidates that were judged by all requirements, by name; without those that
+    go without saying. Several may reject one candidate."""
+    rows = []
+    for one in requirements:
+        found = [rho for each in robustness if (rho := each.get(one.name)) is not None]
+        if one.implied or not found:
+            continue
+        rejected = sum(rho < 0.0 for rho in found)
+        share = rejected / len(found)
+        rows.append(
+            RejectionRow(
+                one.name, one.text, one.line, len(found), rejected, share, max(found), one.implied
             )
         )
     return tuple(sorted(rows, key=lambda row: -row.rejected))

@@ -31,6 +31,7 @@ from ..falsification.statistics import (
     failure_rate,
 )
 from ..files.journal import JOURNAL_FILE
+from ..search.rejection_report import RejectionRow, rows_of_outcomes
 from ..search.worker_pool import WorkerPool, Workers
 from ..simulation.vehicles import compiled
 from ..world.index import index_scenario
@@ -204,6 +205,12 @@ class Falsification:
     def driven(self) -> tuple[Outcome, ...]:
         """The candidates that satisfy the requirements."""
         return tuple(outcome for outcome in self.outcomes if outcome.is_valid)
+
+    @property
+    def rejections(self) -> tuple[RejectionRow, ...]:
+        """How many candidates violate each requirement, those that most violate first."""
+        requirements = self.evaluator.acceptance.requirements
+        return rows_of_outcomes(requirements, [found.requirements for found in self.outcomes])
 
     @property
     def rate(self) -> FailureRate:

@@ -53,6 +53,8 @@ def _report_unknown(
     about = (
         () if meant else _about_functions(checker, name.text) or _declared_names(checker, context)
     )
+    if "image" in context.roles and not meant:
+        about = (*about, f'`image {name.text} from "FILE"` declares a picture')
     return checker.report(Code.UNKNOWN_NAME, name.span, name=name.text, help=about, meant=meant)
 
 

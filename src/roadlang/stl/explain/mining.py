@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from ...diagnostics import Code, DiagnosticError
+from ...diagnostics import Code, DiagnosticError, did_you_mean
 from ..errors import stl_error
 from ..evaluate.trace import Positions, Signals
 from ..formats.text import parse
@@ -19,6 +19,7 @@ from ..formula.terms import number_text
 
 Recording = tuple[Positions, Signals]
 
+_WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])")
 _STEPS, _PROBES = 60, 15
 _CUT_OFF = (
     "only the end of a trace is in the way: `--unknown-holds` (`unknown_holds=True`) counts as "
@@ -150,9 +151,14 @@ class _ParameterSearch:
                 problem = f"its bounds are {number_text(low)} and {number_text(high)}"
                 raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
             if not _word(name).search(self.text):
-                raise stl_error(
-                    Code.INVALID_PARAMETER, name=name, problem="the formula does not contain it"
-                )
+                help_ = did_you_mean(name, self._words())
+                problem = "the formula does not contain it"
+                raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem, help=help_)
+
+    def _words(self) -> set[str]:
+        """Those of the text that are no signals."""
+        signals = {name for _, columns in self.recordings for name in columns}
+        return {*_WORD.findall(self.text)} - signals
 
     def formula(self, values: Mapping[str, float]) -> f.Formula:
         text = self.text

@@ -6,6 +6,7 @@ columns named `ego.speed`, and those of one agent also by their plain names.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -33,6 +34,11 @@ def is_table(names: Sequence[str]) -> bool:
 def is_document(value: Any) -> bool:
     """Whether a JSON value is the trace of a drive."""
     return isinstance(value, dict) and str(value.get("schema", "")).startswith(SCHEMA)
+
+
+def is_start_of_document(text: str) -> bool:
+    """Whether a JSON text begins as the trace of a drive does."""
+    return re.match(rf'\s*\{{\s*"schema"\s*:\s*"{re.escape(SCHEMA)}', text) is not None
 
 
 def columns_of_rows(

@@ -41,7 +41,7 @@ from .sign_mistakes import (
     turned_comparison,
     wrong_sign,
 )
-from .statement_habits import foreign_pass_help, override_with_role
+from .statement_habits import foreign_pass_help, json_document, override_with_role
 from .token_names import expectation, finding
 from .weighted_choice import weights_map
 from .word_mistakes import (
@@ -76,6 +76,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     options_in_list,
     relative_position,
     override_with_role,
+    json_document,
     method_call,
     emit_target,
     absolute_value,

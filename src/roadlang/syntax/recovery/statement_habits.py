@@ -26,6 +26,10 @@ _CONTROLLERS = (
 _DRIVE_ENDS = "a drive lasts as long as `simulate { duration: 20s }` says"
 _VALUE = "write `param NAME = value`, which can be set from outside, or `let NAME = value`"
 
+_JSON = (
+    "a scene file has statements such as `road main { ... }`; `roadlang run scene.json` drives a "
+    "scene that roadlang wrote as JSON"
+)
 _AGENT = "agents and objects are written `agent NAME is KIND on ROAD at POSITION { ... }`"
 
 _HELP = {
@@ -87,6 +91,21 @@ def override_with_role(place: ErrorPosition) -> Mistake | None:
         fixes=[Fix(place.source.span(span.start, place.token()[2]), "")],
     )
     return Mistake(found, Edit(1, 2))
+
+
+def json_document(place: ErrorPosition) -> Mistake | None:
+    """A scene that `emit json` wrote, in place of the scene file."""
+    if place.index or place.word() not in ("{", "[") or place.span().start:
+        return None
+    return Mistake(
+        diagnose(
+            Code.UNEXPECTED_TOKEN,
+            place.span(),
+            expected="a statement",
+            found=f"`{place.word()}`",
+            help=_JSON,
+        )
+    )
 
 
 def as_include(source: Source, tokens: Sequence[Token]) -> tuple[Fix, list[Token]] | None:
