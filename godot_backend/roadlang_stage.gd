@@ -28,6 +28,8 @@ const View := preload("view/view.gd")
 
 ## An idle engine that nobody watches polls this often, so that it does not take a core for nothing.
 const IDLE_MSEC := 2
+## The same without a client: only a hello has to wait.
+const ALONE_MSEC := 20
 
 ## Address to listen on: other machines reach this one at their own risk.
 @export var host := "127.0.0.1"
@@ -122,7 +124,7 @@ func _process(_dt: float) -> void:
 	var is_busy := _server.poll(true) or is_driving()
 	var is_watched := eyes != View.Eyes.STILL and DisplayServer.get_name() != "headless"
 	if eyes != View.Eyes.GUEST and not is_busy and not is_watched:
-		OS.delay_msec(IDLE_MSEC)
+		OS.delay_msec(IDLE_MSEC if is_connected_to_client() else ALONE_MSEC)
 
 
 func _physics_process(dt: float) -> void:

@@ -40,14 +40,16 @@ def no_script_errors(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engines.Engine, "ending", sound_ending)
 
 
-@pytest.fixture(scope="session")
+# An engine takes a part of a core also while it waits: these end when the tests of this folder, or
+# those of a file, are done.
+@pytest.fixture(scope="package")
 def fast_engine() -> Iterator[engines.Engine]:
     """A headless engine that runs as fast as it can."""
     with started(fixed_fps=60, quit_idle=900.0) as engine:
         yield engine
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def drawing_engine() -> Iterator[engines.Engine]:
     """An engine that takes pictures."""
     with started(fixed_fps=60, draw=True, quit_idle=900.0) as engine:
