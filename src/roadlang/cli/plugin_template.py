@@ -22,6 +22,7 @@ VERBS = (
     "drive",
     "drive_signal",
     "emit",
+    "falsify",
     "monitor",
     "object",
     "perturb",
