@@ -37,7 +37,7 @@ def single(text: str) -> SceneEnv:
     [
         (ALONE, AutoresetMode.NEXT_STEP),
         *((FOLLOWED, mode) for mode in AutoresetMode),
-        *((CUT_IN, mode) for mode in AutoresetMode),
+        (CUT_IN, AutoresetMode.SAME_STEP),
     ],
 )
 def test_each_is_what_it_would_be_alone(text: str, mode: AutoresetMode) -> None:

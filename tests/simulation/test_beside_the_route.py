@@ -6,6 +6,10 @@ import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.api import Scene
+
+from .driven_roads import drive_together
+from .routed_scenes import drive_scenes
 
 TOWN = """
 image plan from \"\"\"
@@ -22,21 +26,24 @@ EAST, WEST = 10.0 - 4.0, 10.0 + 4.0
 """Meters north of the two bike lanes of the road that goes on."""
 
 
-@pytest.mark.parametrize("drives", ["lane_follow", "traffic", "pure_pursuit"])
-def test_bicycles_keep_to_the_line_of_their_lane(drives: str) -> None:
-    text = f"""{TOWN}
-    agent east is bicycle on town at (20m, 7m) {{
-      lane: bike, route: [(150m, 7m)], drive with {drives} {{ speed: 6m/s }} }}
-    agent west is bicycle on town at (120m, 13m) {{
-      lane: bike, route: [(70m, 50m)], drive with {drives} {{ speed: 6m/s }} }}
-    """
-    ((one,)) = testing.sample(text, 1).run("builtin", duration=15.0, control_step=0.1)
-    east, west = one.trace.agents["east"], one.trace.agents["west"]
-    assert east.y == pytest.approx(np.full(len(east.y), EAST), abs=0.2)
-    assert east.x[-1] > 100.0
-    assert west.y[0] == pytest.approx(WEST, abs=0.1)
-    assert west.x[-1] == pytest.approx(74.0, abs=0.3)
-    assert west.y[-1] > 40.0
+def test_bicycles_keep_to_the_line_of_their_lane() -> None:
+    kinds = ("lane_follow", "traffic", "pure_pursuit")
+    texts = [
+        f"""{TOWN}
+        agent east is bicycle on town at (20m, 7m) {{
+          lane: bike, route: [(150m, 7m)], drive with {drives} {{ speed: 6m/s }} }}
+        agent west is bicycle on town at (120m, 13m) {{
+          lane: bike, route: [(70m, 50m)], drive with {drives} {{ speed: 6m/s }} }}
+        """
+        for drives in kinds
+    ]
+    for drives, trace in zip(kinds, drive_together(texts, duration=15.0), strict=True):
+        east, west = trace.agents["east"], trace.agents["west"]
+        assert east.y == pytest.approx(np.full(len(east.y), EAST), abs=0.2), drives
+        assert east.x[-1] > 100.0, drives
+        assert west.y[0] == pytest.approx(WEST, abs=0.1), drives
+        assert west.x[-1] == pytest.approx(74.0, abs=0.3), drives
+        assert west.y[-1] > 40.0, drives
 
 
 @pytest.mark.parametrize(("y", "side"), [(4.0, -1.0), (16.0, 1.0)])
@@ -73,27 +80,29 @@ agent rider is bicycle on town at (PLACE) {
 ALONGSIDE, ONCOMING = "139m, 45m..75m", "131m, 205m..225m"
 
 
-@pytest.mark.parametrize(
-    ("turn", "place", "control"),
-    [
-        ("right", ALONGSIDE, "yield"),
-        ("right", ALONGSIDE, "signals { green: 15s }"),
-        ("left", ONCOMING, "right_first"),
-        ("left", ONCOMING, "signals { green: 15s }"),
-    ],
+TURNS = (
+    ("right", ALONGSIDE, "yield"),
+    ("right", ALONGSIDE, "signals { green: 15s }"),
+    ("left", ONCOMING, "right_first"),
+    ("left", ONCOMING, "signals { green: 15s }"),
 )
-def test_who_turns_lets_riders_in_the_bike_lane_go_straight_on(
-    control: str, turn: str, place: str
-) -> None:
-    text = CROSSING.replace("CONTROL", control).replace("TURN", turn).replace("PLACE", place)
-    close = 0
-    for one in testing.sample(text, 3, seed=3).run("builtin", duration=60.0, control_step=0.1):
-        ego, rider = one.trace.agents["ego"], one.trace.agents["rider"]
-        apart = np.hypot(ego.x - rider.x, ego.y - rider.y)
-        close += apart.min() < 15.0
-        assert not ego.contacts.any()
-        assert not rider.contacts.any()
-        assert abs(ego.x[-1] - 135.0) > 40.0
-        if "signals" not in control:
-            assert rider.speed[np.abs(rider.y - 135.0) < 30.0].min() > 2.0
-    assert close
+
+
+def test_who_turns_lets_riders_in_the_bike_lane_go_straight_on() -> None:
+    scenes: list[Scene] = []
+    for turn, place, control in TURNS:
+        text = CROSSING.replace("CONTROL", control).replace("TURN", turn).replace("PLACE", place)
+        scenes += [scene.record for scene in testing.sample(text, 3, seed=3)]
+    traces = drive_scenes(scenes, duration=60.0)
+    for number, case in enumerate(TURNS):
+        close = 0
+        for trace in traces[3 * number : 3 * number + 3]:
+            ego, rider = trace.agents["ego"], trace.agents["rider"]
+            apart = np.hypot(ego.x - rider.x, ego.y - rider.y)
+            close += apart.min() < 15.0
+            assert not ego.contacts.any(), case
+            assert not rider.contacts.any(), case
+            assert abs(ego.x[-1] - 135.0) > 40.0, case
+            if "signals" not in case[2]:
+                assert rider.speed[np.abs(rider.y - 135.0) < 30.0].min() > 2.0, case
+        assert close, case

@@ -38,11 +38,10 @@ def street(
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("lanes", [2, 4])
-def test_it_yields_to_who_waits_on_either_side_in_every_lane(lanes: int) -> None:
-    ids = [*range(-lanes // 2, 0), *range(1, lanes // 2 + 1)]
-    cases = list(product(("right", "left"), ids))
-    texts = [street(side=side, lane=lane, lanes=lanes) for side, lane in cases]
+def test_it_yields_to_who_waits_on_either_side_in_every_lane() -> None:
+    lanes = ((2, -1), (2, 1), (4, -2), (4, -1), (4, 1), (4, 2))
+    cases = list(product(("right", "left"), lanes))
+    texts = [street(side=side, lane=lane, lanes=lanes) for side, (lanes, lane) in cases]
     for case, trace in zip(cases, drive_together(texts, duration=40.0), strict=True):
         assert least_speed(trace) < 0.5, case
         assert trace.agents["ego"].progress[-1] == 1.0, case  # its patience ends
@@ -61,7 +60,7 @@ def test_it_does_not_wait_for_others() -> None:
 
 def test_nobody_who_crosses_is_hit_and_all_get_across() -> None:
     crosses = "drive with crossing {{ speed: {}m/s, wait_for: gap, when: ego.station > {}m }}"
-    cases = list(product(("right", "left"), (0.8, 1.4, 2.5), (25, 60, 80)))
+    cases = list(product(("right", "left"), (0.8, 2.5), (25, 60, 80)))
     texts = [street(side=side, wants=crosses.format(v, at)) for side, v, at in cases]
     for case, trace in zip(cases, drive_together(texts, duration=40.0), strict=True):
         walker = trace.agents["walker"]

@@ -17,7 +17,11 @@ from roadlang.stl.formula.formulas import COMPOUNDS, Measured, SampleStep, Truth
 from tests.dense_reference import DenseReference, Grid
 from tests.stl_draws import NAMES, FormulaDraw
 
-QUICK = [seed for seed in range(120) if seed not in (68, 71, 80, 85, 116, 118)]
+QUICK = [
+    seed
+    for seed in range(120)
+    if seed not in (11, 16, 29, 38, 62, 68, 71, 74, 80, 85, 95, 116, 118)
+]
 """Seeds of formulas that the reference can value within a second or two."""
 
 

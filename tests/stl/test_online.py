@@ -46,13 +46,13 @@ def test_each_step_equals_the_range_of_the_prefix(seed: int) -> None:
 def test_folding_the_past_changes_nothing(text: str) -> None:
     positions, signals = draw_trace(7, 260, 1, even=True)
     row = {name: values[0] for name, values in signals.items()}
-    _compare(stl.parse(text), positions, row, every=29)
+    _compare(stl.parse(text), positions, row, every=53)
 
 
 @pytest.mark.parametrize("inner", ["eventually[0, 2]", "once[0, 2]", "eventually[0, 1] once[0, 1]"])
 def test_a_step_costs_what_the_formula_looks_at_not_the_past(inner: str) -> None:
     monitor = stl.OnlineMonitor(stl.parse(f"always (x < 4 or {inner} (x < 3))"))
-    for k in range(600):
+    for k in range(300):
         monitor.push(0.1 * k, {"x": np.sin(k)})
     assert len(monitor._positions) < 200
 

@@ -140,7 +140,7 @@ def test_a_row_goes_on_round_the_corner(sample: Sample) -> None:
     assert all(distance(*pair) > 6.0 for pair in pairwise(scene.agents))
 
 
-@settings(max_examples=8, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck))
 @given(seed=st.integers(0, 2**31), gap=st.floats(0.5, 40.0), scale=st.integers(8, 16))
 def test_nothing_stands_in_a_junction(sample: Sample, seed: int, gap: float, scale: int) -> None:
     bend = "network streets from town { perturb with sine { amplitude: 0.5m, wavelength: 40m } }\n"

@@ -123,7 +123,7 @@ def test_things_without_lane_stand_beside_the_roads_of_a_network(sample: Sample)
     assert len({tree.road for tree in scene.objects}) > 2
 
 
-@settings(max_examples=8, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=5, deadline=None, suppress_health_check=list(HealthCheck))
 @given(
     lanes=st.sampled_from(
         ["lanes: 1", "lanes: 2", "lanes: 3", "lanes: 4", "lanes: 2, sidewalks: 2m"]
