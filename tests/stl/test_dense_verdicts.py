@@ -90,7 +90,7 @@ def test_what_is_known_of_every_moment_holds_behind_the_last_one_too(
     text: str, expected: tuple[float, float], semantics: Any
 ) -> None:
     lo, hi = stl.parse(text).range([0, 1], {"x": [1, 2]}, semantics=semantics)
-    assert (lo, hi) == expected
+    assert (float(lo), float(hi)) == expected
 
 
 @pytest.mark.parametrize("semantics", SEMANTICS)
