@@ -88,9 +88,9 @@ def test_another_process_writes_the_same_bytes(tmp_path: Path, verb: str) -> Non
 
 @pytest.mark.slow
 def test_examples_are_written_the_same(tmp_path: Path) -> None:
-    """Every other one, whatever the process has compiled before: one goes through them forward,
+    """Every third one, whatever the process has compiled before: one goes through them forward,
     one backward."""
-    scenes = [str(path) for path in sorted(EXAMPLES.glob("*.rl"))[::2]]
+    scenes = [str(path) for path in sorted(EXAMPLES.glob("*.rl"))[::3]]
     for seed, order in (("1", scenes), ("2", scenes[::-1])):
         folder, formats = str(tmp_path / seed), ",".join(FORMATS["compile"])
         done = python("-c", COMPILE_ALL, folder, formats, *order, seed=seed)

@@ -143,13 +143,13 @@ TWEAKED = {
     "pieces": 6,
     "bent": 5,
     "values": 5,
-    "town": 3,
+    "town": 2,
     "places": 3,
-    "right_places": 2,
+    "right_places": 1,
     "picture": 2,
     "table": 4,
     "search": 4,
-    "drawn": 2,
+    "drawn": 1,
     "approaches": 4,
     "copies": 5,
     "joined": 4,
@@ -211,7 +211,7 @@ def _cases() -> Iterable[Case]:
     for first in range(0, 9, 3):
         seeds = range(first, first + 3)
         yield Case("drives", f"traffic.{first}", partial(traffic_lines, seeds, 10.0))
-    yield Case("drives", "options.drive", partial(option_lines, 7.0))
+    yield Case("drives", "options.drive", partial(option_lines, 5.0))
     yield Case("drives", "streets.drive", partial(street_lines, 15.0))
     for first in range(0, 96, 24):
         yield Case("tweaks", f"random.{first}", partial(random_lines, range(first, first + 3)))

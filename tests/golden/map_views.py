@@ -154,7 +154,8 @@ def place_lines() -> Iterator[str]:
 
 def broken_map_lines(values: int) -> Iterator[str]:
     """Small maps in each of which one attribute or element is missing, odd or doubled: what is
-    read, or the message. Every attribute of every tag once, with so many odd values."""
+    read, or the message. Every attribute of every tag is missing once or odd, in turn, with so
+    many odd values."""
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         for name, text, read in (
@@ -183,6 +184,7 @@ def _broken_texts(text: str, values: int) -> Iterator[tuple[str, str]]:
         for child in parent:
             parents.setdefault(child.tag, []).append((parent, child))
     rng = random.Random(len(text))
+    attributes = 0
     for tag, found in parents.items():
         parent, child = rng.choice(found)
         place = list(parent).index(child)
@@ -195,8 +197,12 @@ def _broken_texts(text: str, values: int) -> Iterator[tuple[str, str]]:
         for name in dict.fromkeys(name for _, one in found for name in one.attrib):
             _, having = rng.choice([pair for pair in found if name in pair[1].attrib])
             old = having.attrib.pop(name)
-            yield f"{tag} without {name}", ET.tostring(root, "unicode")
-            for value in rng.sample(_OTHERS, values):
+            odd = rng.sample(_OTHERS, values)
+            attributes += 1
+            if attributes % 2:
+                yield f"{tag} without {name}", ET.tostring(root, "unicode")
+                odd = []
+            for value in odd:
                 having.set(name, value)
                 yield f"{tag} {name}={value!r}", ET.tostring(root, "unicode")
             having.set(name, old)

@@ -56,7 +56,7 @@ def _lines(texts: Iterable[tuple[int, str]]) -> Iterator[str]:
         record = json.loads(scenes[0].to_json())
         yield from _scene_lines(record)
         if seed % 3 == 0 and record["agents"]:
-            yield from agent_lines(scenes[0].run(duration=3.0))
+            yield from agent_lines(scenes[0].run(duration=3.0).trace)
         if seed % 6 == 1:
             yield from of_svg(scenes[0].svg())
 

@@ -7,29 +7,33 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from roadlang import Drive, testing
+from roadlang import testing
+from roadlang.api import Trace
 from tests.golden.summaries import array
 from tests.simulation.mirrored_scenes import Lines, random_pair
-from tests.simulation.routed_scenes import CONTROL_STEP
+from tests.simulation.routed_scenes import CONTROL_STEP, drive_scenes
 
 _COLUMNS = ("speed", "acceleration", "steering", "lane", "contacts", "present")
 
 
 def traffic_lines(seeds: range, seconds: float) -> Iterator[str]:
     """Random scenes: crossings, forks, roundabouts and bends, under all rules, left and right."""
+    scenes = []
     for seed in seeds:
         pair = random_pair(seed)
         with tempfile.TemporaryDirectory() as name:
             pair.write(Path(name))
             text = pair.left if seed % 2 else pair.right
-            yield f"{seed}: {'left' if seed % 2 else 'right'}"
-            scenes = testing.sample(text, 1, kinds=[Lines], folder=Path(name), seed=1)
-            yield from agent_lines(scenes[0].run(duration=seconds, control_step=CONTROL_STEP))
+            found = testing.sample(text, 1, kinds=[Lines], folder=Path(name), seed=1)
+            scenes.append(found[0].record)
+    for seed, trace in zip(seeds, drive_scenes(scenes, duration=seconds), strict=True):
+        yield f"{seed}: {'left' if seed % 2 else 'right'}"
+        yield from agent_lines(trace)
 
 
-def agent_lines(drive: Drive) -> Iterator[str]:
+def agent_lines(trace: Trace) -> Iterator[str]:
     """A line for each agent: how far it got, and its columns together."""
-    for name, agent in drive.trace.agents.items():
+    for name, agent in trace.agents.items():
         places = (agent.x - agent.x[0], agent.y - agent.y[0])
         columns = [*places, *(getattr(agent, key) for key in _COLUMNS)]
         numbers = [float(value) for column in columns for value in column]
@@ -149,7 +153,7 @@ def option_lines(seconds: float, traffic: str = "right") -> Iterator[str]:
     driven = scenes[0].run(duration=seconds, control_step=CONTROL_STEP)
     said = {f"e{i}": drive for i, drive in enumerate(_DRIVES)}
     said |= {f"w{i}": drive for i, drive in enumerate(_ON_FOOT)}
-    for line in agent_lines(driven):
+    for line in agent_lines(driven.trace):
         name = line.split(":")[0].strip()
         if not name.startswith("things"):
             yield line + (f" {said[name]}" if name in said else "")
@@ -182,4 +186,4 @@ def street_lines(seconds: float) -> Iterator[str]:
             assert actor.route is not None
             steps = [(step.road, step.lane, step.stop) for step in actor.route.steps]
             yield f"{actor.name} {steps}"
-        yield from agent_lines(scenes[0].run(duration=seconds))
+        yield from agent_lines(scenes[0].run(duration=seconds).trace)
