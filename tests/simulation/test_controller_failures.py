@@ -120,6 +120,20 @@ def test_tables_have_the_first_failure_in_one_line_and_verdicts_have_all() -> No
     assert columns.items() <= row_of(outcome, []).items()
 
 
+@pytest.mark.parametrize(
+    ("reason", "summary"),
+    [
+        ("it ended", "it ended"),
+        ("it ended:\n\nf.js:9\nError: no\n    at x\nNode.js v20", "it ended: Error: no"),
+        ("it ended:\nTraceback\n  a()\npkg.SpeedError: 13", "it ended: pkg.SpeedError: 13"),
+        ("it ended:\nthread 'main' panicked at a\nnote", "it ended: thread 'main' panicked at a"),
+        ("it ended:\nsome words\nSegmentation fault", "it ended: Segmentation fault"),
+    ],
+)  # fmt: skip
+def test_the_summary_names_the_error(reason: str, summary: str) -> None:
+    assert ControllerFailure("ego", 1.0, reason).summary == summary
+
+
 def test_failures_in_which_a_controller_failed_are_of_another_cause() -> None:
     plain = Outcome(0, (), False, None, violated=("stays",))
     failure = ControllerFailure("ego", 1.0, "late")

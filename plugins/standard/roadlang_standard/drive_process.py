@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 from roadlang.api import Controller, Duration, Flag, ListOf, String, option
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     import numpy as np
     from numpy.typing import NDArray
@@ -64,8 +64,10 @@ class Process(Controller):
             self._begin(observations, state)
             for row, line in enumerate(lines_of(observations)):
                 self._attempt(state, row, failures, _send, line)
+                self._refuse(failures, observations)
             for row, seconds in enumerate(timeout.tolist()):
                 answer = self._attempt(state, row, failures, _answered, seconds)
+                self._refuse(failures, observations)
                 if answer is not None:
                     steering[row], acceleration[row] = answer
         except BaseException:  # Ctrl-C too: no program outlives the drive
@@ -86,12 +88,12 @@ class Process(Controller):
                 state[row] = ControllerProcess(self.command)
                 state[row].send(greeting(seen, row))
             except ProgramFailed as error:
-                raise self._failed(error, _WHERE) from error
+                raise self._failed(str(error), _WHERE, _driven(seen, row)) from error
         for row in new:
             try:
                 _greeted(state[row], START)
             except ProgramFailed as error:
-                raise self._failed(error, _WHERE) from error
+                raise self._failed(str(error), _WHERE, _driven(seen, row)) from error
 
     def _attempt(
         self,
@@ -102,7 +104,7 @@ class Process(Controller):
         argument: A,
     ) -> R | None:
         """What a step with the program of a row gives; None where that has failed. Why it fails now
-        is put into `failures`. Raises DiagnosticError RL740, unless the agent may brake."""
+        is put into `failures`."""
         from .process.program import ProgramFailed
 
         program = state[row]
@@ -113,16 +115,25 @@ class Process(Controller):
         except ProgramFailed as error:
             program.close()
             state[row], failures[row] = False, str(error)
-            if not self.brake_on_failure:
-                raise self._failed(error) from error
             return None
 
-    def _failed(self, error: Exception, *help: str) -> DiagnosticError:
+    def _refuse(self, failures: Mapping[int, str], seen: ObservationBatch) -> None:
+        """Raises DiagnosticError RL740 for the first of them, unless the agents may brake."""
+        if failures and not self.brake_on_failure:
+            row, reason = next(iter(failures.items()))
+            raise self._failed(reason, _driven(seen, row))
+
+    def _failed(self, reason: str, *help: str) -> DiagnosticError:
         from roadlang.api import Code, DiagnosticError, diagnose
 
         command = " ".join(self.command)
-        fault = diagnose(Code.PROGRAM_FAILED, command=command, reason=str(error), help=help)
+        fault = diagnose(Code.PROGRAM_FAILED, command=command, reason=reason, help=help)
         return DiagnosticError(fault)
+
+
+def _driven(seen: ObservationBatch, row: int) -> str:
+    """Which program it is, of several of one command."""
+    return f"it drives `{seen.agent[row]}`, at {seen.time[row]:.2f} s of the drive"
 
 
 def _send(program: ControllerProcess, line: str) -> None:

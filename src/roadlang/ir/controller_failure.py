@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 CONTROLLER_FAILED = "controller_failed"
+_NAMES_ERROR = re.compile(
+    r"(?:[\w.:]*(?:Error|Exception)\b|.*\bpanicked at\b|fatal\b)", re.IGNORECASE
+)
+"""`ValueError: too fast`, `Error: too fast` (Node.js), `thread 'main' panicked at` (Rust)"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,10 +36,11 @@ class ControllerFailure:
 
     @property
     def summary(self) -> str:
-        """The reason in one line: of several lines the first and the last, where tracebacks say
-        what was raised."""
+        """The reason in one line: of several lines the first, and the last that names an error, as
+        tracebacks do; the last of all where none does."""
         lines = [line.strip() for line in self.reason.splitlines() if line.strip()]
-        return " ".join(dict.fromkeys((*lines[:1], *lines[-1:])))
+        named = [line for line in lines[1:] if _NAMES_ERROR.match(line)]
+        return " ".join(dict.fromkeys((*lines[:1], *(named or lines)[-1:])))
 
 
 def controller_failures(events: Iterable[Mapping[str, Any]]) -> tuple[ControllerFailure, ...]:

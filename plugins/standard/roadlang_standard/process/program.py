@@ -16,7 +16,7 @@ from typing import IO
 
 LONGEST_LINE = 65_536
 """bytes of an answer"""
-TAIL = 12
+TAIL = 30
 """lines of standard error that are kept"""
 PATIENCE = 1.0
 """seconds for which a program may go on after its standard input was closed"""
