@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable
+from functools import cache
 
 import pytest
 
@@ -20,6 +21,12 @@ def started(**options: object) -> engines.Engine:
         if not absent or os.environ.get("ROADLANG_REQUIRE_GODOT") == "1":
             raise
         pytest.skip(f"no Godot engine: {error}")
+
+
+@cache
+def require_engine() -> None:
+    """For tests whose engines something else starts. One is started once in each process."""
+    started().stop()
 
 
 def until(holds: Callable[[], object]) -> None:

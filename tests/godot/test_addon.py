@@ -15,7 +15,7 @@ from roadlang_godot.drive import driving
 from roadlang_godot.engines import engine as engines
 from roadlang_godot.engines.addon import install_addon
 from roadlang_godot.net import protocol
-from tests.godot.godot_engines import started, until
+from tests.godot.godot_engines import require_engine, started, until
 from tests.godot.godot_scenes import bends, call, car, pieces, road, scene, straight
 
 PROJECT_FILE = """config_version=5
@@ -105,7 +105,7 @@ def test_the_addon_has_the_version_of_the_protocol() -> None:
 
 def _imported(game: Path) -> None:
     """Roadlang is in the game, and Godot has found its classes."""
-    started().stop()
+    require_engine()
     install_addon(game)
     engine = str(engines.find())
     imported = subprocess.run(

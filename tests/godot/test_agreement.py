@@ -7,13 +7,13 @@ import pytest
 from benchmarks.agreement.drives import in_embedded, in_godot
 from benchmarks.agreement.measures import Agreement, Pair
 from benchmarks.agreement.scenes import random_scenes
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 
 pytestmark = [pytest.mark.godot, pytest.mark.slow]
 
 
 def test_both_engines_agree_on_twenty_random_scenes() -> None:
-    started().stop()
+    require_engine()
     scenes = list(random_scenes(20, 12))
     found = Agreement.of(map(Pair.of, in_embedded(scenes), in_godot(scenes)))
     assert 6 <= found.failing <= 14, str(found)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from roadlang_godot.engines import engine as engines
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 
 pytestmark = [
     pytest.mark.godot,
@@ -34,7 +34,7 @@ def _heeds_ctrl_c() -> None:
 
 
 def test_it_listens_without_a_window_where_it_is_told_to(tmp_path: Path) -> None:
-    started().stop()
+    require_engine()
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]

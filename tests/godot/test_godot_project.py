@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 
 from roadlang_godot.engines import engine as engines
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 
 PROJECT = engines.project()
 
 
 @pytest.mark.godot
 def test_the_projects_own_tests_pass() -> None:
-    started().stop()
+    require_engine()
     command = [
         str(engines.find()),
         "--headless",
@@ -75,7 +75,7 @@ func _init() -> void:
 
 @pytest.mark.godot
 def test_the_main_scene_shows_something_in_the_editor_and_runs_empty(tmp_path: Path) -> None:
-    started().stop()
+    require_engine()
     script = tmp_path / "look.gd"
     script.write_text(SCENE_SCRIPT, encoding="utf-8")
     command = [str(engines.find()), "--headless", "--path", str(PROJECT), "-s", str(script)]

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,7 @@ from roadlang_godot.engines import engine as engines
 from roadlang_godot.engines import restarted_engine
 from roadlang_godot.faults import EngineError
 from roadlang_godot.net.session import Session
-from tests.godot.godot_engines import started, until
+from tests.godot.godot_engines import require_engine, until
 from tests.godot.godot_scenes import call, car, pieces, road, scene, straight
 
 pytestmark = pytest.mark.godot
@@ -37,6 +38,12 @@ def scenes() -> list[Scene]:
 
 def traces() -> list[Trace]:
     return list(simulate.drive_scenes(scenes(), SETTINGS, [{}, {}]))
+
+
+@cache
+def undisturbed_traces() -> list[Trace]:
+    require_engine()
+    return traces()
 
 
 def kills(
@@ -71,8 +78,7 @@ def kills(
 def test_drives_whose_engines_are_killed_give_the_same_traces(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    started().stop()
-    undisturbed = traces()
+    undisturbed = undisturbed_traces()
     killed = kills(monkeypatch, lambda drive: drive in (1, 2, 4))
     again = traces()
     assert len(killed) == 3
@@ -83,7 +89,7 @@ def test_drives_whose_engines_are_killed_give_the_same_traces(
 
 
 def test_a_scene_that_loses_every_engine_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    started().stop()
+    require_engine()
     killed = kills(monkeypatch, lambda drive: drive > 1, signal.SIGSEGV)
     driven = simulate.drive_scenes(scenes(), SETTINGS, [{}, {}])
     next(iter(driven))
@@ -95,7 +101,7 @@ def test_a_scene_that_loses_every_engine_is_named(monkeypatch: pytest.MonkeyPatc
 def test_a_scene_in_which_all_engines_are_killed_is_named_as_well(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    started().stop()
+    require_engine()
     monkeypatch.setattr(restarted_engine, "MOST_KILLS", 4)
     killed = kills(monkeypatch, lambda drive: True)
     with pytest.raises(EngineError, match=r"RL505.*4 engines were lost in scene 0 of `test`"):
@@ -122,8 +128,7 @@ class Killed:
 def test_engines_that_are_killed_while_they_start_count_against_no_scene(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    started().stop()
-    undisturbed = traces()
+    undisturbed = undisturbed_traces()
     killed = Killed(restarted_engine.MOST_LOSSES + 2)
     monkeypatch.setattr(engines, "start", killed)
     again = traces()
@@ -135,7 +140,7 @@ def test_engines_that_are_killed_while_they_start_count_against_no_scene(
 def test_engines_that_never_start_are_no_fault_of_a_scene(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    started().stop()
+    require_engine()
     monkeypatch.setattr(restarted_engine, "MOST_KILLS", 2)
     killed = Killed(2)
     monkeypatch.setattr(engines, "start", killed)
@@ -146,7 +151,7 @@ def test_engines_that_never_start_are_no_fault_of_a_scene(
 
 
 def test_an_engine_ends_with_whoever_started_it() -> None:
-    started().stop()
+    require_engine()
     program = (
         "from roadlang_godot.engines import engine\n"
         "print(engine.start().process.pid, flush=True)\n"
@@ -165,7 +170,7 @@ def test_an_engine_ends_with_whoever_started_it() -> None:
 
 
 def test_a_port_in_use_is_named() -> None:
-    started().stop()
+    require_engine()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
         port = taken.getsockname()[1]

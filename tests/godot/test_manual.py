@@ -12,7 +12,7 @@ import pytest
 from roadlang.cli import main as cli
 from roadlang.drive.trace_files import from_json
 from roadlang.ir.trace import AgentTrace
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 from tests.godot.virtual_screen import Hand
 
 pytestmark = pytest.mark.godot
@@ -47,7 +47,7 @@ def hold(screen: str, keys: tuple[str, ...], done: threading.Event) -> None:
 def test_a_human_drives_is_judged_and_is_replayed(
     screen: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    started().stop()
+    require_engine()
     monkeypatch.setenv("DISPLAY", screen)
     done = threading.Event()
     human = threading.Thread(target=hold, args=(screen, ("w", "Left"), done))
@@ -75,7 +75,7 @@ def test_a_human_drives_is_judged_and_is_replayed(
 
 
 def test_nobody_drives_without_a_window(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    started().stop()
+    require_engine()
     file = tmp_path / "scene.rl"
     file.write_text(SCENE.format(drive="drive with manual"))
     assert cli.run(["run", str(file), "--engine", "godot", "-o", str(tmp_path / "out")]) == 5

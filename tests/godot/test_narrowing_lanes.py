@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 
 TEXT = """
 road wide { draw with segments { pieces: [straight(70m)] }, left: [drive(3.5m)],
@@ -23,7 +23,7 @@ agent back is car on street at 180m { facing: back, drive with lane_follow { spe
 
 @pytest.mark.godot
 def test_agents_stay_in_the_middle_of_lanes_that_narrow() -> None:
-    started().stop()
+    require_engine()
     (drive,) = testing.sample(TEXT, 1).run("godot", duration=12.0)
     for name, agent in drive.trace.agents.items():
         straight = (agent.station < 110.0) & (agent.station > 10.0)

@@ -10,7 +10,7 @@ import pytest
 
 from roadlang.cli import main as cli
 from roadlang.drive.trace_files import from_json
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 
 pytestmark = pytest.mark.godot
 
@@ -27,7 +27,7 @@ expect forward: always (ego.speed >= 0m/s)
 
 
 def run(folder: Path, limit: str) -> int:
-    started().stop()
+    require_engine()
     file = folder / "scene.rl"
     file.write_text(SCENE.format(limit=limit), encoding="utf-8")
     return cli.run(["run", str(file), "--engine", "godot", "-o", str(folder / "out")])
@@ -56,7 +56,7 @@ def test_the_summary_says_how_many_hold_and_where_the_files_are(
 def test_results_are_a_table_of_scenes_by_run(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    started().stop()
+    require_engine()
     (tmp_path / "scene.rl").write_text("param limit = 9m/s\n" + SCENE.format(limit="limit"))
     (tmp_path / "runs.yaml").write_text("- limit: 9m/s\n- limit: 6m/s\n")
     words = ["run", str(tmp_path / "scene.rl"), "--params", str(tmp_path / "runs.yaml")]
@@ -76,7 +76,7 @@ def test_from_python_a_drive_is_columns_and_verdicts(tmp_path: Path) -> None:
     import roadlang
     from roadlang import stl
 
-    started().stop()
+    require_engine()
     (scene,) = roadlang.loads(SCENE.format(limit="9m/s")).sample()
     drive = scene.run("godot", duration=3.0)
     assert drive.engine.lower().startswith("godot")

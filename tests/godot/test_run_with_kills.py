@@ -5,13 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import threading
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
 
 from roadlang.cli import main as cli
 from roadlang_godot.engines import engine as engines
-from tests.godot.godot_engines import started
+from tests.godot.godot_engines import require_engine
 
 pytestmark = pytest.mark.godot
 
@@ -39,10 +41,18 @@ def files(folder: Path, drive: str, *words: str) -> dict[str, bytes]:
 BY_BOTH = pytest.mark.parametrize("drive", ["pure_pursuit", "traffic"])
 
 
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], dict[str, bytes]]:
+    """The files of four drives, which both tests compare."""
+    require_engine()
+    return cache(lambda drive: files(tmp_path_factory.mktemp(drive) / "alone", drive, "-n", "4"))
+
+
 @BY_BOTH
-def test_more_engines_give_the_same_files(tmp_path: Path, drive: str) -> None:
-    started().stop()
-    alone = files(tmp_path / "alone", drive, "-n", "4")
+def test_more_engines_give_the_same_files(
+    undisturbed: Callable[[str], dict[str, bytes]], tmp_path: Path, drive: str
+) -> None:
+    alone = undisturbed(drive)
     assert len(alone) > 4
     assert files(tmp_path / "both", drive, "-n", "4", "--jobs", "2") == alone
 
@@ -81,14 +91,16 @@ class Killer:
 
 @BY_BOTH
 def test_engines_killed_at_any_moment_change_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, drive: str
+    undisturbed: Callable[[str], dict[str, bytes]],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    drive: str,
 ) -> None:
-    started().stop()
+    alone = undisturbed(drive)
     cores = cores_of_this_thread()
-    undisturbed = files(tmp_path / "alone", drive, "-n", "6")
     killer = Killer([0.05, 0.2, 0.4, 0.6, 0.8])
     monkeypatch.setattr(engines, "_spawn", killer.spawn)
-    assert files(tmp_path / "disturbed", drive, "-n", "6") == undisturbed
+    assert files(tmp_path / "disturbed", drive, "-n", "4") == alone
     assert cores_of_this_thread() == cores
     killer.end()
     assert len(killer.killed) >= 2
