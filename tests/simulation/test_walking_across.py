@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -28,6 +30,7 @@ CURB = 61.3
 GREEN = "control with signals { green: 10s, yellow: 0s, all_red: 0s, offset: "
 
 
+@cache
 def walked(control: str, wait: str = "", more: str = "") -> Trace:
     text = TOWN.format(control=control, wait=wait, more=more)
     ((one,)) = testing.sample(text, 1).run("builtin", duration=20.0)
