@@ -259,3 +259,13 @@ def test_shapes_that_do_not_fit_are_refused() -> None:
     ):
         with pytest.raises(GeometryError):
             call()
+
+
+def test_a_line_that_is_moved_again_and_again_knows_its_direction_without_angles() -> None:
+    road = circle(radius=60.0, count=200)
+    s = road.stations(count=201)
+    lines: CurveBatch = displace(road, s, np.zeros((2, 201)))
+    for number in range(1, 4):
+        lines = displace(lines, s, [[2.0], [-3.0]] * np.sin(2 * np.pi * number * s / road.length))
+        np.testing.assert_allclose(lines.toward_east, np.cos(lines.heading), atol=1e-12)
+        np.testing.assert_allclose(lines.toward_north, np.sin(lines.heading), atol=1e-12)

@@ -20,8 +20,8 @@ def test_what_passes_the_quick_test_passes_the_exact_ones(closed: bool) -> None:
     waves = 2 * np.pi * random.integers(1, 12, (200, 1)) * s / road.length
     first = displace(road, s, size * np.sin(waves))
     moved = displace(first, s, 0.5 * size[::-1] * np.cos(1.7 * waves if not closed else 2 * waves))
-    lines = moved.points, first.points, moved.curvature
-    quick = surely_smooth(*lines, moved.gaps, closed)
+    steps = moved.step_bounds, first.step_bounds
+    quick = surely_smooth(*steps, moved.curvature, moved.gaps, closed)
     exact = fold_of_points(moved.points, moved.gaps, closed, (first.points, first.steps))
     exact |= turns_too_much(moved.curvature, moved.steps, closed)
     assert 20 < exact.sum() < 170
@@ -35,6 +35,7 @@ def test_a_fold_at_the_seam_of_a_closed_road_is_not_passed() -> None:
     s = ring.stations(count=100)
     moves = np.zeros((1, 100))
     moves[0, 0], moves[0, -1] = 3.0, -3.0
-    again = displace(displace(ring, s, 0.0 * moves), s, moves)
-    lines = again.points, displace(ring, s, 0.0 * moves).points, 0.0 * again.curvature
-    assert not surely_smooth(*lines, again.gaps, closed=True).any()
+    still = displace(ring, s, 0.0 * moves)
+    again = displace(still, s, moves)
+    steps = again.step_bounds, still.step_bounds
+    assert not surely_smooth(*steps, 0.0 * again.curvature, again.gaps, closed=True).any()

@@ -14,9 +14,19 @@ from .curve import Curve
 from .differences import derivative, station_gaps
 from .errors import GeometryError
 from .folding import fold_of_points
+from .smooth_moves import StepBounds
 
 Batch = TypeVar("Batch", bound="CurveBatch")
-_COMPUTED = {"heading", "speed", "curvature", "steps", "folded", "slope"}
+_COMPUTED = {
+    "heading",
+    "toward_east",
+    "toward_north",
+    "speed",
+    "curvature",
+    "steps",
+    "folded",
+    "slope",
+}
 """Properties that are computed when they are first used, with a row for each variant."""
 
 
@@ -73,6 +83,16 @@ class CurveBatch(SharedArrays):
         return np.unwrap(np.arctan2(dy, dx), axis=-1)
 
     @cached_array
+    def toward_east(self) -> Floats:
+        """(V, S) the part to the east of the unit vectors along the curves."""
+        return np.cos(self.heading)
+
+    @cached_array
+    def toward_north(self) -> Floats:
+        """(V, S) the part to the north of the unit vectors along the curves."""
+        return np.sin(self.heading)
+
+    @cached_array
     def speed(self) -> Floats:
         """(V, S) meters along the curve for a meter along the stations."""
         return np.hypot(*self._velocity)
@@ -85,9 +105,9 @@ class CurveBatch(SharedArrays):
     @property
     def normal(self) -> Floats:
         """(V, S, 2) unit vectors to the left."""
-        normal = np.empty((*self.heading.shape, 2))
-        np.negative(np.sin(self.heading), out=normal[..., 0])
-        np.cos(self.heading, out=normal[..., 1])
+        normal = np.empty((*self.toward_north.shape, 2))
+        np.negative(self.toward_north, out=normal[..., 0])
+        normal[..., 1] = self.toward_east
         return normal
 
     @cached_array
@@ -97,6 +117,11 @@ class CurveBatch(SharedArrays):
         if self.closed:
             points = np.concatenate([points, points[:, :1]], axis=1)
         return norm(np.diff(points, axis=1))
+
+    @cached_property
+    def step_bounds(self) -> StepBounds:
+        """The steps, for quick tests: of its lines, and of those that are displaced from them."""
+        return StepBounds.of(self.points, self.closed)
 
     @property
     def length(self) -> Floats:

@@ -67,9 +67,25 @@ class DisplacedBatch(CurveBatch):
         return np.asarray(self.frame.heading + np.arctan2(self.slope, progress))
 
     @cached_array
+    def toward_east(self) -> Floats:
+        """(V, S) the part to the east of the unit vectors along the curves."""
+        _, along = self.frame.normal.T
+        return self._turned(along, self.frame.normal[:, 0])
+
+    @cached_array
+    def toward_north(self) -> Floats:
+        """(V, S) the part to the north of the unit vectors along the curves."""
+        across, along = self.frame.normal.T
+        return self._turned(-across, along)
+
+    def _turned(self, straight: Floats, left: Floats) -> Floats:
+        progress = 1.0 - self.frame.curvature * self.displacement
+        return _turned((straight, left), (progress, self.slope), self.speed)
+
+    @cached_array
     def speed(self) -> Floats:
         """(V, S) meters along the curve for a meter along the stations."""
-        return np.hypot(1.0 - self.frame.curvature * self.displacement, self.slope)
+        return _size(1.0 - self.frame.curvature * self.displacement, self.slope)
 
     @cached_array
     def curvature(self) -> Floats:
@@ -127,26 +143,47 @@ class MovedBatch(CurveBatch):
         return np.asarray(self.base.heading + np.arctan2(self.sideways, self.forward))
 
     @cached_array
+    def toward_east(self) -> Floats:
+        """(V, S) the part to the east of the unit vectors along the curves."""
+        base = self.base
+        return _turned(
+            (base.toward_east, -base.toward_north), (self.forward, self.sideways), self.speed
+        )
+
+    @cached_array
+    def toward_north(self) -> Floats:
+        """(V, S) the part to the north of the unit vectors along the curves."""
+        base = self.base
+        return _turned(
+            (base.toward_north, base.toward_east), (self.forward, self.sideways), self.speed
+        )
+
+    @cached_array
     def speed(self) -> Floats:
         """(V, S) meters along the curve for a meter along the stations."""
-        return np.hypot(self.forward, self.sideways)
+        return _size(self.forward, self.sideways)
 
     @cached_array
     def curvature(self) -> Floats:
         """(V, S) 1/m, left positive."""
         faster = derivative(self.forward, self.stations, self.period)
-        farther = derivative(self.sideways, self.stations, self.period)
+        faster *= self.sideways
+        found = derivative(self.sideways, self.stations, self.period)
+        found *= self.forward
+        found -= faster
         speed = np.maximum(self.speed, SLOWEST)
-        turned = (self.forward * farther - self.sideways * faster) / speed**2
-        return np.asarray((self.base.speed * self.base.curvature + turned) / speed)
+        found /= np.multiply(speed, speed, out=faster)
+        found += self.base.speed * self.base.curvature
+        found /= speed
+        return found
 
     @cached_array
     def folded(self) -> Booleans:
         """(V,) True where a curve, or one that it was made from, is folded."""
         doubtful = np.ones(self.variants, dtype=bool)
         if self.along_base:
-            lines = self.points, self.base.points, self.curvature
-            doubtful = ~surely_smooth(*lines, self.gaps, self.closed)
+            steps = self.step_bounds, self.base.step_bounds
+            doubtful = ~surely_smooth(*steps, self.curvature, self.gaps, self.closed)
         if doubtful.any():
             doubtful[doubtful] = (self if doubtful.all() else self.take(doubtful))._is_folded()
         return np.asarray(doubtful | self.base.folded)
@@ -199,11 +236,30 @@ def undisplaced(frame: CurveFrame) -> DisplacedBatch:
 def _pushed(base: CurveBatch, displacement: Floats) -> MovedBatch:
     """Along the normal of a batch."""
     points = np.empty((max(len(displacement), base.variants), *base.points.shape[1:]))
-    np.subtract(base.points[..., 0], displacement * np.sin(base.heading), out=points[..., 0])
-    np.add(base.points[..., 1], displacement * np.cos(base.heading), out=points[..., 1])
-    forward = base.speed * (1.0 - base.curvature * displacement)
+    np.subtract(base.points[..., 0], displacement * base.toward_north, out=points[..., 0])
+    np.add(base.points[..., 1], displacement * base.toward_east, out=points[..., 1])
+    forward = base.curvature * displacement
+    np.subtract(1.0, forward, out=forward)
+    forward *= base.speed
     sideways = derivative(displacement, base.stations, base.period)
     return MovedBatch(base, points, (forward, sideways), along_base=True)
+
+
+def _size(forward: Floats, sideways: Floats) -> Floats:
+    """Of velocities, which are neither huge nor tiny: `hypot` takes ten times as long."""
+    found = forward * forward
+    found += sideways * sideways
+    return np.asarray(np.sqrt(found, out=found))
+
+
+def _turned(axis: tuple[Floats, Floats], velocity: tuple[Floats, Floats], speed: Floats) -> Floats:
+    """One coordinate of the direction of velocities (forward, to the left), of which `speed` is
+    the size; `axis`: the same coordinate of the unit vectors forward and to the left. Angles would
+    have to be found and resolved again."""
+    found = axis[0] * velocity[0]
+    found += axis[1] * velocity[1]
+    found /= np.maximum(speed, SLOWEST)
+    return found
 
 
 def _shifted(base: CurveBatch, shift: Floats) -> MovedBatch:

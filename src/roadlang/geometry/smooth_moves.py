@@ -6,6 +6,8 @@ the greatest of a row leave no doubt, products of the steps are enough.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from .arrays import Booleans, Floats
@@ -16,48 +18,64 @@ _DOUBT = 1e-9
 """Share by which a row passes at least, for what rounding may do to the exact tests."""
 
 
+@dataclass(frozen=True)
+class StepBounds:
+    """The n steps of V lines from station to station."""
+
+    east: Floats
+    """(V, n) meters"""
+    north: Floats
+    """(V, n) meters"""
+    longest: Floats
+    """(V,) meters that no step is longer than"""
+
+    @classmethod
+    def of(cls, points: Floats, closed: bool) -> StepBounds:
+        """`points`: (V, S, 2)."""
+        parts, squares = [], np.zeros(len(points))
+        for axis in (0, 1):
+            line = points[..., axis]
+            if closed:
+                line = np.concatenate([line, line[:, :1]], axis=1)
+            part = line[:, 1:] - line[:, :-1]
+            most = np.maximum(part.max(axis=1), -part.min(axis=1))
+            squares += most * most
+            parts.append(part)
+        return cls(parts[0], parts[1], np.sqrt(squares))
+
+    def part(self, rows: slice) -> tuple[Floats, Floats]:
+        """East and north of the steps of some lines; where there is but one line, of that."""
+        return (
+            (self.east, self.north) if len(self.east) == 1 else (self.east[rows], self.north[rows])
+        )
+
+
 def surely_smooth(
-    points: Floats, base: Floats, curvature: Floats, gaps: Floats, closed: bool
+    steps: StepBounds, base: StepBounds, curvature: Floats, gaps: Floats, closed: bool
 ) -> Booleans:
-    """(V,) True where the lines `points` (V, S, 2), which follow `base` (V or 1, S, 2), are certain
-    to pass `fold_of_points` and `turns_too_much`. `curvature` (V, S); `gaps` (n,) of the stations.
+    """(V,) True where the lines with these `steps`, which follow the V lines or the one line with
+    the steps `base`, are certain to pass `fold_of_points` and `turns_too_much`. `curvature` (V, S);
+    `gaps` (n,) of the stations.
     """
-    found = np.zeros(len(points), dtype=bool)
+    found = np.zeros(len(curvature), dtype=bool)
     least = LEAST_ADVANCE * float(gaps.max()) * (1.0 + _DOUBT)
     most = (1.0 - _DOUBT) * QUARTER_TURN
+    longest = np.broadcast_to(base.longest, found.shape)
     for rows in blocks(curvature):
-        steps, length = _steps(points[rows], closed)
-        along, longest = _steps(base if len(base) == 1 else base[rows], closed)
-        advance = _products(steps, along).min(axis=1, initial=np.inf)
-        before, after = ([part[:, at] for part in steps] for at in (slice(-1), slice(1, None)))
+        own = steps.part(rows)
+        advance = _products(own, base.part(rows)).min(axis=1, initial=np.inf)
+        before, after = ((own[0][:, at], own[1][:, at]) for at in (slice(-1), slice(1, None)))
         onward = _products(before, after).min(axis=1, initial=np.inf)
         if closed:
-            onward = np.minimum(onward, _products(*_seam(steps))[:, 0])
+            last, first = ((own[0][:, at], own[1][:, at]) for at in (slice(-1, None), slice(1)))
+            onward = np.minimum(onward, _products(last, first)[:, 0])
         bend = np.maximum(curvature[rows].max(axis=1), -curvature[rows].min(axis=1))
-        found[rows] = (advance > least * longest) & (onward > 0.0) & (bend * length < most)
+        is_bent = bend * steps.longest[rows] >= most
+        found[rows] = (advance > least * longest[rows]) & (onward > 0.0) & ~is_bent
     return found
 
 
-def _steps(points: Floats, closed: bool) -> tuple[list[Floats], Floats]:
-    """East and north, (V, n) each, and (V,) what no step is longer than."""
-    steps, squares = [], np.zeros(len(points))
-    for axis in (0, 1):
-        line = points[..., axis]
-        if closed:
-            line = np.concatenate([line, line[:, :1]], axis=1)
-        part = line[:, 1:] - line[:, :-1]
-        most = np.maximum(part.max(axis=1), -part.min(axis=1))
-        squares += most * most
-        steps.append(part)
-    return steps, np.sqrt(squares)
-
-
-def _seam(steps: list[Floats]) -> tuple[list[Floats], list[Floats]]:
-    """The last steps of closed lines, and the first."""
-    return [part[:, -1:] for part in steps], [part[:, :1] for part in steps]
-
-
-def _products(a: list[Floats], b: list[Floats]) -> Floats:
+def _products(a: tuple[Floats, Floats], b: tuple[Floats, Floats]) -> Floats:
     """Dot products, as `folding` has them to the last bit."""
     found = a[0] * b[0]
     found += a[1] * b[1]

@@ -27,20 +27,25 @@ def standard_output() -> TextIO:
 def begin_redirection() -> None:
     """From now on this thread runs code of a plugin. May be nested."""
     global _output
+    thread = threading.get_ident()
+    if thread in _depths:  # as at every step of a drive; no other thread changes this entry
+        _depths[thread] += 1
+        sys.stdout = sys.stderr
+        return
     with _lock:
         if not _depths:
             _output = sys.stdout
-        thread = threading.get_ident()
-        _depths[thread] = _depths.get(thread, 0) + 1
+        _depths[thread] = 1
         sys.stdout = sys.stderr
 
 
 def end_redirection() -> None:
     """The innermost code of a plugin that this thread runs has ended."""
     thread = threading.get_ident()
-    with _lock:
+    if _depths[thread] > 1:
         _depths[thread] -= 1
-        if _depths[thread] <= 0:
-            del _depths[thread]
+        return
+    with _lock:
+        del _depths[thread]
         if not _depths:
             sys.stdout = _output

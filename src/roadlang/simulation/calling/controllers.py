@@ -28,6 +28,8 @@ UNDRIVEN_BRAKING = 4.0
 _NUMBERS = ("steering", "acceleration", "heading", "line_offset", "line_time")
 _numbers_of = attrgetter(*_NUMBERS)
 _PLAIN = frozenset((float,))
+_OTHERS = ("heading", "line_offset", "line_time", "acceleration_limit")
+_others_of = attrgetter(*_OTHERS)
 
 
 class GuardedController(Controller):
@@ -112,20 +114,16 @@ class GuardedController(Controller):
         count = len(seen.x)
         steering = self._column(decided.steering, "steering", count)
         acceleration = self._column(decided.acceleration, "acceleration", count)
-        if _has_infinite(acceleration) or _has_infinite(steering):
+        if _have_infinite(steering, acceleration):
             raise wrong_result(self.entry, None, "gave controls that are not finite")
-        heading, offset, time, limit = (
-            None if value is None else self._column(value, name, count)
-            for name, value in (
-                ("heading", decided.heading),
-                ("line_offset", decided.line_offset),
-                ("line_time", decided.line_time),
-                ("acceleration_limit", decided.acceleration_limit),
-            )
-        )
+        others = {
+            name: self._column(value, name, count)
+            for name, value in zip(_OTHERS, _others_of(decided), strict=True)
+            if value is not None
+        }
         pose = None if decided.pose is None else self._poses(decided.pose, count)
         failures = self._failures(decided.failures, count)
-        return ControlBatch(steering, acceleration, heading, offset, time, pose, limit, failures)
+        return ControlBatch(steering, acceleration, pose=pose, failures=failures, **others)
 
     def _failures(self, reasons: Any, count: int) -> Mapping[int, str] | None:
         if not reasons:
@@ -169,8 +167,10 @@ class GuardedController(Controller):
         return control
 
 
-def _has_infinite(column: Floats) -> bool:
-    return not math.isfinite(np.add.reduce(column)) and bool(np.isinf(column).any())
+def _have_infinite(one: Floats, other: Floats) -> bool:
+    if math.isfinite(one.dot(other)):  # so is every number of both: one look at most columns
+        return False
+    return bool(np.isinf(one).any() or np.isinf(other).any())
 
 
 def _only(batch: ControlBatch) -> Control:

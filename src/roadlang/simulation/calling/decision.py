@@ -39,8 +39,9 @@ class Decision:
     @property
     def has_open(self) -> bool:
         """Whether any agent still has something undecided."""
-        total = np.add.reduce(self.steering) + np.add.reduce(self.acceleration)
-        return not math.isfinite(total) and bool(self.is_open.any())
+        if math.isfinite(self.steering.dot(self.acceleration)):  # so is every number of both
+            return False
+        return bool(self.is_open.any())
 
     @property
     def is_open(self) -> Booleans:

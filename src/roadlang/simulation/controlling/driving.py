@@ -48,8 +48,9 @@ class DriverGroup:
         placed = [(group.place, group.rows) for group in faults]
         self._triggers = Triggers(world, calls, signals_of(controllers), placed)
         self._in_charge = np.zeros(0, dtype=np.int64)
-        self._chosen: list[Integers] = []
-        """of each group who is in charge, by the last `in_charge`"""
+        self._chosen: list[tuple[Group, Integers, Integers]] = []
+        """groups, and who of each is in charge, in its order and in that of the world, by the last
+        `in_charge`"""
         self._open = Decision.open(self._in_charge >= 0)
         """what is decided before any controller is called, by the last `in_charge`"""
 
@@ -73,18 +74,20 @@ class DriverGroup:
         in_charge = self._triggers.in_charge(world, poses)
         if in_charge is not self._in_charge:
             self._in_charge = in_charge
-            self._chosen = [np.flatnonzero(in_charge[g.rows] == g.place) for g in self._groups]
+            self._chosen = _in_charge_of(self._groups, in_charge)
             self._open = Decision.open(in_charge >= 0)
         out = self._open.copy()
-        own_line = np.ones(len(in_charge), dtype=bool)
-        for group, chosen in zip(self._groups, self._chosen, strict=True):
-            if len(chosen):
-                found = _decided(group, chosen, view)
-                out.put(group.rows[chosen], found)
-                if found.line_offset is not None:
-                    own_line[group.rows[chosen]] = False
-                    _move_lines(view, group.rows[chosen], found)
+        moved: list[Integers] = []
+        for group, chosen, rows in self._chosen:
+            found = _decided(group, chosen, view)
+            out.put(rows, found)
+            if found.line_offset is not None:
+                moved.append(rows)
+                _move_lines(view, rows, found)
         if out.has_open:
+            own_line = np.ones(len(in_charge), dtype=bool)
+            for rows in moved:
+                own_line[rows] = False
             self._ask_earlier(world, in_charge, own_line, view, out)
             _keep_to_lines(world, view, out)
             out.close()
@@ -158,6 +161,15 @@ class DriverGroup:
                     own_line[rows[moves]] = False
                     _move_lines(view, rows, found, moves)
                 out.fill(rows, found)
+
+
+def _in_charge_of(
+    groups: Sequence[Group], in_charge: Integers
+) -> list[tuple[Group, Integers, Integers]]:
+    """Groups of which any agents are in charge, with these in the order of the group and in that
+    of the world."""
+    chosen = [(group, np.flatnonzero(in_charge[group.rows] == group.place)) for group in groups]
+    return [(group, rows, group.rows[rows]) for group, rows in chosen if len(rows)]
 
 
 def _keep_to_lines(world: World, view: View, out: Decision) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -66,7 +67,7 @@ class LaneGuides:
             np.array(per_meter), np.concatenate([np.zeros((4, 0)), *columns], axis=1),
         )  # fmt: skip
 
-    @property
+    @cached_property
     def is_empty(self) -> bool:
         """Whether all lanes have constant widths."""
         return len(self.begin) == 0

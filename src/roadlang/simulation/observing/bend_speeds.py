@@ -51,7 +51,9 @@ class BendSpeeds:
 
     def _was_latest(self, *wanted: Any) -> bool:
         latest = self._latest
-        return len(latest) == 3 and all(map(_is_same, latest, wanted))
+        return len(latest) == 3 and all(
+            one is other or _is_same(one, other) for one, other in zip(latest, wanted, strict=True)
+        )
 
     def _plan(
         self, world: World, track: Track, rows: Any, lateral: Floats | float,
@@ -80,8 +82,6 @@ class BendSpeeds:
 
 def _is_same(one: Any, other: Any) -> bool:
     """Whether two indices, numbers or columns are equal; they may be shown to be without a look."""
-    if one is other:
-        return True
     if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
         return one.shape == other.shape and not np.count_nonzero(one != other)
     return type(one) is type(other) and bool(one == other)

@@ -13,6 +13,9 @@ from ...geometry.arrays import Floats, Integers
 from ...ir.observation import ObservationBatch
 from ..surroundings.nearest import nearest
 
+EVERYONE = slice(None)
+_set = object.__setattr__  # observations are frozen
+
 
 class LazyObservations(ObservationBatch):
     """The observations of the agents `chosen` in a view. It holds while the world stands still."""
@@ -27,13 +30,10 @@ class LazyObservations(ObservationBatch):
 
     def __init__(self, view: Any, chosen: Integers) -> None:
         everyone = len(chosen) == len(view.world.present)
-        for name, value in (
-            ("view", view),
-            ("chosen", chosen),
-            ("rows", slice(None) if everyone else chosen),
-            ("step", view.step),
-        ):
-            object.__setattr__(self, name, value)
+        _set(self, "view", view)
+        _set(self, "chosen", chosen)
+        _set(self, "rows", EVERYONE if everyone else chosen)
+        _set(self, "step", view.step)
 
     def numbers(self, names: Sequence[str]) -> list[list[float]]:
         """Columns of numbers as lists, of a view that is looked at but once."""
@@ -48,16 +48,17 @@ class LazyObservations(ObservationBatch):
     if not TYPE_CHECKING:  # where it would hide what is no member
 
         def __getattr__(self, name: str) -> Any:
-            if name in _COLUMNS:
-                value: Any = _COLUMNS[name](self.view)[self.rows]
+            view, column = self.view, _COLUMNS.get(name)
+            if column is not None:
+                value: Any = column(view)[self.rows]
             elif name in _DERIVED:
                 value = _DERIVED[name](self)
             else:
                 raise AttributeError(f"an observation has no member `{name}`")
-            if self.view.sensing is not None and name in self.view.replaced:
-                column = self.view.replaced[name][self.rows]
-                value = np.where(np.isnan(column), value, column)
-            object.__setattr__(self, name, value)
+            if view.sensing is not None and name in view.replaced:
+                seen = view.replaced[name][self.rows]
+                value = np.where(np.isnan(seen), value, seen)
+            _set(self, name, value)
             return value
 
 

@@ -151,8 +151,9 @@ class View:
         x, y, heading, curvature, _ = line_frames(track, along)
         speed = world.motion.speed[rows]
         offset, slope, bend, moving = world.followed.ahead(rows, distance, speed, along)
-        x -= np.sin(heading) * offset
-        y += np.cos(heading) * offset
+        if np.count_nonzero(offset):
+            x -= np.sin(heading) * offset
+            y += np.cos(heading) * offset
         if moving is not None:
             heading = np.where(moving, heading + np.arctan(slope), heading)
             curvature = np.where(moving, curvature + bend, curvature)

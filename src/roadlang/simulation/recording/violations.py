@@ -42,7 +42,7 @@ class ViolationWatch:
         self._is_idle = not self._watched
 
     def done(self, time: float, sample: Floats) -> Booleans | None:
-        """(S,) scenes that have violated everything for long enough; None where nothing is watched.
+        """(S,) scenes that have violated everything for long enough; None where there are none.
 
         To be called at every sample, in order. `sample`: (Q, N) with the quantities `RECORDED`.
         """
@@ -51,7 +51,10 @@ class ViolationWatch:
         self._pending.add(time, sample)
         if self._is_over(time - self._pending.times[0]):
             self._look()
-        return np.asarray((self._open == 0) & self._is_over(time - self._violated_at))
+        violated = self._open == 0
+        if not np.count_nonzero(violated):
+            return None
+        return np.asarray(violated & self._is_over(time - self._violated_at))
 
     def take(self, scenes: Integers, place: Integers, agents: Integers) -> None:
         """From now on the world has these of its scenes alone. `place`: (N,) where its agents are

@@ -135,19 +135,20 @@ class World:
         `steps`. Stops change nothing of the motion, not even in the last bit.
         """
         bodies, motion = self.bodies, self.motion
-        angle = np.minimum(np.maximum(steering, -bodies.max_steering), bodies.max_steering)
+        angle = np.minimum(np.maximum(steering, bodies.least_steering), bodies.max_steering)
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
-        held = (np.tan(angle), np.where(self.halted, -END_BRAKING, self.limited(acceleration)))
+        wanted, stand = self.limited(acceleration), np.count_nonzero(self.halted)
+        held = (np.tan(angle), np.where(self.halted, -END_BRAKING, wanted) if stand else wanted)
         self.placing = pose and Placing.of(self.poses, motion, pose[0], ~self.halted, pose[1])
         self.placed_at = self.tick
-        before, passed = copy(motion), []
+        before, passed = motion.copied(), []
         below = self.verges.below(bodies, motion, self.table, self.present)
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
                 between = copy(self)
-                between.motion, between.followed = copy(motion), self.followed.copied()
+                between.motion, between.followed = motion.copied(), self.followed.copied()
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()
                 between._arrive(before, end)
@@ -157,7 +158,7 @@ class World:
 
     def limited(self, acceleration: Floats) -> Floats:
         """(N,) accelerations with the braking of those who have arrived at the end of a road."""
-        if not self.at_end.any():
+        if not np.count_nonzero(self.at_end):  # several times as fast as `any`
             return acceleration
         most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
         return np.minimum(acceleration, most)
@@ -165,7 +166,7 @@ class World:
     def follow(self, pose: Floats, steering: Floats, poses: Poses, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `poses`: those so
         far; `passed`: whether a step has passed."""
-        before = copy(self.motion)
+        before = self.motion.copied()
         self.placing = Placing.of(poses, self.motion, pose, self.filled, 1)
         self.placed_at = self.tick - (0 if passed else 1)
         if passed:
@@ -198,7 +199,7 @@ class World:
 
     def _leave(self) -> None:
         """Who has arrived is no longer there, unless it began where it would arrive."""
-        if self._any_left or self.at_end.any():
+        if self._any_left or np.count_nonzero(self.at_end):
             arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
             self._any_left = bool(arrived.any())
             self.present = self.filled & ~arrived

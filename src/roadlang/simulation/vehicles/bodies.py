@@ -104,6 +104,11 @@ class Bodies:
         return tuple(getattr(self, name) for name in _STACKED[:-2])
 
     @cached_property
+    def least_steering(self) -> Floats:
+        """(N,) radians: as far to the right as to the left."""
+        return -self.max_steering
+
+    @cached_property
     def stacked(self) -> Floats:
         """(13, N) what the compiled motion has to know of a car."""
         return np.stack([getattr(self, name) for name in _STACKED])
