@@ -26,7 +26,9 @@ expect apart: always (distance(cars, lead) > 5m)
 
 
 def driven(kind: str) -> Any:
-    return testing.sample(ROW.replace("KIND", kind), 1).run("builtin", duration=15.0)
+    return testing.sample(ROW.replace("KIND", kind), 1).run(
+        "builtin", duration=15.0, control_step=0.1
+    )
 
 
 @pytest.mark.parametrize("kind", ["traffic", "lane_follow { speed: 36km/h }"])
@@ -102,7 +104,7 @@ def test_on_a_closed_road_nobody_leaves() -> None:
     agent ego is car on ring at 0m { drive with lane_follow { speed: 36km/h } }
     agent other is car on ring at 60m { drive with lane_follow { speed: 36km/h } }
     """
-    ((one,)) = testing.sample(text, 1).run("builtin", duration=50.0)
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=50.0, control_step=0.1)
     assert one.trace.agents["ego"].progress[-1] == 1.0
     assert all((agent.present == 1.0).all() for agent in one.trace.agents.values())
 
@@ -142,7 +144,7 @@ expect calm: always (abs(ego.jerk) < 15m/s^3 and abs(ego.yaw_rate) < 40deg/s)
 
 
 def test_what_is_known_of_who_has_left_stays_as_it_was() -> None:
-    ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0)
+    ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0, control_step=0.1)
     ego = one.trace.agents["ego"]
     left = ego.samples_there
     assert 0 < left < len(ego.time) - 20
@@ -157,7 +159,7 @@ def test_what_is_known_of_who_has_left_stays_as_it_was() -> None:
 
 
 def test_who_has_left_has_not_stopped() -> None:
-    ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0)
+    ((one,)) = testing.sample(LEAVER, 1).run("builtin", duration=10.0, control_step=0.1)
     margins = {name: verdict.robustness or 0.0 for name, verdict in one.verdicts.items()}
     assert margins["comes_to_rest"] < -5.0
     assert margins["moves"] > 0.0

@@ -200,7 +200,7 @@ def test_a_controller_for_one_agent_is_looped_over() -> None:
     agent lead is car on main at 100m { drive with brake }
     """
     scenes = testing.sample(text, 3, kinds=[Cautious])
-    for one in scenes.run("builtin", duration=30):
+    for one in scenes.run("builtin", duration=30, control_step=0.1):
         ego: AgentTrace = one.trace.agents["ego"]
         assert ego.speed[-1] == 0
         assert 75 < ego.x[-1] < 94
@@ -240,7 +240,7 @@ def test_the_line_to_follow_is_the_middle_of_the_lane() -> None:
     """
     scene = testing.sample(text)[0]
     section = scene.record.roads[0].cross_section()
-    ego = scene.run("builtin", duration=20).trace.agents["ego"]
+    ego = scene.run("builtin", duration=20, control_step=0.1).trace.agents["ego"]
     assert ego.y[-1] == pytest.approx(float(section.offset(-1, 100.0)), abs=0.02)
     assert abs(ego.cross_track_error[-1]) < 0.02
 
@@ -257,7 +257,7 @@ def test_fast_cars_do_not_swing_after_a_bend(kind: str, speed: float) -> None:
       drive with {kind} {{ speed: {speed}m/s, lateral_acceleration: 30m/s^2 }}
     }}
     """
-    (drive,) = testing.sample(text, 1).run("builtin", duration=25)
+    (drive,) = testing.sample(text, 1).run("builtin", duration=25, control_step=0.1)
     ego = drive.trace.agents["ego"]
     assert np.abs(ego.cross_track_error).max() < 2.5
     straight = ego.station > 700.0

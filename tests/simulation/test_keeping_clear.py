@@ -30,7 +30,7 @@ def test_a_bus_steers_around_a_cone_that_only_the_ground_beside_its_line_would_t
 ) -> None:
     text = CORNER.format(kind="bus", x=x, y=y)
     scene = testing.sample(text, 1)
-    (drive,) = scene.run("builtin", duration=40.0)
+    (drive,) = scene.run("builtin", duration=40.0, control_step=0.1)
     assert not drive.trace.events
     assert drive.trace.agents["coach"].progress[-1] > 0.98
 

@@ -40,7 +40,7 @@ def test_no_corner_of_a_car_leaves_its_lane_in_a_bend(kind: str, width: float, r
     (scene,) = testing.sample(text, 1)
     (road,) = scene.record.roads
     (agent,) = scene.record.agents
-    drive = scene.run("builtin", duration=40.0)
+    drive = scene.run("builtin", duration=40.0, control_step=0.1)
     ego = drive.trace.agents["ego"]
     assert ego.progress[-1] > 0.98
     borders = road.cross_section().border_offsets(np.array(road.stations))

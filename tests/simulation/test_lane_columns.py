@@ -132,7 +132,7 @@ def test_what_follows_from_poses_is_what_the_engine_records() -> None:
     agent lead is car on main at 100m { lane: 1, drive with lane_follow { speed: 9m/s } }
     object box is barrier on main at 140m { lane: -1 }
     """
-    (found,) = testing.sample(text, 1).run("builtin", duration=20)
+    (found,) = testing.sample(text, 1).run("builtin", duration=20, control_step=0.1)
     again = followed(found.trace, found.scene.record)
     for name, agent in found.trace.agents.items():
         if name == "box":

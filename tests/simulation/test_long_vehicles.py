@@ -94,7 +94,7 @@ def test_the_ground_that_a_bus_covers_is_that_of_its_corners() -> None:
     text = CORNER + "agent bus is bus on town { route: random, drive with traffic }"
     text += "\nobject cone is cone at (0m, 0m)"  # who meets nobody needs no such ground
     scene = testing.sample(text, 1, seed=2)
-    (driven,) = scene.run("builtin", duration=11.0)
+    (driven,) = scene.run("builtin", duration=11.0, control_step=0.1)
     world = world_of([scene[0].record], {}, 0.02, 0.1)
     trace = driven.trace.agents["bus"]
     lines, row = world.track.lines, int(world.track.row[0])
@@ -179,7 +179,7 @@ def test_a_long_vehicle_does_not_swing_out_as_it_leaves_a_turn(length: float) ->
     }}
     """
     )
-    (driven,) = testing.sample(text, 1, seed=1).run("builtin", duration=12.0)
+    (driven,) = testing.sample(text, 1, seed=1).run("builtin", duration=12.0, control_step=0.1)
     trace = driven.trace.agents["long"]
     moving = trace.present > 0.0
     assert np.abs(trace.cross_track_error[moving]).max() < 0.45

@@ -33,7 +33,7 @@ GREEN = "control with signals { green: 10s, yellow: 0s, all_red: 0s, offset: "
 @cache
 def walked(control: str, wait: str = "", more: str = "") -> Trace:
     text = TOWN.format(control=control, wait=wait, more=more)
-    ((one,)) = testing.sample(text, 1).run("builtin", duration=20.0)
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=20.0, control_step=0.1)
     return one.trace
 
 
@@ -91,7 +91,9 @@ agent ped is pedestrian on street at 80m {{
 
 def test_crossing_waits_for_a_gap_if_it_is_told_to() -> None:
     for wait, later in (("", False), ("wait_for: gap", True)):
-        ((one,)) = testing.sample(STREET.format(wait), 1).run("builtin", duration=20.0)
+        ((one,)) = testing.sample(STREET.format(wait), 1).run(
+            "builtin", duration=20.0, control_step=0.1
+        )
         ped, car = one.trace.agents["ped"], one.trace.agents["car"]
         starts = float(ped.time[np.argmax(ped.y > ped.y[0] + 0.5)])
         passes = float(car.time[np.argmax(car.x > 80.0)])
@@ -129,7 +131,9 @@ agent other is {}
 def test_crossing_waits_for_vehicles_however_short_and_for_nobody_on_foot(
     wait: str, other: str, waits: bool
 ) -> None:
-    ((one,)) = testing.sample(COW.format(wait, other), 1).run("builtin", duration=12.0)
+    ((one,)) = testing.sample(COW.format(wait, other), 1).run(
+        "builtin", duration=12.0, control_step=0.1
+    )
     ped = one.trace.agents["ped"]
     starts = float(ped.time[np.argmax(ped.y > ped.y[0] + 0.5)])
     assert (starts > 1.0) == waits
