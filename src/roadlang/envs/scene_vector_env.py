@@ -30,8 +30,8 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
     Source and settings are those of `SceneEnv`, and so is what each does: the one at place i with
     the seed s is to the last bit a `SceneEnv` with this seed, for its first `scenes_each` episodes;
     then it begins with its first scene again, until the next `reset`, which draws others. (Scenes
-    in which another agent waits for a condition, or that have junctions, are driven one by one:
-    that is as slow as `num_envs` times `SceneEnv`.)
+    in which another agent waits for a condition, or that have junctions or agents longer than 7 m,
+    are driven one by one: that is as slow as `num_envs` times `SceneEnv`.)
 
     `autoreset_mode`: what happens after the end of an episode, as gymnasium defines it: `NEXT_STEP`
     (the next action is not looked at, and gives the first observation of the next episode and the
