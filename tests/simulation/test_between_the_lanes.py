@@ -17,7 +17,7 @@ agent slow is car on main at 200m { lane: -1, drive with lane_follow { speed: 3m
 agent other is car on main at 203m { lane: -2, drive with lane_follow { speed: 3m/s } }
 agent left is car on main at behind(slow, 4m) { count: 6, spacing: 9m, drive with KIND }
 agent right is car on main at behind(other, 4m) { count: 6, spacing: 9m, lane: -2, drive with KIND }
-agent rider is motorcycle on main at 60m {
+agent rider is motorcycle on main at 110m {
   lane: none, offset: 0m, start_speed: 8m/s, drive with lane_follow { speed: 8m/s }
 }
 """
@@ -41,7 +41,7 @@ def least_speed(trace: Trace, after: float) -> float:
 @pytest.mark.parametrize("kind", ["traffic", "car_follow"])
 def test_a_motorcycle_between_the_lanes_does_not_stop_a_jam(kind: str) -> None:
     (drive,) = testing.sample(JAM.replace("KIND", kind), 1).run(
-        "builtin", duration=35.0, control_step=0.1
+        "builtin", duration=25.0, control_step=0.1
     )
     trace = drive.trace
     assert not trace.events
@@ -53,7 +53,7 @@ def test_a_motorcycle_between_the_lanes_does_not_stop_a_jam(kind: str) -> None:
 
 @pytest.mark.godot
 def test_it_does_not_in_godot_either() -> None:
-    (drive,) = testing.sample(JAM.replace("KIND", "car_follow"), 1).run("godot", duration=30.0)
+    (drive,) = testing.sample(JAM.replace("KIND", "car_follow"), 1).run("godot", duration=20.0)
     rider, slow = drive.trace.agents["rider"], drive.trace.agents["slow"]
     assert rider.station[-1] > slow.station[-1]
     assert least_speed(drive.trace, 5.0) > 1.2
