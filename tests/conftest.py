@@ -17,7 +17,7 @@ from hypothesis import HealthCheck, settings
 settings.register_profile(
     "roadlang",
     deadline=None,
-    max_examples=50,
+    max_examples=35,
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow],
 )
