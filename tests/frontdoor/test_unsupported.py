@@ -127,7 +127,10 @@ def test_a_single_reason_is_taken_and_anything_else_is_a_fault_of_the_plugin(
     [
         ("emit sbft", "it has no road"),
         ('emit sbft { road: "mian" }', "it has no road"),
-        (f'{TEXT.splitlines()[0]}\nemit sbft {{ road: "mian" }}', "it has no road `mian`"),
+        (
+            f'{TEXT.splitlines()[0]}\nemit sbft {{ road: "mian" }}',
+            "it has no road `mian`; did you mean `main`?",
+        ),
         (f'{TEXT.splitlines()[0]}\nemit sbft {{ road: "main" }}', None),
         (f"{TEXT.splitlines()[0]}\nemit sbft", None),
     ],
