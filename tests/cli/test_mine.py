@@ -57,4 +57,4 @@ def test_a_trace_without_a_sample_is_named(
     assert run([*command, "always (e < limit)", str(tmp_path / "empty.csv")]) == 1
     told = capsys.readouterr().err
     assert "error[RL300]" in told
-    assert "empty.csv has no row below" in told
+    assert "empty.csv has no rows below" in told

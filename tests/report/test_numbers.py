@@ -36,6 +36,7 @@ def test_units_are_those_that_people_read(value: float | None, unit: str, text: 
 
 def test_terminals_have_the_signs_of_keyboards() -> None:
     assert plain(f"{quantity(-2.5, 'm')} {number(-math.inf)}") == "-2.5 m -inf"
+    assert plain(quantity(-1234567.0, "m")) == "-1234567 m"
 
 
 def test_shares_are_per_cent() -> None:

@@ -134,7 +134,7 @@ def test_what_goes_wrong_is_an_error_with_the_reason(tmp_path: Path, reason: str
     assert "error[RL740]" in str(found.value)
     assert reason in str(found.value)
     assert "Traceback" not in str(found.value)
-    assert "it drives `ego`, at 0.00 s of the drive" in str(found.value)
+    assert "it drives `ego` and failed 0.00 s into the drive" in str(found.value)
 
 
 def test_a_program_that_ended_before_it_was_written_to_is_named_with_its_code() -> None:

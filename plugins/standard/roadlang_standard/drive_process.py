@@ -133,7 +133,7 @@ class Process(Controller):
 
 def _driven(seen: ObservationBatch, row: int) -> str:
     """Which program it is, of several of one command."""
-    return f"it drives `{seen.agent[row]}`, at {seen.time[row]:.2f} s of the drive"
+    return f"it drives `{seen.agent[row]}` and failed {seen.time[row]:.2f} s into the drive"
 
 
 def _send(program: ControllerProcess, line: str) -> None:

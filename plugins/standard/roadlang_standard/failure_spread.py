@@ -39,7 +39,7 @@ fails: what is unknown is tried before what is known to be nearly good enough.""
 _RECENT = 400
 """Failures of which differences are taken: the latest."""
 _LEAST_STEP, _MOST_STEP = 0.03, 0.4
-"""Of the normal steps that children take, in parts of each range."""
+"""Of the normal steps that children take, as a fraction of each range."""
 _ON_LINE, _CROSSED = 0.3, 0.3
 """Shares of children on the line between two parents, and mixed of two (uniform crossover)."""
 _DIFFERENT = 0.3

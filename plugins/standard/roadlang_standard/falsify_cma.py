@@ -49,7 +49,7 @@ class Cma(Searcher):
     name: ClassVar[str] = "cma"
     is_default: ClassVar[bool] = True
     sigma: Number = option(
-        0.3, above=0, maximum=1, help="initial standard deviation, in parts of each range"
+        0.3, above=0, maximum=1, help="initial standard deviation, as a fraction of each range"
     )
     restart: Number = option(
         0.03,

@@ -22,7 +22,7 @@ class Elites(Searcher):
         200, minimum=2, help="candidates of a Halton sequence before the first children"
     )
     step: Number = option(
-        0.05, above=0, maximum=1, help="standard deviation of children, in parts of each range"
+        0.05, above=0, maximum=1, help="standard deviation of children, as a fraction of each range"
     )
     line: Number = option(
         0.2,

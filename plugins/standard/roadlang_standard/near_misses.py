@@ -17,7 +17,7 @@ _PARENTS = 2
 _ON_LINE = 0.3
 """Share of children on the line between two parents."""
 _LEAST_STEP, _MOST_STEP = 0.02, 0.15
-"""Of the normal steps that children take, in parts of each range."""
+"""Of the normal steps that children take, as a fraction of each range."""
 _PATIENCE = 3
 """Batches without a better candidate after which the best is given up, with all around it."""
 

@@ -17,6 +17,6 @@ def read_samples(path: str, agent: str | None) -> Columns:
 
     columns = read_trace(path, agent)
     if not columns[1]:
-        help_ = f"{Path(path).name} has no row below the names of its columns"
+        help_ = f"{Path(path).name} has no rows below its column names"
         raise DiagnosticError(diagnose(Code.EMPTY_TRACE, path=path, help=help_))
     return columns

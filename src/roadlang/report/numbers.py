@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 
 _MINUS, _SPACE = "\N{MINUS SIGN}", "\N{NO-BREAK SPACE}"
+_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
 def number(value: float, digits: int = 3) -> str:
@@ -29,7 +31,9 @@ def quantity(value: float | None, unit: str = "", digits: int = 3) -> str:
 
 
 def plain(text: str) -> str:
-    """Numbers as terminals have them: with the signs that keyboards have, to copy into files."""
+    """Numbers as terminals have them, to copy into files: with the signs that keyboards have, and
+    without commas in large ones."""
+    text = _COMMA.sub("", text)
     return text.replace(_MINUS, "-").replace(_SPACE, " ").replace("\N{INFINITY}", "inf")
 
 
