@@ -58,7 +58,8 @@ METERS = 160.0
 def window(screen: str) -> Iterator[Engine]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("DISPLAY", screen)
-        with started(window=True, extra=["--resolution", "640x360"], quit_idle=900.0) as engine:
+        small = ["--resolution", "640x360", "--max-fps", "20"]  # it is drawn in software
+        with started(window=True, extra=small, quit_idle=900.0) as engine:
             yield engine
 
 

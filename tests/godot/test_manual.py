@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import threading
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,11 +13,13 @@ import pytest
 from roadlang.cli import main as cli
 from roadlang.drive.trace_files import from_json
 from roadlang.ir.trace import AgentTrace
+from roadlang_godot.engines import engine as engines
 from tests.godot.godot_engines import require_engine
 from tests.godot.virtual_screen import Hand
 
 pytestmark = pytest.mark.godot
 
+START = engines.start
 SCENE = """road main {{ draw with waypoints {{ points: [(0m, 0m), (200m, 0m)] }}, width: 30m }}
 agent ego is car on main at 10m {{ start_speed: 1m/s, {drive} }}
 expect moves: eventually (ego.speed > 3m/s)
@@ -34,6 +37,12 @@ def driven(file: Path, drive: str, *words: str) -> tuple[int, AgentTrace, list[b
     return code, trace.agents["ego"], [v["satisfied"] for v in verdicts["expectations"]]
 
 
+def small_window(**options: Any) -> engines.Engine:
+    """An engine whose window is soon drawn."""
+    extra = ["--resolution", "320x180", "--max-fps", "15"] if options.get("window") else []
+    return START(**options, extra=extra)
+
+
 def hold(screen: str, keys: tuple[str, ...], done: threading.Event) -> None:
     """Keys are held down in the window as soon as there is one, until the drive is over."""
     hand = Hand(screen)
@@ -49,6 +58,7 @@ def test_a_human_drives_is_judged_and_is_replayed(
 ) -> None:
     require_engine()
     monkeypatch.setenv("DISPLAY", screen)
+    monkeypatch.setattr(engines, "start", small_window)
     done = threading.Event()
     human = threading.Thread(target=hold, args=(screen, ("w", "Left"), done))
     human.start()
