@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import select
 import socket
+import time
 
 
 class UdpLink:
@@ -33,6 +34,8 @@ class UdpLink:
         with contextlib.suppress(BlockingIOError, ConnectionError):
             while True:
                 out.append(self._socket.recv(65536))
+        if not out:  # nobody listens there, which the system says at once, to each datagram
+            time.sleep(max(0.0, timeout))
         return out
 
     def close(self) -> None:
