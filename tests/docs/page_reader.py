@@ -34,6 +34,7 @@ import pytest
 from roadlang.cli.main import run
 from roadlang_godot.engines.engine import find
 from roadlang_godot.faults import EngineError
+from tests.docs.python_session import PythonSession
 
 ROOT = Path(__file__).parents[2]
 
@@ -63,23 +64,38 @@ class Reader:
         self.site = folder / ".site"
         self.left_out = False
         self.has_code = False
-        self.program = ""
+        self.program: PythonSession | None = None
         for path in (ROOT / "examples").iterdir():
             if path.is_file():
                 shutil.copy(path, folder)
         shutil.copytree(ROOT / "examples", folder / "examples")
         shutil.copytree(ROOT / "plugins" / "roadlang-chicane", folder / "plugins/roadlang-chicane")
 
-    def run(self, *command: str) -> subprocess.CompletedProcess[str]:
+    @property
+    def environment(self) -> dict[str, str]:
         bin_folder = str(Path(sys.executable).parent)
-        environment = {
+        return {
             **os.environ,
             "PYTHONPATH": str(self.site),
             "PATH": f"{bin_folder}{os.pathsep}{os.environ['PATH']}",
         }
+
+    def run(self, *command: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            command, cwd=self.folder, env=environment, capture_output=True, text=True
+            command, cwd=self.folder, env=self.environment, capture_output=True, text=True
         )
+
+    def runs(self, piece: str, *, continued: bool) -> None:
+        """A program succeeds, or what continues one."""
+        if not continued or self.program is None:
+            self.end_program()
+            self.program = PythonSession(self.folder, self.environment)
+        assert not (fault := self.program.run(piece)), fault
+
+    def end_program(self) -> None:
+        if self.program is not None:
+            self.program.close()
+        self.program = None
 
     @cached_property
     def has_godot(self) -> bool:
@@ -94,9 +110,7 @@ class Reader:
 
     def follow(self, block: Block) -> None:
         if block.language == "python" and block.words in ((), ("continued",)):
-            before = self.program if block.words else ""
-            self.program = before + block.text
-            self.succeeds(sys.executable, "-c", self.program)
+            self.runs(block.text, continued=bool(block.words))
         elif block.language in ("python", "toml", "yaml", "xml") and block.words:
             path = self.folder / block.words[0]
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -172,4 +186,5 @@ def follow(page: Path, folder: Path) -> Reader:
             reader.follow(block)
         except AssertionError as error:
             raise AssertionError(f"{page.name}, line {block.line}: {error}") from None
+    reader.end_program()
     return reader
