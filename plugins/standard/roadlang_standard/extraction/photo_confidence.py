@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
@@ -12,11 +12,13 @@ from roadlang.geometry import Floats
 from .drawn_confidence import connected_parts
 from .found_network import FoundNetwork, FoundRoad
 
-_EVIDENCE, _WIDE, _ALONE, _LEAST = 0.6, -0.45, -1.5, 0.4
-"""Log odds of being right: for each log odd of the evidence, each ten pixels of width beyond
-`_NARROW`, full doubt of what is alone, and without any of it. Fitted by half of 51 photos, 14 at
-1 m/px and 13 of streets in towns, but for the third one, which was .8 there: all of them show
-roads, and of pictures that show none a faint line is all that is found."""
+_LEAST, _EVIDENCE, _WIDE, _ALONE = 0.62, 0.64, -0.50, -1.06
+"""Log odds of being right: without anything, for each log odd of the evidence, for each ten pixels
+of width beyond `_NARROW`, and for full doubt of what is alone. `python -m
+benchmarks.extraction.confidence` fits them; these are of 26 photos at 1 m/px and 25 of towns."""
+_ONLY = -1.6
+"""The same for full doubt where the picture shows nothing else. Not fitted, for all those photos
+show roads: of a picture that shows none, a faint line is all that is found."""
 _NARROW = 12.0
 """The middle of wider roads is less certain: cars, crowns and medians hide a side of it."""
 _SHORT, _SIDE = 1.15, 512
@@ -30,34 +32,63 @@ _CERTAIN = 0.98
 """Evidence above this, or as far below a half, says no more."""
 
 
+@dataclass(frozen=True)
+class RoadFacts:
+    """What the confidence of a road depends on.
+
+    `evidence` (n,) are log odds at its points, `wide` tens of pixels of width beyond 12, `alone` is
+    the doubt, 0 to 1, of a faint road that joins no network. Where the picture shows nothing else,
+    `given` log odds take the place of that doubt: photos with roads cannot tell them.
+    """
+
+    evidence: Floats
+    wide: float
+    alone: float = 0.0
+    given: float = 0.0
+
+
 def calibrated(found: FoundNetwork, doubt_alone: bool) -> FoundNetwork:
     """The same roads with confidences that are about the share of their length that is right.
 
     Faint roads that join no network are seldom any: they are doubted more, if `doubt_alone`.
     """
+    facts = road_facts(found, doubt_alone)
+    roads = tuple(_calibrated(*pair) for pair in zip(found.roads, facts, strict=True))
+    return replace(found, roads=roads)
+
+
+def road_facts(found: FoundNetwork, doubt_alone: bool = True) -> list[RoadFacts]:
+    """Of each road, in order; its `confidences` are the evidence along it."""
     short = _SHORT * min(*found.mask.shape, _SIDE)
+    nothing_else = sum(road.length for road in found.roads) < short
     doubts: dict[int, float] = {}
     for part in connected_parts(found.roads):
         lengths = np.array([road.length for road in part])
         total = max(float(lengths.sum()), 1e-9)
         mean = float(lengths @ [road.confidence for road in part]) / total
-        faint = max(0.0, (_CLEAR - mean) / (_CLEAR - _FAINT))
+        faint = float(np.clip((_CLEAR - mean) / (_CLEAR - _FAINT), 0.0, 1.0))
         doubts.update((id(road), faint if doubt_alone and total < short else 0.0) for road in part)
-    roads = tuple(_calibrated(road, doubts[id(road)]) for road in found.roads)
-    return replace(found, roads=roads)
+    return [
+        RoadFacts(
+            _evidence(road),
+            max(0.0, float(np.median(road.widths)) - _NARROW) / 10,
+            alone=0.0 if nothing_else else doubts[id(road)],
+            given=_ONLY * doubts[id(road)] if nothing_else else 0.0,
+        )
+        for road in found.roads
+    ]
 
 
-def _calibrated(road: FoundRoad, doubt: float) -> FoundRoad:
-    width = float(np.median(road.widths))
-    known = _LEAST + _WIDE * max(0.0, width - _NARROW) / 10 + _ALONE * doubt
+def _evidence(road: FoundRoad) -> Floats:
     seen = road.confidences
     if seen is None:
         seen = np.full(len(road.points), road.confidence)
-    evidence = uniform_filter1d(seen.astype(float), min(_STRETCH, len(seen)), mode="nearest")
-    sure = 1 / (1 + np.exp(-(_EVIDENCE * _log_odds(evidence) + known)))
-    return replace(road, confidence=round(float(sure.mean()), 4), confidences=sure)
-
-
-def _log_odds(evidence: Floats) -> Floats:
-    share = np.clip(evidence, 1 - _CERTAIN, _CERTAIN)
+    even = uniform_filter1d(seen.astype(float), min(_STRETCH, len(seen)), mode="nearest")
+    share = np.clip(even, 1 - _CERTAIN, _CERTAIN)
     return np.asarray(np.log(share / (1 - share)))
+
+
+def _calibrated(road: FoundRoad, facts: RoadFacts) -> FoundRoad:
+    known = _LEAST + _WIDE * facts.wide + _ALONE * facts.alone + facts.given
+    sure = 1 / (1 + np.exp(-(_EVIDENCE * facts.evidence + known)))
+    return replace(road, confidence=round(float(sure.mean()), 4), confidences=sure)
