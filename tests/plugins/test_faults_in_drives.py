@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import pytest
+
 import roadlang
 from roadlang.drive.controllers import python_controllers
 from roadlang.ir.scene import Scene
@@ -72,6 +74,14 @@ def test_a_signal_that_fails_in_one_scene_lets_the_others_end_early(site: Path) 
     is_slow = [scene.values["first"] < 20.0 for scene in scenes]
     assert set(is_slow) == {True, False}
     assert [length < 15.0 for length in together] == is_slow
+
+
+def test_a_search_shows_the_expectation_whose_signal_fails(site: Path) -> None:
+    install(site, "fragile", FRAGILE)
+    with pytest.raises(roadlang.DiagnosticError) as found:
+        roadlang.loads(SCENE).falsify(searcher="random", evaluations=8, seed=3)
+    assert "error[RL470]" in str(found.value)
+    assert {fault.span and fault.span.line for fault in found.value.diagnostics} == {5}
 
 
 def test_an_agent_that_one_scene_lacks_lets_the_others_end_early() -> None:

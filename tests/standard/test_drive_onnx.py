@@ -100,6 +100,7 @@ def test_what_is_wrong_with_a_network(tmp_path: Path, made: Any, reason: str) ->
     with pytest.raises(roadlang.DiagnosticError) as found:
         scenes.run("builtin", duration=1.0)
     assert "error[RL741]" in str(found.value)
+    assert "drive with onnx" in str(found.value)
     assert reason in str(found.value)
 
 

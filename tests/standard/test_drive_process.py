@@ -16,6 +16,7 @@ import pytest
 
 import roadlang
 from roadlang import testing
+from roadlang.diagnostics import Diagnostic
 from roadlang_standard.process.program import ControllerProcess, ProgramFailed
 
 GREETING = 'print(json.dumps({"protocol": "roadlang.drive/1"}), flush=True)'
@@ -46,6 +47,12 @@ def scene(path: Path, options: str = "", others: str = "") -> str:
     {others}
     expect near: always (abs(ego.cross_track_error) < 2m)
     """
+
+
+def written(fault: Diagnostic) -> str:
+    """What the file has where a fault is shown."""
+    assert fault.span is not None
+    return fault.span.source.text[fault.span.start : fault.span.end]
 
 
 def driven(text: str, n: int = 1, **options: Any) -> Any:
@@ -150,6 +157,42 @@ def test_the_error_has_the_end_of_standard_error(tmp_path: Path) -> None:
         driven(scene(program(tmp_path, body)))
     assert "ValueError: invalid literal for int()" in str(found.value)
     assert "line 100" not in str(found.value)
+
+
+def test_the_error_has_only_the_beginning_of_a_very_long_line(tmp_path: Path) -> None:
+    body = """
+    print("file.js:1", "x" * 40000, "TypeError: no road", sep="\\n", file=sys.stderr)
+    sys.exit(1)
+    """
+    with pytest.raises(roadlang.DiagnosticError) as found:
+        driven(scene(program(tmp_path, body)))
+    text = str(found.value)
+    assert "file.js:1" in text
+    assert "xxx ..." in text
+    assert "TypeError: no road" in text
+    assert len(text) < 2000
+
+
+def test_the_error_is_shown_where_the_program_is_written(tmp_path: Path) -> None:
+    path = tmp_path / "missing.py"
+    text = scene(path) + "agent other is car on main at 40m { drive with brake }"
+    with pytest.raises(roadlang.DiagnosticError) as found:
+        driven(text, 2)
+    (fault,) = found.value.diagnostics
+    assert written(fault).startswith("drive with process")
+
+
+def test_of_two_agents_with_one_program_no_place_is_shown(tmp_path: Path) -> None:
+    """The help says which of the two it is; the place could be that of the other."""
+    path = tmp_path / "missing.py"
+    command = json.dumps([sys.executable, str(path)])
+    other = f"""agent other is car on main at 40m {{
+      drive with process {{ command: {command}, timeout: 100s }}
+    }}"""
+    with pytest.raises(roadlang.DiagnosticError) as found:
+        driven(scene(path, others=other))
+    (fault,) = found.value.diagnostics
+    assert fault.span is None
 
 
 def test_a_command_that_is_not_there() -> None:

@@ -117,6 +117,21 @@ def test_a_fault_is_reported_once_and_in_place(
     assert [(d.code, (d.span.line, d.span.column)) for d in found if d.span] == [(code, place)]
 
 
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        ("eventually(0s..90s) (p)", "[0s, 90s]"),
+        ("always(0s..10s) x < 5m/s", "[0s, 10s]"),
+        ("always(0s, 10s) not (p)", "[0s, 10s]"),
+        ("(p) until(0s..5s) (q)", "[0s, 5s]"),
+        ("eventually[0s..90s] x < 5m/s", "[0s, 90s]"),
+    ],
+)
+def test_an_interval_of_another_form_is_shown_in_brackets(written: str, said: str) -> None:
+    _, (fault,) = parse(Source("a.rl", f"expect a: {written}\nexpect b: always (p)\n"))
+    assert (fault.code, fault.help) == ("RL026", (f"write `{said}`",))
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_three_independent_faults_are_all_reported(seed: int) -> None:
     text = (SAMPLES / "paper.rl").read_text()

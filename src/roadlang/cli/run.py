@@ -16,6 +16,7 @@ from .console import echo, note, report, shown
 
 if TYPE_CHECKING:
     from ..drive.batches import DriveTask
+    from ..drive.written_places import WrittenPlaces
     from ..evaluate.kind_instance import KindInstance
     from ..search.worker_pool import Workers
     from ..session.loading import LoadedScenario
@@ -130,6 +131,7 @@ class RunBatch:
         """Drive the scene in a file as it is."""
         from hashlib import sha256
 
+        from ..drive.written_places import UNKNOWN
         from ..session.drive_outputs import named_backends
         from ..session.results_record import record_of_scene
         from ..session.scene import Scene
@@ -140,7 +142,7 @@ class RunBatch:
         outputs, registry = self._outputs, scene.registry
         backends = [] if outputs is None else named_backends(outputs, registry)
         origin = record_of_scene(scene, file, digest, self._engine, self._options, outputs)
-        self._drive([scene], self._task(registry), (text, origin), {}, {}, backends)
+        self._drive([scene], self._task(registry, UNKNOWN), (text, origin), {}, backends)
 
     def add_variants(
         self,
@@ -164,6 +166,7 @@ class RunBatch:
         self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int
     ) -> None:
         """One run; that there is no scene ends only this one."""
+        from ..drive.written_places import WrittenPlaces
         from ..session.drive_outputs import drive_backends
         from ..session.results_record import record_of_run
         from ..session.scene_set import NoSceneError
@@ -184,22 +187,20 @@ class RunBatch:
             self.codes.append(exit_codes.exit_code_of(error.diagnostics))
             return
         report(scenes.diagnostics)
-        places = {item.name: item.span for item in loaded.scenario.expectations}
         origin = record_of_run(scenes, count, self._engine, self._options)
-        task, key = self._task(loaded.registry), (_key(scenes), origin)
-        self._drive(scenes, task, key, places, run, backends)
+        task = self._task(loaded.registry, WrittenPlaces.of(loaded.scenario))
+        self._drive(scenes, task, (_key(scenes), origin), run, backends)
 
-    def _task(self, registry: Any) -> DriveTask:
+    def _task(self, registry: Any, places: WrittenPlaces) -> DriveTask:
         from ..drive.batches import DriveTask
 
-        return DriveTask(registry, self._engine, self._options, record_sensors=True)
+        return DriveTask(registry, self._engine, self._options, True, places)
 
     def _drive(
         self,
         scenes: Sequence[Scene],
         task: DriveTask,
         origin: tuple[str, str],
-        places: dict[str, Any],
         run: dict[str, str],
         backends: Sequence[KindInstance],
     ) -> None:
@@ -215,7 +216,7 @@ class RunBatch:
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: list[Any] = []
         with ProgressBar("drives") as progress:
-            for drives in drive_in_parts(open_, task, places, self._workers):
+            for drives in drive_in_parts(open_, task, self._workers):
                 folder.add(drives)
                 found += drives.diagnostics
                 for drive in () if self._as_json else drives:

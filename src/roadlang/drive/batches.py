@@ -9,6 +9,7 @@ from typing import Any
 from ..ir.scene import Scene
 from ..plugins.registry import Registry
 from .simulators import Driven, drive_scenes, simulator_of
+from .written_places import UNKNOWN, WrittenPlaces
 
 
 @dataclass(frozen=True)
@@ -19,6 +20,7 @@ class DriveTask:
     engine: str | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
     record_sensors: bool = False
+    places: WrittenPlaces = UNKNOWN
 
     def drive(self, scenes: Sequence[Scene]) -> tuple[Driven, ...]:
         """Drive some scenes."""
@@ -28,6 +30,7 @@ class DriveTask:
             self.engine,
             self.options,
             record_sensors=self.record_sensors,
+            places=self.places,
         )
 
     def parts(self, scenes: Sequence[Scene], workers: int) -> list[range]:

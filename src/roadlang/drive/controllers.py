@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ..diagnostics import Span
 from ..ir.scene import Call, Scene, SceneActor, SceneSensor
 from ..plugins.finding import entry_of, find_entry
 from ..plugins.guard import plugin_guard
@@ -12,24 +13,38 @@ from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from ..simulation.calling.controllers import Driver, GuardedController
 from ..simulation.calling.sensors import GuardedSensor
+from .written_places import UNKNOWN, WrittenPlaces
 
 
-def python_controllers(scene: Scene, registry: Registry) -> dict[str, Controller]:
-    """Agent to what drives it, where the last unconditional controller is written in Python."""
+def python_controllers(
+    scene: Scene, registry: Registry, places: WrittenPlaces = UNKNOWN
+) -> dict[str, Controller]:
+    """Agent to what drives it, where the last unconditional controller is written in Python.
+    `places`: where faults of controllers and sensors are shown."""
     found: dict[str, Controller] = {}
     expected = _expected_signals(scene, registry)
     for actor in scene.agents:
-        driver = _driver(actor, registry, expected)
+        driver = _driver(actor, registry, expected, places)
         if driver is not None:
             found[actor.name] = driver
     return found
 
 
 def _driver(
-    actor: SceneActor, registry: Registry, expected: Mapping[str, KindEntry]
+    actor: SceneActor,
+    registry: Registry,
+    expected: Mapping[str, KindEntry],
+    places: WrittenPlaces,
 ) -> Driver | None:
-    sensors = [_sensor(sensor, registry) for sensor in actor.sensors]
-    each = {place: _controller(call, registry) for place, call in enumerate(actor.drive)}
+    name = actor.group
+    sensors = [
+        _sensor(sensor, registry, places.sensors.get((name, sensor.name)))
+        for sensor in actor.sensors
+    ]
+    each = {
+        place: _controller(call, registry, places.controllers.get((name, place)))
+        for place, call in enumerate(actor.drive)
+    }
     steady = [
         place
         for place, call in enumerate(actor.drive)
@@ -51,13 +66,13 @@ def sensor_arrays(actor: SceneActor, registry: Registry) -> dict[str, Mapping[st
     return {sensor.name: _sensor(sensor, registry).arrays for sensor in actor.sensors}
 
 
-def _sensor(sensor: SceneSensor, registry: Registry) -> GuardedSensor:
+def _sensor(sensor: SceneSensor, registry: Registry, span: Span | None = None) -> GuardedSensor:
     """Raises RL930 for a kind that is not installed."""
     entry = entry_of(registry, "sense", sensor.kind)
-    with plugin_guard(entry, None):
+    with plugin_guard(entry, span):
         kind = entry.load()
     assert issubclass(kind, Sensor)
-    return GuardedSensor(sensor, kind, entry)
+    return GuardedSensor(sensor, kind, entry, span)
 
 
 def _expected_signals(scene: Scene, registry: Registry) -> dict[str, KindEntry]:
@@ -86,11 +101,11 @@ def _signals(actor: SceneActor, registry: Registry) -> dict[str, KindEntry]:
     return {name: entry_of(registry, "drive_signal", name) for name in sorted(names)}
 
 
-def _controller(call: Call, registry: Registry) -> GuardedController | None:
+def _controller(call: Call, registry: Registry, span: Span | None) -> GuardedController | None:
     if not registry.has("drive", call.kind):
         return None
     entry = find_entry(registry, "drive", call.kind)
-    with plugin_guard(entry, None):
+    with plugin_guard(entry, span):
         kind = entry.load()
         if not issubclass(kind, Controller):
             return None
@@ -98,4 +113,4 @@ def _controller(call: Call, registry: Registry) -> GuardedController | None:
             return None
         names = {option.name for option in schema_of(kind)}
     options = {key: value for key, value in call.options.items() if key in names}
-    return GuardedController(kind, options, entry)
+    return GuardedController(kind, options, entry, span)

@@ -20,6 +20,7 @@ from ..simulation.simulating import EngineSettings
 from .controllers import python_controllers
 from .sensor_offers import refuse_sensors
 from .sensors import sensor_recorders
+from .written_places import UNKNOWN, WrittenPlaces
 
 
 @dataclass(frozen=True)
@@ -92,10 +93,12 @@ def drive_scenes(
     options: Mapping[str, Any],
     *,
     record_sensors: bool = False,
+    places: WrittenPlaces = UNKNOWN,
 ) -> tuple[Driven, ...]:
-    """Drive each scene, all with one engine, and judge its expectations."""
+    """Drive each scene, all with one engine, and judge its expectations. `places`: where faults of
+    controllers and sensors are shown."""
     entry, simulator = simulator_of(scenes[0], registry, engine, options)
-    controllers = [python_controllers(scene, registry) for scene in scenes]
+    controllers = [python_controllers(scene, registry, places) for scene in scenes]
     refuse_sensors(scenes, (entry, simulator), registry)
     recorders = [sensor_recorders(of_scene) if record_sensors else [] for of_scene in controllers]
     with plugin_guard(entry, None):

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..diagnostics import Diagnostic, DiagnosticError
 from ..drive.simulators import Driven, drive_scenes, simulator_call
+from ..drive.written_places import WrittenPlaces
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..geometry.arrays import Floats, Integers
@@ -80,6 +81,7 @@ class Evaluator:
     def __init__(self, task: Task) -> None:
         self.task = task
         self.scenario = index_scenario(task.scenario, task.registry)
+        self._places = WrittenPlaces.of(task.scenario)
         self.acceptance = Acceptance(self.scenario)
         self._screened: list[_Screened] = []
         self._simulator: tuple[Call | None, Call] | None = None
@@ -125,7 +127,9 @@ class Evaluator:
                 worst = float(len(self.acceptance.requirements) + 1)
                 outcomes[row] = self._invalid(proposals[row], worst, rho[:, row])
         if scenes:
-            driven = drive_scenes(list(scenes.values()), self.task.registry, None, {})
+            driven = drive_scenes(
+                list(scenes.values()), self.task.registry, None, {}, places=self._places
+            )
             for row, drive in zip(scenes, driven, strict=True):
                 outcomes[row] = self.outcome(proposals[row], drive, rho[:, row])
         return [outcomes[row] for row in range(len(proposals))]
@@ -161,9 +165,10 @@ class Evaluator:
     def outcome(self, proposal: Proposal, driven: Driven, rho: Floats) -> Outcome:
         """What came of a drive. Raises DiagnosticError where an expectation has no verdict."""
         task, scene = self.task, driven.scene
-        faults = [driven.judgment.faults.get(name, ()) for name in task.expects]
-        if any(faults):
-            raise DiagnosticError(*(fault for part in faults for fault in part))
+        faults = driven.judgment.faults_at(self._places.expectations)
+        of_ours = [fault for name in task.expects for fault in faults.get(name, ())]
+        if of_ours:
+            raise DiagnosticError(*of_ours)
         verdicts = {verdict.name: verdict for verdict in driven.judgment.verdicts}
         violated = tuple(name for name in task.expects if verdicts[name].satisfied is False)
         moment = None

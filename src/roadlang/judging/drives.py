@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, Verdict
 from ..ir.trace import AgentTrace, Trace
@@ -36,6 +36,13 @@ class Judgment:
     verdicts: tuple[Verdict, ...]
     faults: Mapping[str, tuple[Diagnostic, ...]]
     warnings: Mapping[str, tuple[Diagnostic, ...]]
+
+    def faults_at(self, places: Mapping[str, Span | None]) -> Mapping[str, tuple[Diagnostic, ...]]:
+        """The faults, those without a place at that of their expectation."""
+        return {
+            name: tuple(replace(each, span=each.span or places.get(name)) for each in found)
+            for name, found in self.faults.items()
+        }
 
 
 def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:

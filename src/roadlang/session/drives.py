@@ -14,6 +14,7 @@ from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.standing import without_objects
 from ..drive.trace_files import COLUMNS, to_csv, to_json
+from ..drive.written_places import UNKNOWN, WrittenPlaces
 from ..ir.controller_failure import failure_columns
 from ..judging.badness import badness
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
@@ -25,7 +26,7 @@ from .tables import columns_of, frame_of
 if TYPE_CHECKING:
     import pandas
 
-    from ..diagnostics import Diagnostic, Span
+    from ..diagnostics import Diagnostic
     from ..geometry.arrays import Floats
     from ..ir.readings import SensorRecord
     from ..ir.scene import Verdict
@@ -39,22 +40,23 @@ def drive(
     registry: Registry,
     engine: str | None,
     options: Mapping[str, Any],
-    places: Mapping[str, Span | None] | None = None,
+    places: WrittenPlaces = UNKNOWN,
 ) -> DriveSet:
-    """Drive scenes, all with one engine. `places`: where each expectation is declared."""
+    """Drive scenes, all with one engine. `places`: where faults are shown."""
     records = [scene.record for scene in scenes]
     driven = (
-        drive_scenes(records, registry, engine, options, record_sensors=True) if records else ()
+        drive_scenes(records, registry, engine, options, record_sensors=True, places=places)
+        if records
+        else ()
     )
     return DriveSet(
-        Drive(scene, found, places or {}) for scene, found in zip(scenes, driven, strict=True)
+        Drive(scene, found, places) for scene, found in zip(scenes, driven, strict=True)
     )
 
 
 def drive_in_parts(
     scenes: Sequence[Scene],
     task: DriveTask,
-    places: Mapping[str, Span | None],
     workers: Workers = ALONE,
 ) -> Iterator[DriveSet]:
     """The drives of parts of the scenes, in order, each part as soon as it and those before it are
@@ -65,19 +67,19 @@ def drive_in_parts(
     with WorkerPool(task, workers) as pool:
         for part, driven in zip(parts, pool.map(DriveTask.drive, records), strict=True):
             pairs = zip(part, driven, strict=True)
-            yield DriveSet(Drive(scenes[number], found, places) for number, found in pairs)
+            yield DriveSet(Drive(scenes[number], found, task.places) for number, found in pairs)
 
 
 class Drive:
     """One scene, driven. `trace` is what was recorded; SI units and radians."""
 
-    def __init__(self, scene: Scene, driven: Driven, places: Mapping[str, Span | None]) -> None:
+    def __init__(self, scene: Scene, driven: Driven, places: WrittenPlaces) -> None:
         self.scene = scene
         self.trace: Trace = driven.trace
         self.readings: tuple[SensorRecord, ...] = driven.readings
         """what the sensors of the agents measured; none of a drive of a search"""
         self._verdicts = driven.judgment.verdicts
-        self._faults = driven.judgment.faults
+        self._faults = driven.judgment.faults_at(places.expectations)
         self._warnings = driven.judgment.warnings
         self._places = places
 
@@ -106,14 +108,13 @@ class Drive:
         faults = (
             replace(
                 fault,
-                span=fault.span or self._places.get(name),
                 help=(*fault.help, f"this is the expectation `{name}` in scene {self.scene.index}"),
             )
             for name, faults in self._faults.items()
             for fault in faults
         )
         warnings = (
-            replace(warning, span=self._places.get(name))
+            replace(warning, span=self._places.expectations.get(name))
             for name, found in self._warnings.items()
             for warning in found
         )

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..drive.written_places import WrittenPlaces
 from ..falsification.axes import axes_of
 from ..falsification.deadline import deadline
 from ..falsification.evaluator import Evaluator, Proposal, Task
@@ -198,7 +199,7 @@ class Falsification:
         from .drives import drive
 
         drives = self.drives
-        places = {item.name: item.span for item in self.loaded.scenario.expectations}
+        places = WrittenPlaces.of(self.loaded.scenario)
         return drive(scenes, self.loaded.registry, drives.engine, drives.options, places)
 
     @property

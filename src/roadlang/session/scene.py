@@ -257,9 +257,11 @@ class Scene:
         installed. `options` are those of the kind in SI units: `duration=10.0`. Raises
         `DiagnosticError` where the engine fails.
         """
+        from ..drive.written_places import UNKNOWN, WrittenPlaces
         from .drives import drive
 
-        return drive([self], self.registry, engine, options)[0]
+        places = UNKNOWN if self._loaded is None else WrittenPlaces.of(self._loaded.scenario)
+        return drive([self], self.registry, engine, options, places)[0]
 
     def save(self, path: str | Path) -> Path:
         """Write the scene as JSON, whole or not at all. Raises `DiagnosticError` RL460."""

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..drive.written_places import WrittenPlaces
 from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
 from .expectations import Expectation, expectations_of
 from .scene import Scene
@@ -160,7 +161,7 @@ class SceneSet(Sequence[Scene]):
         """Drive every scene in a simulator, all with one engine; see `Scene.run`."""
         from .drives import drive
 
-        places = {declared.name: declared.span for declared in self.loaded.scenario.expectations}
+        places = WrittenPlaces.of(self.loaded.scenario)
         return drive(self, self.loaded.registry, engine, options, places)
 
     def _repr_svg_(self) -> str:

@@ -18,6 +18,8 @@ LONGEST_LINE = 65_536
 """bytes of an answer"""
 TAIL = 30
 """lines of standard error that are kept"""
+LONGEST_KEPT = 300
+"""bytes of each: minified source code is one line of many thousands"""
 PATIENCE = 1.0
 """seconds for which a program may go on after its standard input was closed"""
 
@@ -113,9 +115,14 @@ def _read_answers(stream: IO[bytes], answers: queue.Queue[bytes]) -> None:
 
 
 def _read_errors(stream: IO[bytes], errors: deque[bytes]) -> None:
+    """The lines as they come, of long ones the beginning."""
+    is_begun = False
     with contextlib.suppress(OSError, ValueError):
-        while line := stream.readline(1024):
-            errors.append(line)
+        while part := stream.readline(LONGEST_KEPT):
+            if not is_begun:
+                is_cut = len(part) == LONGEST_KEPT and not part.endswith(b"\n")
+                errors.append(part + b" ..." if is_cut else part)
+            is_begun = not part.endswith(b"\n")
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

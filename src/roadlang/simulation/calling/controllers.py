@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from operator import attrgetter
 from typing import Any
 
 import numpy as np
 
+from ...diagnostics import Span
 from ...geometry.arrays import Floats
 from ...ir.actuation import ActuationBatch
 from ...ir.control import Control, ControlBatch
@@ -33,20 +34,32 @@ _others_of = attrgetter(*_OTHERS)
 
 
 class GuardedController(Controller):
-    """A controller with its options. It keeps its state from one `control` to the next."""
+    """A controller with its options. It keeps its state from one `control` to the next. `span`:
+    where it is written, if that is known."""
 
     def __init__(
-        self, kind: type[Controller], options: Mapping[str, Any], entry: KindEntry
+        self,
+        kind: type[Controller],
+        options: Mapping[str, Any],
+        entry: KindEntry,
+        span: Span | None = None,
     ) -> None:
         self.kind = kind
         self.options = dict(options)
         self.entry = entry
+        self.span = span
         self._single: Controller | None = None
         self._state: Any = None
 
     def anew(self) -> GuardedController:
         """The same controller, which remembers nothing."""
-        return GuardedController(self.kind, self.options, self.entry)
+        return GuardedController(self.kind, self.options, self.entry, self.span)
+
+    def for_several(self, spans: Collection[Span | None]) -> GuardedController:
+        """One that is called for all that are written at some places: which of them is at fault
+        is not known."""
+        span = self.span if len(set(spans)) == 1 else None
+        return GuardedController(self.kind, self.options, self.entry, span)
 
     def carry_on(self, before: GuardedController) -> None:
         """Remember what another controller of this kind, with perhaps other options, does. Raises
@@ -74,7 +87,7 @@ class GuardedController(Controller):
         self, controller: Controller, wanted: ActuationBatch, state: Any
     ) -> tuple[Floats, Floats]:
         """Steering and acceleration in place of those that are wanted. Raises RL470, RL474."""
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             steering, acceleration = controller.altered(wanted, state)
         count = len(wanted.steering)
         found = (
@@ -82,12 +95,12 @@ class GuardedController(Controller):
             self._column(acceleration, "acceleration", count),
         )
         if not all(np.isfinite(column).all() for column in found):
-            raise wrong_result(self.entry, None, "gave controls that are not finite")
+            raise wrong_result(self.entry, self.span, "gave controls that are not finite")
         return found
 
     def built(self, options: Mapping[str, Any]) -> Controller:
         """The controller with other options, which may be columns. Raises RL470."""
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             return self.kind(**options)
 
     def control(self, observation: Observation) -> Control:
@@ -102,20 +115,20 @@ class GuardedController(Controller):
 
     def first_state(self, controller: Controller, count: int) -> Any:
         """The state of `count` agents at the start. Raises RL470, RL474."""
-        return first_state(self.entry, controller, count)
+        return first_state(self.entry, self.span, controller, count)
 
     def decide(self, controller: Controller, seen: ObservationBatch, state: Any) -> ControlBatch:
         """What the controller decides for a batch. Raises RL470, RL474."""
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             decided: Any = controller.controls(seen, state)
         if not isinstance(decided, ControlBatch):
             fault = f"gave a {type(decided).__name__}, not a ControlBatch"
-            raise wrong_result(self.entry, None, fault)
+            raise wrong_result(self.entry, self.span, fault)
         count = len(seen.x)
         steering = self._column(decided.steering, "steering", count)
         acceleration = self._column(decided.acceleration, "acceleration", count)
         if _have_infinite(steering, acceleration):
-            raise wrong_result(self.entry, None, "gave controls that are not finite")
+            raise wrong_result(self.entry, self.span, "gave controls that are not finite")
         others = {
             name: self._column(value, name, count)
             for name, value in zip(_OTHERS, _others_of(decided), strict=True)
@@ -132,38 +145,38 @@ class GuardedController(Controller):
             place in range(count) and isinstance(reason, str) for place, reason in reasons.items()
         ):
             fault = f"gave failures that are no texts by place in a batch of {count}: {reasons!r}"
-            raise wrong_result(self.entry, None, fault)
+            raise wrong_result(self.entry, self.span, fault)
         return {int(place): reason for place, reason in reasons.items()}
 
     def _poses(self, values: Any, count: int) -> Floats:
-        numbers = real_numbers(values, "poses", self.entry, None)
+        numbers = real_numbers(values, "poses", self.entry, self.span)
         if numbers.shape != (count, 4):
             fault = f"gave poses of shape {numbers.shape}, not {(count, 4)}"
-            raise wrong_result(self.entry, None, fault)
+            raise wrong_result(self.entry, self.span, fault)
         return numbers
 
     def _column(self, values: Any, what: str, count: int) -> Floats:
-        numbers = real_numbers(values, what, self.entry, None)
+        numbers = real_numbers(values, what, self.entry, self.span)
         if numbers.shape != (count,):
             fault = f"gave {what} of shape {numbers.shape}, not {(count,)}"
-            raise wrong_result(self.entry, None, fault)
+            raise wrong_result(self.entry, self.span, fault)
         return numbers
 
     def _checked(self, observation: Observation) -> Control:
         assert self._single is not None
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             decision: Any = self._single.control(observation)
         if not isinstance(decision, Control):
             fault = f"gave a {type(decision).__name__}, not a Control"
-            raise wrong_result(self.entry, None, fault)
+            raise wrong_result(self.entry, self.span, fault)
         numbers = _numbers_of(decision)
         control = decision
         if not _PLAIN.issuperset(map(type, numbers)):
-            with plugin_guard(self.entry, None):
+            with plugin_guard(self.entry, self.span):
                 plain: dict[str, Any] = dict(zip(_NUMBERS, map(float, numbers), strict=True))
                 control = replace(decision, **plain)
         if not (math.isfinite(control.steering) and math.isfinite(control.acceleration)):
-            raise wrong_result(self.entry, None, f"gave {decision}, which is not finite")
+            raise wrong_result(self.entry, self.span, f"gave {decision}, which is not finite")
         return control
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ...diagnostics import Span
 from ...ir.readings import ARRAYS_ENDING, SensorRecord
 from ...ir.scene import SceneSensor
 from ...ir.sensed_batch import SensedBatch
@@ -62,12 +63,16 @@ class SensorRecorder:
 
 
 class GuardedSensor:
-    """A sensor of a scene with its kind. `recorder`: where its readings are to be kept."""
+    """A sensor of a scene with its kind. `recorder`: where its readings are to be kept; `span`:
+    where it is written, if that is known."""
 
-    def __init__(self, sensor: SceneSensor, kind: type[Sensor], entry: KindEntry) -> None:
+    def __init__(
+        self, sensor: SceneSensor, kind: type[Sensor], entry: KindEntry, span: Span | None = None
+    ) -> None:
         self.sensor = sensor
         self.kind = kind
         self.entry = entry
+        self.span = span
         self.recorder: SensorRecorder | None = None
         schema = schema_of(kind)
         names = [option.name for option in schema]
@@ -97,23 +102,23 @@ class GuardedSensor:
 
     def built(self, options: Mapping[str, Any]) -> Sensor:
         """The sensor with other options, which may be columns. Raises RL470."""
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             return self.kind(**options)
 
     def first_state(self, sensor: Sensor, count: int) -> Any:
         """The state of `count` agents at the start. Raises RL470, RL474."""
-        return first_state(self.entry, sensor, count)
+        return first_state(self.entry, self.span, sensor, count)
 
     def measure(self, sensor: Sensor, sensed: SensedBatch, state: Any) -> Arrays:
         """What it measures at N agents. Raises RL470, RL474."""
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             found: object = sensor.readings(sensed, state)
         return self.checked(found, (len(sensed.interval),))
 
     def files(self, record: SensorRecord) -> Mapping[str, bytes]:
         """What the kind writes of the readings of a drive. Raises RL470, RL474."""
         single = self.built(self.options | self.integers)
-        with plugin_guard(self.entry, None):
+        with plugin_guard(self.entry, self.span):
             files = dict(single.files(record))
         for ending, content in files.items():
             if (
@@ -121,10 +126,10 @@ class GuardedSensor:
                 or not _ENDING.fullmatch(ending)
                 or ending == ARRAYS_ENDING
             ):
-                raise wrong_result(self.entry, None, f"gave a file with the ending {ending!r}")
+                raise wrong_result(self.entry, self.span, f"gave a file with the ending {ending!r}")
             if not isinstance(content, bytes):
                 fault = f"gave {type(content).__name__} as the file `{ending}`, not bytes"
-                raise wrong_result(self.entry, None, fault)
+                raise wrong_result(self.entry, self.span, fault)
         return files
 
     def checked(self, found: object, leading: tuple[int, ...]) -> Arrays:

@@ -134,6 +134,7 @@ def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
         singles = [controller for _, controller in members]
         return Group(place, first, rows, {}, None, singles, *_never_decided(len(rows)))
     columns = columns_of([controller.options for _, controller in members])
+    first = first.for_several([controller.span for _, controller in members])
     state = first.first_state(first.built(columns), len(rows))
     return Group(place, first, rows, columns, state, [], *_never_decided(len(rows)))
 

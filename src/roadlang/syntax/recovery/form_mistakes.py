@@ -10,11 +10,14 @@ from .error_position import Edit, ErrorPosition, Mistake
 
 STEPS = frozenset(operator.word for operator in OPERATORS if operator.form == "step")
 """Operators without an interval"""
+_OPERANDS = TEMPORAL_KINDS | {"NAME", "NUMBER", "NOT"}
+"""What follows `always(0s..5s)` without parentheses; that may be an operand itself"""
+_TWO_NUMBERS = (["NUMBER", "COMMA", "NUMBER"], ["NUMBER", "RANGE", "NUMBER"])
 
 
 def interval_form(place: ErrorPosition) -> Mistake | None:
-    """`always[0s..5s]`, `always[5s]`, `always(0s, 5s) (p)`."""
-    if place.kind() == "LPAR" and place.kind(-1) == "RPAR":
+    """`always[0s..5s]`, `always[5s]`, `always(0s, 5s) (p)`, `always(0s..5s) p`."""
+    if place.kind(-1) == "RPAR" and place.kind() in _OPERANDS | {"LPAR"}:
         return _round_interval(place)
     if place.kind() == "COMMA" and place.expects("RSQB") and place.word(-3) in STEPS:
         return _interval_of_step(place)
@@ -71,12 +74,18 @@ def _round_interval(place: ErrorPosition) -> Mistake | None:
     opener = _opener(place, place.index - 1, "LPAR", "RPAR")
     if opener is None or place.tokens[opener - 1][0] not in TEMPORAL_KINDS | BINDING_KINDS:
         return None
+    inside = list(place.tokens[opener + 1 : place.index - 1])
+    kinds = [kind for kind, *_ in inside]
+    if place.kind() != "LPAR" and kinds not in _TWO_NUMBERS:
+        return None
     span = place.source.span(place.tokens[opener][2], place.token(-1)[3])
-    fixed = f"[{span.text[1:-1]}]"
+    fixed = f"[{span.text[1:-1].replace('..', ', ', 1)}]"
     found = diagnose(
         Code.MALFORMED_INTERVAL, span, help=f"write `{fixed}`", fixes=[Fix(span, fixed)]
     )
-    inside = place.tokens[opener + 1 : place.index - 1]
+    if "RANGE" in kinds:
+        dots = kinds.index("RANGE")
+        inside[dots] = ("COMMA", ",", *inside[dots][2:])
     first, last = place.tokens[opener], place.token(-1)
     tokens = (("LSQB", "[", first[2], first[3]), *inside, ("RSQB", "]", last[2], last[3]))
     return Mistake(found, Edit(opener, place.index, tokens))
