@@ -162,18 +162,27 @@ def test_all_yield_to_who_has_waited_longest(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_one_yields_to_whom_it_should_if_that_one_arrives_soon(seed: int) -> None:
+def test_one_goes_after_whom_it_yields_to_if_that_one_comes_before_it_has_left(seed: int) -> None:
     drawn = Drawn.of(seed)
-    found, expected = drawn.meetings, nowhere()
-    exactly = rules.FROM_RIGHT * drawn.speed + rules.FROM_RIGHT_DISTANCE
-    drawn.near.to_line[::5, 0] = exactly[::5]  # so far away, it does not count yet
-    for group, a, b, _, other in drawn.pairs():
-        near = rules.FROM_RIGHT * drawn.speed[other] + rules.FROM_RIGHT_DISTANCE
-        arrives = drawn.asks[group, b] and drawn.way(other) < near
-        expected[group, a] |= bool(found.yields[group, a, b] and arrives)
-    assert 0 < expected.sum() < found.is_there.sum()
-    waits = rules.waits_for_right(found, drawn.near, drawn.asks, drawn.speed)
-    np.testing.assert_array_equal(waits, expected)
+    found = drawn.meetings
+    expected = np.zeros(found.yields.shape, dtype=bool)
+    turns = np.random.default_rng(seed).random(found.is_there.shape) < 0.5
+    for group, a, b, one, other in drawn.pairs():
+        speed, bold = drawn.speed[one], drawn.temper[one]
+        slow = min(speed, rules.SLUGGISH_SPEED) if turns[group, a] else speed
+        way = drawn.way(one)
+        mean = max(0.5 * (speed + slow), 0.5 * rules.SLUGGISH_SPEED)
+        ground = min(way, 0.0) + found.end[group, a, b] + drawn.length[one]
+        pace = rules.SLUGGISH + bold * (rules.EAGER - rules.SLUGGISH)
+        leaves = max(way, 0.0) / mean + seconds(ground, slow, pace, rules.SLUGGISH_SPEED)
+        leaves += rules.EASE * (1.0 - bold)
+        meters = drawn.way(other) + found.begin[group, b, a]
+        comes = meters < leaves * drawn.speed[other] + rules.FROM_RIGHT_DISTANCE
+        least = rules.FROM_RIGHT * drawn.speed[other] + rules.FROM_RIGHT_DISTANCE
+        expected[group, a, b] = found.yields[group, a, b] and (comes or drawn.way(other) < least)
+    assert 0 < expected.sum() < found.yields.sum()
+    after = rules.goes_after(found, drawn.near, turns, drawn.speed, drawn.length, drawn.temper)
+    np.testing.assert_array_equal(after, expected)
 
 
 @pytest.mark.parametrize("seed", range(3))

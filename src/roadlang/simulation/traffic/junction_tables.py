@@ -32,6 +32,8 @@ class JunctionTables:
     """(C,) at a stop sign"""
     yields_any: Booleans
     """(C,) to traffic of another connection"""
+    turns: Booleans
+    """(C,) to the left or right, or around"""
     target: Integers
     """(C,) number in its junction of the lane that it enters"""
     length: Floats
@@ -57,6 +59,7 @@ class JunctionTables:
             first[:-1], counts, pair[:-1], np.array(rules, dtype=np.int64),
             np.array([stop for junction in junctions for stop in _stops(junction)], dtype=bool),
             np.array([flag for junction in junctions for flag in _yielding(junction)], dtype=bool),
+            np.array([connection.turn != "straight" for connection in every], dtype=bool),
             np.array([goal for junction in junctions for goal in _targets(junction)], np.int64),
             np.array([connection.length for connection in every], dtype=np.float64),
             yields,

@@ -19,6 +19,8 @@ from .meetings import Meetings
 
 BOOKING, SHORT_BOOKING = 4.0, 1.0
 """Seconds ahead of its arrival that one asks to go, and one that yields."""
+SEEN = 6.5
+"""Seconds ahead of its arrival that those who yield to one see it come."""
 WAVED_THROUGH = 1.0
 """Seconds after which, where all wait for each other, the first goes."""
 TAIL_TIME = 2.0
@@ -30,6 +32,8 @@ class Asking:
     """Columns (N,): who asks to go at which of its crossings, the first that it may not cross."""
 
     asks: Booleans
+    comes: Booleans
+    """who asks, or would if it did not yield: others see it come"""
     slot: Integers
     distance: Floats
     """meters to the line"""
@@ -45,12 +49,14 @@ class Asking:
         distance = distance[each, slot]
         short = entrants.is_short[each, slot]
         ahead = horizon(crowd.speed, np.where(short, SHORT_BOOKING, BOOKING))
-        asks = crowd.is_moving & crowd.obeys & (distance < ahead)
+        takes_part = crowd.is_moving & crowd.obeys
+        asks = takes_part & (distance < ahead)
+        comes = takes_part & (distance < horizon(crowd.speed, SEEN))
         fresh = np.flatnonzero(asks & (grants.arrival[each, slot] == NEVER))
         if len(fresh):
             arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
             grants.arrival[fresh, slot[fresh]] = arrival
-        return cls(asks, slot, distance, each)
+        return cls(asks, comes, slot, distance, each)
 
     def of_crossings(self, values: np.ndarray) -> np.ndarray:
         """(N,) of an array (N, X), at the crossing that each asks for."""
@@ -59,41 +65,58 @@ class Asking:
 
 def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
     """Let at most one agent go at each junction; `last_grant` (S, J) is when somebody was. (N, X)
-    which crossings were asked for."""
+    which crossings were asked for, or come closer."""
     _take_back(crowd)
     asking = Asking.of(crowd)
-    wanted = np.zeros(crowd.held.shape, dtype=bool)
-    askers = np.flatnonzero(asking.asks)
-    if not len(askers):
-        return wanted
-    wanted[askers, asking.slot[askers]] = True
-    meetings = crowd.entrants.meetings(wanted | crowd.held)
-    wants = meetings.is_there & meetings.of_crossings(wanted)
+    coming = np.zeros(crowd.held.shape, dtype=bool)
+    if not asking.asks.any():
+        return coming
+    agents = np.flatnonzero(asking.comes)
+    coming[agents, asking.slot[agents]] = True
+    meetings = crowd.entrants.meetings(coming | crowd.held)
+    comes = meetings.is_there & meetings.of_crossings(coming)
+    wants = comes & meetings.of_agents(asking.asks)
     is_first = _is_first(crowd, asking)
     could = _could(crowd, asking, meetings, wants, is_first)
     if not could.any():
-        return wanted
+        return coming
     able = _able(crowd, asking, meetings, wants, could)
     if not able.any():
-        return wanted
-    places = crowd.entrants.places
-    count = len(places.by_right)
-    scene, junction = meetings.key // count, meetings.key % count
-    passes, wave = able, np.zeros(len(scene), dtype=bool)
-    by_right = places.by_right[junction]
-    if by_right.any():
-        arriving = wants & meetings.of_agents(is_first)
-        right = rules.waits_for_right(meetings, crowd.near, arriving, crowd.speed)
-        passes = able & ~(by_right[:, None] & right)
-        stuck = by_right & ~passes.any(axis=1)
-        wave = stuck & (crowd.time - last_grant[scene, junction] > WAVED_THROUGH)
-        passes |= able & wave[:, None]
+        return coming
+    passes, wave = _passes(crowd, meetings, (comes, wants, is_first), able, last_grant)
     rank = np.where(passes, _rank(crowd, asking, meetings, wave), len(asking.slot))
     chosen = np.flatnonzero(passes.any(axis=1))
     best = rank[chosen].argmin(axis=1)
     crowd.grants.order[meetings.row[chosen, best], meetings.slot[chosen, best]] = crowd.time
-    last_grant[scene[chosen], junction[chosen]] = crowd.time
-    return wanted
+    scene, junction = divmod(meetings.key[chosen], len(crowd.entrants.places.by_right))
+    last_grant[scene, junction] = crowd.time
+    return coming
+
+
+def _passes(
+    crowd: Crowd, meetings: Meetings, who: tuple[Booleans, Booleans, Booleans], able: Booleans,
+    last_grant: Floats,
+) -> tuple[Booleans, Booleans]:  # fmt: skip
+    """(G, P) who of those that are `able` to go need not yield to others that come, and (G,) where
+    all wait for each other: there the first goes. `who`: (G, P) comes, (G, P) asks to go, and (N,)
+    is the first in its lane."""
+    comes, wants, is_first = who
+    places = crowd.entrants.places
+    scene, junction = divmod(meetings.key, len(places.by_right))
+    turns = places.tables.turns[meetings.of_crossings(crowd.near.number)]
+    motion = crowd.speed, crowd.entrants.length, crowd.aggression
+    after = rules.goes_after(meetings, crowd.near, turns, *motion)
+    if not after.any():
+        return able, np.zeros(len(scene), dtype=bool)
+    first = meetings.of_agents(is_first) & ~rules.let_go(meetings, crowd.grants)
+    asks = wants & first & (able | places.by_right[junction][:, None])
+    later = comes & ~wants & first & meetings.of_crossings(crowd.near.may_go)
+    is_patient = meetings.of_crossings(crowd.grants.waiting) <= rules.LONGEST_WAIT
+    free = able & ~((after & later[:, None, :]).any(axis=2) & is_patient)
+    passes = free & ~(after & asks[:, None, :]).any(axis=2)
+    stuck = free.any(axis=1) & ~passes.any(axis=1)
+    wave = stuck & (crowd.time - last_grant[scene, junction] > WAVED_THROUGH)
+    return passes | (free & wave[:, None]), wave
 
 
 def _take_back(crowd: Crowd) -> None:

@@ -22,7 +22,9 @@ EAGER, EAGER_SPEED = 2.6, 12.0
 SLUGGISH, SLUGGISH_SPEED = 1.2, 6.0
 """m/s^2 and m/s: how fast who goes first leaves that place."""
 FROM_RIGHT, FROM_RIGHT_DISTANCE = 3.0, 8.0
-"""Who comes from the right counts if it is at the line within so many seconds, or meters."""
+"""One yields at least to who is at the line within so many seconds, or meters."""
+EASE = 2.5
+"""Seconds that the calmest leave to one to whom they yield, so that it need not slow down."""
 PATIENCE = 3.0
 """Seconds after which traffic of the main road lets in who waits where lanes merge."""
 LONGEST_WAIT = 15.0
@@ -97,14 +99,25 @@ def is_reserved(
     return np.asarray(counts & ~itself & (meets | waits))
 
 
-def waits_for_right(
-    meetings: Meetings, near: Approaches, asks: Booleans, speed: Floats
-) -> Booleans:
-    """(G, P) who yields to one that arrives now and was not let go either. `asks`: (G, P)."""
-    to_line = meetings.of_crossings(near.to_line)
-    soon = to_line < FROM_RIGHT * meetings.of_agents(speed) + FROM_RIGHT_DISTANCE
-    _, arriving = pairs(asks & soon)
-    return np.asarray((meetings.yields & arriving).any(axis=2))
+def goes_after(
+    meetings: Meetings, near: Approaches, turns: Booleans, speed: Floats, length: Floats,
+    aggression: Floats,
+) -> Booleans:  # fmt: skip
+    """(G, P, P) whether the first yields to the second, and could not have left the ground that
+    both need before that one comes, if it keeps its speed. `turns`: (G, P), who slows down to turn;
+    `speed`, `length`, `aggression` from 0 to 1: (N,)."""
+    to_line, other_line = pairs(meetings.of_crossings(near.to_line))
+    speed_a, speed_b = pairs(meetings.of_agents(speed))
+    boldness, _ = pairs(meetings.of_agents(aggression))
+    slow = np.where(turns[:, :, None], np.minimum(speed_a, SLUGGISH_SPEED), speed_a)
+    approach = np.maximum(to_line, 0.0) / np.maximum(0.5 * (speed_a + slow), 0.5 * SLUGGISH_SPEED)
+    ground = np.minimum(to_line, 0.0) + meetings.end + meetings.of_agents(length)[:, :, None]
+    pace = SLUGGISH + boldness * (EAGER - SLUGGISH)
+    leaves = approach + seconds_for(ground, slow, pace, SLUGGISH_SPEED)
+    leaves += EASE * (1.0 - boldness)
+    arrives = other_line + np.swapaxes(meetings.begin, 1, 2) - FROM_RIGHT_DISTANCE
+    soon = other_line < FROM_RIGHT * speed_b + FROM_RIGHT_DISTANCE
+    return np.asarray(meetings.yields & (soon | (arrives < leaves * speed_b)))
 
 
 def lets_in(
