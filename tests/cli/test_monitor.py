@@ -28,6 +28,14 @@ def test_the_table_says_what_decides(trace: Any, capsys: pytest.CaptureFixture[s
     assert "from 1.5 to 1.5 not e < 6, worst -1 at 1.5" in told
 
 
+def test_numbers_are_printed_in_six_digits(trace: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["monitor", "always (v < 60km/h and v < 0.5)", trace]) == 4
+    told = capsys.readouterr().out
+    assert told.startswith("always (v < 16.6667 and v < 0.5)\n")
+    assert run(["monitor", "always (v < 16km/h)", trace]) == 4
+    assert "decided at 1.5: v < 4.44444, where v = 6" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("formula", "code", "verdict"),
     [

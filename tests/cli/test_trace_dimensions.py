@@ -28,6 +28,8 @@ def test_every_column_of_a_trace_has_a_unit() -> None:
         ("duration (speed > 3) < 20m", "is a time and `20m` is a length"),
         ("always (abs(cross_track_error) + speed < 4m)", "they cannot be added"),
         ("always (station - speed < 4m)", "they cannot be subtracted"),
+        ("always (max(station, speed) < 4)", "`station` is a length and `speed` is a speed"),
+        ("always (min(speed, 3, 3m) < 4)", "`speed` is a speed and `3m` is a length"),
         ("always (station * speed < 40m)", "a quantity in m^2/s and `40m` is a length"),
     ],
 )
@@ -43,6 +45,7 @@ def test_what_differs_in_dimension_is_refused(tmp_path: Path, formula: str, reas
     [
         "always (speed < 60km/h)",
         "always[0, 500ms] (speed < 60 and progress < 90%)",
+        "always (max(speed, 3, 60km/h) < 90km/h)",
         "always (station / speed < 100s and 2 * speed < 40m/s)",
         "always (other < 3m)",
     ],

@@ -11,6 +11,7 @@ import click
 from . import exit_codes
 from .console import echo, report
 from .finite_range import FiniteNumber
+from .short_numbers import short_numbers
 
 if TYPE_CHECKING:
     from ..stl import Formula
@@ -149,7 +150,7 @@ def _show(formula: Formula, findings: list[dict[str, Any]], as_json: bool, is_op
     if as_json:
         echo(json.dumps(findings[0] if len(findings) == 1 else findings, indent=2))
     else:
-        echo(str(formula))
+        echo(short_numbers(str(formula)))
         echo(_table(findings, is_open))
     for finding in findings:
         _warn_of_empty_windows(finding)
@@ -262,7 +263,7 @@ def _table(findings: list[dict[str, Any]], is_open: bool) -> str:
     lines = [line(head)]
     for row, finding in zip(rows, findings, strict=True):
         lines.append(line(row))
-        lines += [f"  {line}" for line in finding["lines"][1:]]
+        lines += [f"  {short_numbers(line)}" for line in finding["lines"][1:]]
     return "\n".join(lines)
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations, pairwise
 from pathlib import Path
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, diagnose
@@ -44,12 +44,15 @@ def _is_drive(path: str) -> bool:
 
 
 def _mismatches(node: ast.SyntaxNode) -> Iterator[Diagnostic]:
-    """Of one comparison, sum or difference."""
+    """Of one comparison, sum or difference, or of the least or greatest of some."""
+    pairs: Iterable[tuple[ast.Expression, ast.Expression]]
     match node:
         case ast.ComparisonExpression():
             pairs, verb = pairwise(node.operands), "compared"
         case ast.ArithmeticExpression("+" | "-" as operator, left, right):
             pairs, verb = pairwise((left, right)), "added" if operator == "+" else "subtracted"
+        case ast.CallExpression(ast.Name("min" | "max"), arguments):
+            pairs, verb = combinations((each.value for each in arguments), 2), "compared"
         case ast.IntervalExpression(low, high):
             for bound in (low, high):
                 yield from _mismatch("time", TIME, bound, "compared")
