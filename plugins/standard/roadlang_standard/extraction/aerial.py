@@ -195,6 +195,8 @@ def _paths_between(
 ) -> list[Floats]:
     """The paths from each of the points to the next; of one point alone, to the nearest pixel that
     is surely road, or as surely as any."""
+    if not points:
+        return []
     polyline = np.array(points, float).reshape(-1, 2)
     road = score > min(strong, 0.9 * float(score.max()))
     if len(polyline) == 1 and road.any():

@@ -65,15 +65,14 @@ def _along(even: Layer, angle: float) -> Layer:
     turn = cv2.getRotationMatrix2D((width / 2, height / 2), angle, 1.0)
     turn[:, 2] += (diagonal - width) / 2, (diagonal - height) / 2
     turned = cv2.warpAffine(even, turn, (diagonal, diagonal), borderMode=cv2.BORDER_REFLECT)
-    response = np.zeros_like(turned)
+    response, squares = np.zeros_like(turned), turned * turned
     for bar in _WIDTHS:
         inner = cv2.blur(turned, (_LENGTH, bar))
-        rough = cv2.blur(turned * turned, (_LENGTH, bar)) - inner * inner
-        flank = cv2.blur(turned, (_LENGTH, bar))
+        rough = cv2.blur(squares, (_LENGTH, bar)) - inner * inner
         shift = bar + 1
-        above, below = np.roll(flank, shift, axis=0), np.roll(flank, -shift, axis=0)
-        for sign in (1.0, -1.0):
-            edge = np.minimum(sign * (inner - above), sign * (inner - below))
-            np.maximum(response, edge - 0.35 * np.sqrt(np.maximum(rough, 0)), out=response)
+        above, below = inner - np.roll(inner, shift, 0), inner - np.roll(inner, -shift, 0)
+        brighter, darker = np.minimum(above, below), -np.maximum(above, below)
+        edge = np.maximum(brighter, darker) - 0.35 * np.sqrt(np.maximum(rough, 0))
+        np.maximum(response, edge, out=response)
     back = cv2.warpAffine(response, turn, (width, height), flags=cv2.WARP_INVERSE_MAP)
     return np.asarray(back, np.float32)

@@ -27,6 +27,12 @@ _INSIDE, _BEYOND = 0.012, 4.0
 _ROUNDS, _EASING = 32, 0.7
 _PINNED = 1e5
 _ZEROS = np.zeros(3)
+_SECOND = tuple(np.array(row) for row in ((1.0, 4.0, 1.0), (-2.0, -2.0), (1.0,)))
+_THIRD = tuple(
+    np.array(row) for row in ((1.0, 9.0, 9.0, 1.0), (-3.0, -9.0, -3.0), (3.0, 3.0), (-1.0,))
+)
+"""Products of the second and the third difference's factors (1, -2, 1) and (-1, 3, -3, 1) that are
+0, 1, 2 and 3 points apart."""
 
 
 @dataclass(frozen=True)
@@ -133,10 +139,10 @@ def _spread(weighted: Floats, order: int) -> Floats:
 def _system(pull: Floats, turning: Floats, changing: Floats) -> Floats:
     """Of sums of weighted squares of values (n,) and of their second and third differences, the
     matrix, by its diagonals (4, n) from the main one down."""
-    banded = np.zeros((4, len(pull)))
+    count = len(pull)
+    banded = np.zeros((4, count))
     banded[0] = pull
-    for weights, stencil in ((turning, (1.0, -2.0, 1.0)), (changing, (-1.0, 3.0, -3.0, 1.0))):
-        for k, first in enumerate(stencil):
-            for below, second in enumerate(stencil[k:]):
-                banded[below, k : k + len(weights)] += first * second * weights
+    for weights, stencils in ((turning, _SECOND), (changing, _THIRD)):
+        for below, stencil in enumerate(stencils):
+            banded[below, : count - below] += np.convolve(weights, stencil)
     return banded

@@ -76,21 +76,14 @@ def trace(skeleton: Booleans) -> Graph:
 
 def _junctions(padded: Booleans) -> Booleans:
     """Pixels where at least three branches meet (crossing number), and knots of them."""
-    p = padded.astype(np.int8)
-    ring = [
-        p[:-2, 1:-1],
-        p[:-2, 2:],
-        p[1:-1, 2:],
-        p[2:, 2:],
-        p[2:, 1:-1],
-        p[2:, :-2],
-        p[1:-1, :-2],
-        p[:-2, :-2],
-    ]
-    neighbors = sum(ring)
-    rises = sum((ring[i] == 0) & (ring[(i + 1) % 8] == 1) for i in range(8))
+    stride = padded.shape[1]
+    flat = padded.ravel()
+    pixels = np.flatnonzero(flat)
+    around = (-stride, -stride + 1, 1, stride + 1, stride, stride - 1, -1, -stride - 1)
+    ring = np.array([flat[pixels + step] for step in around])
+    rises = (~ring & np.roll(ring, -1, axis=0)).sum(axis=0)
     found = np.zeros_like(padded)
-    found[1:-1, 1:-1] = padded[1:-1, 1:-1] & ((rises >= 3) | (neighbors >= 4))
+    found.flat[pixels[(rises >= 3) | (ring.sum(axis=0) >= 4)]] = True
     return found
 
 

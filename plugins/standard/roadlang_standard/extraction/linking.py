@@ -197,8 +197,8 @@ def _shares(
 
 def _ahead(ahead: Floats) -> NDArray[np.bool_]:
     """Which cells (side, side) of a window lie in the cone straight ahead of its middle."""
-    y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
-    return np.asarray(x * ahead[0] + y * ahead[1] > _STRAIGHT * np.hypot(x, y))
+    x, y, away = _offsets()
+    return np.asarray(x * ahead[0] + y * ahead[1] > _STRAIGHT * away)
 
 
 def _near_end(line: Line, index: int, there: NDArray[np.int32], step: float) -> NDArray[np.bool_]:
@@ -221,19 +221,27 @@ def _surface(own: NDArray[np.bool_], width: float) -> NDArray[np.bool_]:
     line = own.reshape(_SIDE, _SIDE).astype(np.uint8)
     across = 2 * round(0.6 * width) + 1
     surface = cv2.dilate(line, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (across, across)))
-    y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
-    return np.asarray((surface > 0) & (np.hypot(x, y) > 0.8 * width))
+    return np.asarray((surface > 0) & (_offsets()[2] > 0.8 * width))
 
 
 def _backwards(ahead: Floats) -> NDArray[np.float64]:
     """Factors (side, side) that make it expensive to leave in any direction but ahead."""
-    y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
-    along = (x * ahead[0] + y * ahead[1]) / np.maximum(np.hypot(x, y), 1e-9)
-    return np.where(np.hypot(x, y) < 1.5, 1.0, 1.0 + 2.0 * np.clip(0.5 - along, 0, 1.5))
+    x, y, away = _offsets()
+    along = (x * ahead[0] + y * ahead[1]) / np.maximum(away, 1e-9)
+    return np.where(away < 1.5, 1.0, 1.0 + 2.0 * np.clip(0.5 - along, 0, 1.5))
 
 
 @lru_cache(maxsize=1)
-def _edges() -> tuple[NDArray[np.int32], NDArray[np.int32], Floats]:
+def _offsets() -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
+    """Of the cells (side, side) of a window from its middle: right, down, and how far."""
+    y, x = np.mgrid[-_RADIUS : _RADIUS + 1, -_RADIUS : _RADIUS + 1]
+    return x, y, np.hypot(x, y)
+
+
+@lru_cache(maxsize=1)
+def _edges() -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.int32], Floats]:
+    """Of a window's grid: from which cell each edge goes, in order, where those of each cell begin,
+    to which cell it goes, and its length."""
     cell = np.arange(_SIDE * _SIDE, dtype=np.int32).reshape(_SIDE, _SIDE)
     pairs = [
         (cell[:, :-1], cell[:, 1:], 1.0),
@@ -244,13 +252,16 @@ def _edges() -> tuple[NDArray[np.int32], NDArray[np.int32], Floats]:
     a = np.concatenate([p[0].ravel() for p in pairs] + [p[1].ravel() for p in pairs])
     b = np.concatenate([p[1].ravel() for p in pairs] + [p[0].ravel() for p in pairs])
     length = np.concatenate([np.full(p[0].size, p[2]) for p in pairs] * 2)
-    return a, b, length
+    order = np.argsort(a, kind="stable")
+    begins = np.append(0, np.cumsum(np.bincount(a))).astype(np.int32)
+    return a[order], begins, b[order], length[order]
 
 
 def _grid(costs: NDArray[np.float64]) -> csr_matrix:
-    a, b, length = _edges()
+    a, begins, b, length = _edges()
     flat = costs.ravel()
-    return csr_matrix(((flat[a] + flat[b]) / 2 * length, (a, b)), shape=(flat.size, flat.size))
+    data = (flat[a] + flat[b]) / 2 * length
+    return csr_matrix((data, b, begins), shape=(flat.size, flat.size), copy=False)
 
 
 def _build(graph: Graph, bridge: Bridge) -> None:
