@@ -201,6 +201,7 @@ class Code:
     CORRECTIONS_NOT_NUMBERS: Final = "RL441"
     TILES_DO_NOT_FIT: Final = "RL442"
     CUT_TAPER: Final = "RL443"
+    ROADS_ON_LEVELS: Final = "RL444"
     MISSING_FILE: Final = "RL450"
     UNUSABLE_FILE: Final = "RL451"
     OUTPUT_NOT_WRITTEN: Final = "RL460"

@@ -15,10 +15,10 @@ _MOST = 6
 
 
 def network_warnings(
-    networks: Iterable[ScenarioNetwork], candidates: CandidateBatch
+    networks: Iterable[ScenarioNetwork], candidates: CandidateBatch, *, have_agents: bool
 ) -> tuple[Diagnostic, ...]:
     """What was said of their sources, and one for each junction or pair of roads; networks with
-    the same junctions are one."""
+    the same junctions are one. Roads that pass above others matter where agents may drive."""
     found: list[Diagnostic] = []
     seen: list[JunctionPlan] = []
     for network in networks:
@@ -28,6 +28,9 @@ def network_warnings(
         if plan not in seen:
             seen.append(plan)
             found += _of_plan(network, plan)
+            above = [problem for problem in plan.problems if problem.kind == "level"]
+            if above and have_agents:
+                found.append(_on_levels(network, above))
     return tuple(found)
 
 
@@ -82,6 +85,20 @@ def _overlap(network: ScenarioNetwork, problem: Problem) -> Diagnostic:
         network=network.name,
         length=f"{problem.amount:.1f}m",
         place="where no junction is" if problem.junction == NO_JUNCTION else beyond,
+    )
+
+
+def _on_levels(network: ScenarioNetwork, above: list[Problem]) -> Diagnostic:
+    pairs = (f"{problem.edges[0]} and {problem.edges[1]}" for problem in above)
+    return diagnose(
+        Code.ROADS_ON_LEVELS,
+        network.span,
+        network=network.name,
+        roads=_listed(list(pairs)),
+        help=[
+            "vehicles on one stop for those on the other and touch them",
+            "`within` keeps a part of the map",
+        ],
     )
 
 

@@ -20,6 +20,7 @@ from .connecting import Connected
 from .connection_curves import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, turn_of
 from .model import Junction, JunctionPlan
+from .overlaps import passing_above
 from .places import JunctionSite
 from .trims import Trimmed, counter_clockwise
 
@@ -31,7 +32,8 @@ _JOINT_TRIM, _JOINT_SHARE = 1.0, 0.1
 
 
 def plan_of_map(network: RoadNetwork, sections: Mapping[int, CrossSection]) -> JunctionPlan:
-    """The plan of a network whose map defines the junctions. Maps cause no warnings."""
+    """The plan of a network whose map defines the junctions. The only problems
+    of maps are roads that pass above others."""
     arms: dict[ArmKey, ArmLine] = {}
     trims: dict[ArmKey, float] = {}
     stated = [junction for junction in network.junctions or () if junction.turns]
@@ -46,7 +48,8 @@ def plan_of_map(network: RoadNetwork, sections: Mapping[int, CrossSection]) -> J
         edge.id: (trims.get((edge.id, "start"), 0.0), trims.get((edge.id, "end"), 0.0))
         for edge in network.edges
     }
-    return JunctionPlan(tuple(found for found in junctions if found.connections), by_edge)
+    built = tuple(found for found in junctions if found.connections)
+    return JunctionPlan(built, by_edge, passing_above(network, sections, by_edge))
 
 
 def _junction(

@@ -123,10 +123,10 @@ class Problem:
     roads overlap outside the junction, over `amount`, or where there is none (`junction` -1);
     `vanished`: a dead end lies wholly within a junction; `sweep`: vehicles that turn would drive
     over a third road; `outside`: a connection leaves the area by `amount`; `stuck`: a lane of the
-    road leads into no other road.
+    road leads into no other road; `level`: one of the two roads passes above the other.
     """
 
-    kind: Literal["refused", "overlap", "vanished", "sweep", "outside", "stuck"]
+    kind: Literal["refused", "overlap", "vanished", "sweep", "outside", "stuck", "level"]
     junction: int
     edges: tuple[int, ...]
     amount: float = 0.0

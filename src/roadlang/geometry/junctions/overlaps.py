@@ -1,9 +1,9 @@
 """Roads whose surfaces overlap where no junction is, and junctions that overlap: faults of the
-drawing."""
+drawing, or roads on different levels."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,8 @@ from .sweeping import TOLERANCE, valid
 
 _SPACING = 2.0
 _SHORTEST = 0.1
+_HEADROOM = 3.0
+"""Meters between two roads of which one passes above the other."""
 
 
 def overlaps(
@@ -23,28 +25,72 @@ def overlaps(
     trims: Mapping[int, tuple[float, float]],
     known: Collection[frozenset[int]],
 ) -> tuple[Problem, ...]:
-    """Pairs of roads of one level that overlap between their trims, but for those `known`."""
+    """Pairs of roads that overlap between their trims, but for those `known`; those that lie on
+    different levels pass above one another."""
+    problems = []
+    for a, b, common in _overlapping(network, sections, trims):
+        ids = a.id, b.id
+        above = a.level != b.level
+        if frozenset(ids) in known and not above:
+            continue
+        problems.append(Problem("level" if above else "overlap", NO_JUNCTION, ids, _extent(common)))
+    return tuple(problems)
+
+
+def passing_above(
+    network: RoadNetwork,
+    sections: Mapping[int, CrossSection],
+    trims: Mapping[int, tuple[float, float]],
+) -> tuple[Problem, ...]:
+    """Pairs of roads of a map with heights of which one passes above the other."""
+    if all(edge.elevations is None for edge in network.edges):
+        return ()
+    return tuple(
+        Problem("level", NO_JUNCTION, (a.id, b.id), _extent(common))
+        for a, b, common in _overlapping(network, sections, trims)
+        if abs(_height(a, common) - _height(b, common)) > _HEADROOM
+    )
+
+
+def _overlapping(
+    network: RoadNetwork,
+    sections: Mapping[int, CrossSection],
+    trims: Mapping[int, tuple[float, float]],
+) -> Iterator[tuple[Edge, Edge, Any]]:
+    """Pairs of roads that overlap between their trims, and what they have in common."""
     import shapely
 
     edges = sorted(network.edges, key=lambda edge: edge.id)
     surfaces = [_surface(edge, sections[edge.id], trims[edge.id]) for edge in edges]
     present = [place for place, surface in enumerate(surfaces) if surface is not None]
     if len(present) < 2:
-        return ()
+        return
     tree = shapely.STRtree([surfaces[place] for place in present])
     first, second = tree.query([surfaces[place] for place in present], predicate="intersects")
-    problems = []
     for i, j in sorted(zip(first.tolist(), second.tolist(), strict=True)):
+        if i >= j:
+            continue
         a, b = present[i], present[j]
-        ids = edges[a].id, edges[b].id
-        if a >= b or frozenset(ids) in known or edges[a].level != edges[b].level:
-            continue
-        box = shapely.bounds(shapely.intersection(surfaces[a], surfaces[b]))
-        along = float(np.hypot(box[2] - box[0], box[3] - box[1]))
-        if along < _SHORTEST:
-            continue
-        problems.append(Problem("overlap", NO_JUNCTION, ids, along))
-    return tuple(problems)
+        common = shapely.intersection(surfaces[a], surfaces[b])
+        if _extent(common) >= _SHORTEST:
+            yield edges[a], edges[b], common
+
+
+def _extent(shape: Any) -> float:
+    """Meters across the box around a shape."""
+    import shapely
+
+    box = shapely.bounds(shape)
+    return float(np.hypot(box[2] - box[0], box[3] - box[1]))
+
+
+def _height(edge: Edge, place: Any) -> float:
+    """Meters of a road above the origin of its map, where it comes nearest to a place."""
+    if edge.elevations is None:
+        return 0.0
+    (along,), _ = edge.curve.project([[place.centroid.x, place.centroid.y]])
+    stations = np.linspace(0.0, edge.length, len(edge.elevations))
+    return float(np.interp(along, stations, edge.elevations))
 
 
 def junction_overlaps(junctions: Sequence[Junction]) -> tuple[Problem, ...]:
@@ -62,11 +108,9 @@ def junction_overlaps(junctions: Sequence[Junction]) -> tuple[Problem, ...]:
         if i >= j:
             continue
         common = shapely.intersection(areas[i], areas[j])
-        box = shapely.bounds(common)
-        along = float(np.hypot(box[2] - box[0], box[3] - box[1]))
         edge = _nearest_road(junctions[i], common)
         edges = edge, _nearest_road(junctions[j], common, other_than=edge)
-        problems.append(Problem("overlap", junctions[i].id, edges, along))
+        problems.append(Problem("overlap", junctions[i].id, edges, _extent(common)))
     return tuple(problems)
 
 
