@@ -12,19 +12,40 @@ if TYPE_CHECKING:
     from ..session.drives import Drive
 
 
+_MOST_CONTACTS = 3
+
+
 def print_drive(drive: Drive, run: str, in_full: bool) -> None:
     """One line; `in_full`: how long it took and a line for each expectation."""
     label = f"{run}{': ' if run else ''}scene {drive.scene.index}"
     took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
     if not in_full:
         echo(f"{label}: {_outcome(drive)} ({took} driven)")
+        _print_contacts(drive)
         _print_controller_failures(drive)
         return
     echo(f"{label}: {took} driven in {drive.engine}")
     for verdict in drive.verdicts.values():
         rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
         echo(f"  {_word(verdict.satisfied, 8)}  {verdict.name}: {verdict.text}{rho}")
+    _print_contacts(drive)
     _print_controller_failures(drive)
+
+
+def _print_contacts(drive: Drive) -> None:
+    """Who touched whom, if no expectation says that something went wrong: they stand still from
+    then on, which the expectations may not be about."""
+    if any(verdict.satisfied is False for verdict in drive.verdicts.values()):
+        return
+    pairs: dict[frozenset[str], str] = {}
+    for event in drive.trace.events:
+        if event["event"] == "contact":
+            both = event["agent"], event["other"]
+            pairs.setdefault(frozenset(both), f"{both[0]} and {both[1]} at {event['time']:.1f} s")
+    if pairs:
+        shown = [*pairs.values()]
+        more = f" and {len(shown) - _MOST_CONTACTS} more" if len(shown) > _MOST_CONTACTS else ""
+        echo(f"  {style('contact', fg='yellow')}  {', '.join(shown[:_MOST_CONTACTS])}{more}")
 
 
 def _print_controller_failures(drive: Drive) -> None:
@@ -35,7 +56,7 @@ def _print_controller_failures(drive: Drive) -> None:
 
 def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
     """In how many scenes all expectations hold; of several scenes also the worst."""
-    from ..judging.badness import badness
+    from ..judging.badness import badness, says_how_near
 
     text = holding(sum(satisfied), len(satisfied))
     failed = sum("controller failure time" in row for row in rows)
@@ -47,6 +68,8 @@ def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str
     worst = min(
         judged, key=lambda row: badness(row[f"{row['worst']} satisfied"], row[row["worst"]])
     )
+    if not says_how_near(worst[f"{worst['worst']} satisfied"], worst[worst["worst"]]):
+        return f"{text}; "
     run = f"{worst['run']}, " if "run" in worst else ""
     name = worst["worst"]
     place = _place(worst.get("worst time"), worst.get("worst station"))
@@ -54,9 +77,13 @@ def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str
 
 
 def _outcome(drive: Drive) -> str:
+    from ..judging.badness import says_how_near
+
     worst = drive.worst
     if worst is None:
         return "nothing to judge" if not drive.verdicts else "not judged"
+    if not says_how_near(worst.satisfied, worst.robustness):
+        return _word(worst.satisfied)
     rho = "" if worst.robustness is None else f" {worst.robustness:.3g}"
     moment = drive.worst_moment
     place = ""

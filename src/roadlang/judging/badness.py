@@ -13,3 +13,11 @@ def badness(satisfied: bool | None, robustness: float | None) -> tuple[bool, boo
     """
     rho = math.inf if robustness is None else robustness
     return satisfied is not False, satisfied is True and rho == 0.0, rho
+
+
+def says_how_near(satisfied: bool | None, robustness: float | None) -> bool:
+    """Whether the robustness of what holds says how near it came to failing, and where: an infinite
+    one does not, nor does that of an equality."""
+    return satisfied is not True or (
+        robustness is not None and robustness != 0.0 and math.isfinite(robustness)
+    )

@@ -1,0 +1,56 @@
+"""What the lines of `roadlang run` say of drives in which nothing is violated."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.test_run import run
+
+CRASH = """
+road main { draw with segments { pieces: [straight(200m)] }, lanes: 2 }
+agent ego is car on main at 5m { lane: 1, facing: forward, drive with lane_follow { speed: 5m/s } }
+agent front is car on main at 60m { drive with lane_follow { speed: 2m/s } }
+agent rear is car on main at 40m { drive with lane_follow { speed: 12m/s } }
+expect unharmed: always (ego.contacts == 0)
+%s
+simulate with builtin { duration: 5s }
+"""
+
+
+def lines_of(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], more: str, count: int
+) -> list[str]:
+    path = tmp_path / "crash.rl"
+    path.write_text(CRASH % more)
+    run(["run", str(path), "-n", str(count), "-o", str(tmp_path / "out")])
+    return capsys.readouterr().out.splitlines()
+
+
+def test_contacts_that_no_expectation_is_about_are_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    first, contact, *_, last = lines_of(tmp_path, capsys, "", 2)
+    assert first == "scene 0: holds (5.0 s driven)"
+    assert contact.startswith("  contact  front and rear at 1.")
+    assert "worst" not in last
+
+
+def test_contacts_are_not_named_beside_a_violation(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    first, *others = lines_of(tmp_path, capsys, "expect apart: always (rear.contacts == 0)", 2)
+    assert first.startswith("scene 0: violated apart -1 at 1.")
+    assert not any("contact " in line for line in others)
+
+
+def test_no_place_is_given_for_what_never_came_near(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The time to a collision with one in the other lane is infinite all along."""
+    apart = "expect apart: always (time_to_collision(ego, front) > 1s)"
+    lines = lines_of(tmp_path, capsys, apart, 2)
+    assert lines[0] == "scene 0: holds (5.0 s driven)"
+    near = lines_of(tmp_path, capsys, "expect slow: always (ego.speed < 6m/s)", 2)
+    assert near[0].startswith("scene 0: holds, worst: slow 1 at ")
