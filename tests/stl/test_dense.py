@@ -17,11 +17,7 @@ from roadlang.stl.formula.formulas import COMPOUNDS, Measured, SampleStep, Truth
 from tests.dense_reference import DenseReference, Grid
 from tests.stl_draws import NAMES, FormulaDraw
 
-QUICK = [
-    seed
-    for seed in range(120)
-    if seed not in (11, 16, 29, 38, 62, 68, 71, 74, 80, 85, 95, 116, 118)
-]
+QUICK = [seed for seed in range(75) if seed not in (11, 16, 29, 38, 62, 68, 71, 74)]
 """Seeds of formulas that the reference can value within a second or two."""
 
 
@@ -62,7 +58,7 @@ def draw_grids(seed: int, *, same: bool) -> dict[str, Grid]:
 
 
 @pytest.mark.parametrize("semantics", ["held", "linear"])
-@pytest.mark.parametrize("seed", QUICK[:80])
+@pytest.mark.parametrize("seed", QUICK[:50])
 def test_robustness_is_that_of_the_definitions(seed: int, semantics: Any) -> None:
     formula = DenseDraw(seed, bounded=True).formula(1 + seed % 3)
     grids = draw_grids(seed, same=seed % 2 == 0)
@@ -222,7 +218,7 @@ def test_epoch_stamps_give_what_the_same_clock_set_to_zero_gives() -> None:
 
 
 @pytest.mark.parametrize("semantics", ["held", "linear"])
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", range(15))
 def test_the_bound_of_the_sampling_error_holds(seed: int, semantics: Any) -> None:
     """A finely sampled signal stands for the one that is sampled coarsely."""
     formula = DenseDraw(seed, bounded=True).formula(2)

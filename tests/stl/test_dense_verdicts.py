@@ -39,7 +39,7 @@ class BooleanReference(DenseReference):
 
 
 @pytest.mark.parametrize("semantics", SEMANTICS)
-@pytest.mark.parametrize("seed", [seed for seed in range(66) if seed not in (26, 29, 41, 49, 50)])
+@pytest.mark.parametrize("seed", [seed for seed in range(44) if seed not in (26, 29, 41)])
 def test_satisfaction_is_that_of_the_definitions(seed: int, semantics: Any) -> None:
     formula = DenseDraw(1000 + seed, bounded=True).formula(1 + seed % 3)
     grids = draw_grids(seed, same=seed % 2 == 0)
@@ -178,7 +178,7 @@ def test_the_command_bounds_the_sampling_error(
 
 
 @pytest.mark.parametrize("semantics", ["held", "linear"])
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(5))
 def test_no_continuation_leaves_the_range_of_a_duration(seed: int, semantics: Any) -> None:
     draw = DenseDraw(7700 + seed, bounded=True)
     operator: Any = draw.random.choice([">=", ">", "<", "<="])

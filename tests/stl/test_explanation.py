@@ -66,7 +66,7 @@ def test_an_empty_window_is_named() -> None:
     assert json.loads(json.dumps(found.to_json()))["rho"] == "-inf"
 
 
-@pytest.mark.parametrize("seed", range(50))
+@pytest.mark.parametrize("seed", range(30))
 @pytest.mark.parametrize("closed", [False, True])
 def test_every_link_is_worth_what_the_whole_is(seed: int, closed: bool) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)

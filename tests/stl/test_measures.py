@@ -51,7 +51,7 @@ def test_robustness_is_the_level_that_is_held_long_enough(text: str, rho: float)
     assert stl.from_json(formula.to_json()) == formula
 
 
-@pytest.mark.parametrize("seed", [seed for seed in range(60) if seed not in (15, 35)])
+@pytest.mark.parametrize("seed", [seed for seed in range(36) if seed not in (15, 35)])
 def test_windows_of_any_length_equal_the_definition(seed: int) -> None:
     draw = FormulaDraw(seed)
     op: Any = draw.random.choice(["<", "<=", ">", ">="])
@@ -70,7 +70,7 @@ def test_windows_of_any_length_equal_the_definition(seed: int) -> None:
         assert formula.truth(positions, row, wrap=wrap).tolist() == reference.satisfied(formula)
 
 
-@pytest.mark.parametrize("seed", range(2, 24))
+@pytest.mark.parametrize("seed", range(2, 16))
 def test_no_continuation_leaves_the_range(seed: int) -> None:
     draw = FormulaDraw(seed, corners=False)
     op: Any = draw.random.choice(["<", "<=", ">", ">="])

@@ -68,7 +68,7 @@ def test_terms_are_printed_with_the_brackets_that_they_need(written: str, canoni
     assert stl.parse(str(formula)) == formula
 
 
-@pytest.mark.parametrize("seed", range(120))
+@pytest.mark.parametrize("seed", range(70))
 def test_printed_formulas_read_back(seed: int) -> None:
     formula = FormulaDraw(seed).formula(1 + seed % 3)
     once = stl.parse(str(formula))
