@@ -102,11 +102,11 @@ def test_a_scene_in_which_all_engines_are_killed_is_named_as_well(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     require_engine()
-    monkeypatch.setattr(restarted_engine, "MOST_KILLS", 4)
+    monkeypatch.setattr(restarted_engine, "MOST_KILLS", 2)
     killed = kills(monkeypatch, lambda drive: True)
-    with pytest.raises(EngineError, match=r"RL505.*4 engines were lost in scene 0 of `test`"):
+    with pytest.raises(EngineError, match=r"RL505.*2 engines were lost in scene 0 of `test`"):
         traces()
-    assert len(killed) == 4
+    assert len(killed) == 2
 
 
 class Killed:
@@ -129,6 +129,7 @@ def test_engines_that_are_killed_while_they_start_count_against_no_scene(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     undisturbed = undisturbed_traces()
+    monkeypatch.setattr(restarted_engine, "MOST_LOSSES", 1)
     killed = Killed(restarted_engine.MOST_LOSSES + 2)
     monkeypatch.setattr(engines, "start", killed)
     again = traces()
