@@ -283,12 +283,12 @@ def _cases() -> Iterable[Case]:
     for name in ("values", "cross_signals", "tour"):
         yield Case("scenes", f"{name}.objects", partial(scene_object_lines, name))
     yield Case("searches", "search.objects", partial(search_object_lines, "search"))
-    few = {"evaluations": 24, "batch": 12}
+    few = {"evaluations": 12, "batch": 6}
     for kind in ("cma", "elites", "random", "grid", "halton"):
-        worst = kind in ("cma", "grid")
+        worst = kind == "cma"
         lines = partial(search_lines, "search", worst, searcher=kind, **few)
         yield Case("searches", f"search.{kind}", lines)
-    falsify = ("falsify", "--evaluations", "24", "--seed", "5", "--batch", "12")
+    falsify = ("falsify", "--evaluations", "12", "--seed", "5", "--batch", "6")
     yield Case("searches", "search.page", partial(command_lines, *falsify), FIGURE)
     yield Case("searches", "run.page", partial(command_lines, "run", "-n", "2"), FIGURE)
     yield Case("searches", "rival.env", partial(environment_lines, "rival", scenes=3))

@@ -42,7 +42,7 @@ agent lead is van on main at ahead_of(ego, gap) { drive with lane_follow { speed
 expect apart: always (gap(ego, lead) > 5m)
 expect quick: eventually (ego.speed > 10m/s)
 expect long: length(main) > 105m
-simulate with builtin { duration: 6s, step: 0.2s }
+simulate with builtin { duration: 6s, step: 0.2s, control_step: 0.1s }
 """
 _SEQUENCES: dict[str, tuple[str, ...]] = {
     "runs": (

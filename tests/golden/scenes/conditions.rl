@@ -28,4 +28,4 @@ agent late is bicycle on north at 60m {
 expect apart: always (gap(ego, crosser) > 0.5m)
 expect ttc: always (time_to_collision(ego, crosser) > 0.5s)
 expect pet: always (post_encroachment_time(ego, crosser) > 0.5s)
-simulate with builtin { duration: 9s, step: 0.2s }
+simulate with builtin { duration: 9s, step: 0.2s, control_step: 0.1s }

@@ -34,4 +34,4 @@ expect lawful: always (ego.red_light == 0)
 expect moves: eventually (ego.route_progress > 30m)
 expect on_road: always (ego.off_road < 0m)
 expect limit: always (cars.speed < 42km/h)
-simulate with builtin { duration: 12s, step: 0.3s }
+simulate with builtin { duration: 12s, step: 0.3s, control_step: 0.1s }

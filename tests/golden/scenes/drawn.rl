@@ -37,4 +37,4 @@ object shed is building at (20m..40m, 60m) { heading: 0deg..90deg, width: 3m..5m
 require clear: others.start > 3m or ego.start > 20m
 expect quick: always (ego.speed < 12m/s)
 sample with random { attempts: 400 }
-simulate with builtin { duration: 5s, step: 0.25s }
+simulate with builtin { duration: 5s, step: 0.25s, control_step: 0.1s }

@@ -29,4 +29,4 @@ expect slow: always (ego.speed <= ego.speed_limit + 1m/s)
 expect far: eventually (ego.route_progress > 150m)
 expect gone: eventually (leaves.present == 0)
 expect apart: always (gap(inner, oncoming) > 0.3m)
-simulate with builtin { duration: 13s, step: 0.25s }
+simulate with builtin { duration: 13s, step: 0.25s, control_step: 0.1s }

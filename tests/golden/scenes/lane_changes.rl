@@ -37,4 +37,4 @@ expect hits: eventually (crasher.contacts > 0)
 expect impact: always (crasher.collision < 5m/s)
 expect headway: always (time_headway(ego, cutter) > 0.3s)
 
-simulate with builtin { duration: 12s, step: 0.25s }
+simulate with builtin { duration: 12s, step: 0.25s, control_step: 0.1s }

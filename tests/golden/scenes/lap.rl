@@ -24,4 +24,4 @@ expect apart: always (gap(first, slow) > 1m)
 expect headway: always (time_headway(second, first) > 0.4s)
 expect round: eventually (first.route_progress > 60m)
 expect within: always (passer.off_road < 0m)
-simulate with builtin { duration: 14s, step: 0.25s }
+simulate with builtin { duration: 14s, step: 0.25s, control_step: 0.1s }

@@ -15,4 +15,4 @@ agent oncoming is car on country at 200m { facing: back, drive with car_follow {
 expect passes: eventually (ego.station > truck.station + 8m and ego.lane == -1)
 expect in_time: always (time_to_collision(ego, oncoming) > 1s)
 expect no_crash: always (ego.contacts == 0)
-simulate with builtin { duration: 20s, step: 0.25s, control_step: 0.05s, vehicle_step: 0.025s }
+simulate with builtin { duration: 20s, step: 0.25s, control_step: 0.1s }

@@ -14,4 +14,4 @@ agent ego is car on street at 10m { drive with car_follow { speed: 10m/s, headwa
 agent back is van on street at 90m { facing: back, drive with stanley { speed: 8m/s } }
 expect off: always (gap(ego, lead) > 2m)
 expect left: always (ego.lane == 1)
-simulate with builtin { duration: 8s, step: 0.2s }
+simulate with builtin { duration: 8s, step: 0.2s, control_step: 0.1s }

@@ -6,4 +6,4 @@ agent ego is car on town { route: [(4m, 60m), (116m, 60m)], drive with traffic }
 agent cars is choice(car, van) on town at random { count: 4, apart: 5m, drive with traffic }
 expect untouched: always (ego.contacts == 0)
 expect through: eventually (ego.route_progress > 50m)
-simulate with builtin { duration: 8s, step: 0.4s }
+simulate with builtin { duration: 8s, step: 0.4s, control_step: 0.1s }

@@ -17,5 +17,5 @@ agent lead is choice(car, van) on bent at 30m..40m {
 }
 expect in_lane: always (abs(ego.cross_track_error) < 1m)
 expect apart: always (gap(ego, lead) > 0.5m)
-simulate with builtin { duration: 6s, step: 0.2s }
+simulate with builtin { duration: 6s, step: 0.2s, control_step: 0.1s }
 falsify with cma { expects: [in_lane, apart], random: 10% }

@@ -34,4 +34,4 @@ object blocked is parked_car on town at (62m, 70m) { lane: outer }
 expect safe: always (ego.contacts == 0)
 expect far: eventually (ego.route_progress > 40m)
 expect within: always (changer.off_road < 0.1m)
-simulate with builtin { duration: 12s, step: 0.3s }
+simulate with builtin { duration: 12s, step: 0.3s, control_step: 0.1s }

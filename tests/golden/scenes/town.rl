@@ -45,6 +45,6 @@ expect bends: always (abs(curvature(bent)) < 0.5/m)
 expect safe: always (ego.contacts == 0)
 expect far: eventually (ego.route_progress > 40m)
 
-simulate with builtin { duration: 9s, step: 0.3s }
+simulate with builtin { duration: 9s, step: 0.3s, control_step: 0.1s }
 emit json
 emit svg
