@@ -196,3 +196,8 @@ def test_others_drive_whoever_stands_and_wherever_the_ego_is_in_the_list() -> No
         for action in still[:1].repeat(10, axis=0):
             last = alone.step(action)[0]
         assert (last == seen[row]).all()
+
+
+def test_a_mode_that_gymnasium_does_not_have_is_refused_with_those_it_has() -> None:
+    with pytest.raises(ValueError, match="must be one of NextStep, SameStep, Disabled, not 'same'"):
+        vector(ALONE, autoreset_mode="same")

@@ -55,6 +55,10 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
         self.pool = pool_of(source, self.settings)
         self.num_envs = num_envs
         self.names = self.settings.vector.names
+        modes = [mode.value for mode in AutoresetMode]
+        if autoreset_mode not in [*modes, *AutoresetMode]:
+            listed = ", ".join(modes)
+            raise ValueError(f"autoreset_mode must be one of {listed}, not {autoreset_mode!r}")
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
         self.single_observation_space = observation_space(self.settings.vector, self.pool.sensors)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose, did_you_mean
@@ -24,25 +24,29 @@ def configured(
     entry = entry_of(registry, verb, name)
     with plugin_guard(entry, None):
         schemas = entry.options
-    faults = [
-        *_unknown(entry, schemas, options),
-        *_missing(entry, schemas, options),
-        *_out_of_bounds(schemas, options),
-    ]
+    owner = f"`{entry.verb} {entry.name}`"
+    faults = [*option_faults(owner, schemas, options), *_missing(entry, schemas, options)]
     if faults:
         raise DiagnosticError(*faults)
     with plugin_guard(entry, None):
         return entry, entry.load()(**options)
 
 
+def option_faults(
+    owner: str, schemas: Sequence[OptionSchema], options: Mapping[str, Any]
+) -> list[Diagnostic]:
+    """RL220 for names that are no options of `owner`, RL208 for numbers out of bounds."""
+    return [*_unknown(owner, schemas, options), *_out_of_bounds(schemas, options)]
+
+
 def _unknown(
-    entry: KindEntry, schemas: tuple[OptionSchema, ...], options: Mapping[str, Any]
+    owner: str, schemas: Sequence[OptionSchema], options: Mapping[str, Any]
 ) -> list[Diagnostic]:
     known = [schema.name for schema in schemas]
     return [
         diagnose(
             Code.UNKNOWN_OPTION,
-            owner=f"`{entry.verb} {entry.name}`",
+            owner=owner,
             name=name,
             help=did_you_mean(name, known) or f"its options are {', '.join(known) or 'none'}",
         )
@@ -62,9 +66,7 @@ def _missing(
     return [diagnose(Code.MISSING_OPTION, owner=owner, sort=sort, names=", ".join(names))]
 
 
-def _out_of_bounds(
-    schemas: tuple[OptionSchema, ...], options: Mapping[str, Any]
-) -> list[Diagnostic]:
+def _out_of_bounds(schemas: Sequence[OptionSchema], options: Mapping[str, Any]) -> list[Diagnostic]:
     faults = []
     for schema in schemas:
         value = options.get(schema.name)

@@ -209,13 +209,16 @@ class LoadedScenario:
         seed and settings give the same outcomes, whatever `jobs` and `executor` (anything with
         `submit`, of `jobs` workers) are. `folder` keeps a journal, which `resume` goes on with.
         Raises `DiagnosticError` (RL702 for the journal of another search, RL703, RL705 where there
-        is nothing to violate or to search).
+        is nothing to violate or to search, RL220 for a setting that does not exist).
         """
         from ..search.worker_pool import Workers
         from .falsification import Drives, falsified
 
         seed = whole_number("seed", seed, least=0)
         names = [expects] if isinstance(expects, str) else expects
+        for name in ("evaluations", "failures", "batch", "islands"):
+            if settings.get(name) is not None:
+                settings[name] = whole_number(name, settings[name], least=1)
         all_settings = {"expects": names, **settings}
         return falsified(
             self,
