@@ -18,7 +18,7 @@ from tests.formats.tool_environments import ask_tool
 pytestmark = pytest.mark.slow
 SEED = 9
 EXAMPLES = Path(__file__).parents[2] / "examples"
-DRIVEN = ("cut_in", "overtaking", "traffic")
+DRIVEN = ("cut_in", "traffic")
 
 
 @pytest.fixture(scope="module")

@@ -43,6 +43,7 @@ road main { draw with waypoints { points: [(0m, 0m), (80m, 20m)] }, width: 4m, l
 agent ego is car on main at 10m
 agent oncoming is car on main at 60m { facing: back }
 """
+SAMPLES = 40
 TEXTS = {
     "street": STREET,
     "single": SINGLE,
@@ -140,11 +141,11 @@ def test_scenic_samples_the_programs_without_a_rejection(tmp_path: Path) -> None
         for ending, content in program(scene).items():
             (folder / f"{scene.stem}.{ending}").write_text(content, encoding="utf-8")
         paths[name] = str(folder / f"{scene.stem}.scenic")
-    question = {"programs": list(paths.values()), "samples": 100}
+    question = {"programs": list(paths.values()), "samples": SAMPLES}
     answers = ask_tool("scenic", "scenic_samples.py", question)
     for name, path in paths.items():
         answer = answers[path]
-        assert answer.get("draws") == 100, (name, answer)
+        assert answer.get("draws") == SAMPLES, (name, answer)
         for actor in scenes[name].agents:
             roads = [road for road in scenes[name].roads if road.name == actor.road]
             lanes = [lane for road in roads for lane in road.lane_list if lane.id == actor.lane]
