@@ -12,7 +12,6 @@ from benchmarks.falsification.bent_road import lane_keeper
 from benchmarks.falsification.rare import FAILS
 
 SLIPPERY = {
-    "medium": lane_keeper(0.5),
     "hard": lane_keeper(0.54),
     "rare": FAILS.replace("choice(0.55, 0.6, 0.65, 0.7, 0.75)", "choice(0.5, 0.52, 0.55)"),
 }
@@ -24,7 +23,7 @@ def test_a_failure_driven_alone_is_the_drive_of_the_search(problem: str, tmp_pat
     found.write(tmp_path)
     index = json.loads((tmp_path / "failures/index.json").read_text())
     assert len(index["failures"]) >= 3
-    for failure in index["failures"][:4]:
+    for failure in index["failures"][:3]:
         file = tmp_path / "failures" / failure["scene"]
         again = roadlang.Scene.from_json(file.read_bytes()).run()
         assert failure["replays"]
