@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -176,6 +177,8 @@ def test_a_point_far_from_every_lane(sample: Sample) -> None:
     assert message.startswith("(10m, 200m) is 147m from")
     assert "15m" in help_
     assert "the roads of `town` lie between (5m, 5m) and (165m, 55m)" in help_
+    _, message, _ = raised(sample, "agent ego is car on town at (10m, 20045m)")
+    assert re.match(r"\(10m, 20045m\) is 199\d\dm from", message)
 
 
 def test_no_way_against_one_way_roads(sample: Sample) -> None:

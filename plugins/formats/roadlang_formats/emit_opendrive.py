@@ -19,6 +19,7 @@ class OpenDriveBackend(Backend):
     esmini, SUMO and others read. Agents are not part of the format."""
 
     name: ClassVar[str] = "opendrive"
+    also_called: ClassVar[tuple[str, ...]] = ("xodr",)
     version: Literal["1.6", "1.7", "1.8"] = option("1.8", help="of the format")
     tolerance: Length = option(
         0.005,

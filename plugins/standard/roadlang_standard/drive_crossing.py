@@ -25,6 +25,7 @@ class Crossing(Controller):
     nobody, but does not walk into the side of a vehicle, and goes around one that stands still."""
 
     name: ClassVar[str] = "crossing"
+    also_called: ClassVar[tuple[str, ...]] = ("cross", "CrossingBehavior")
     speed: Speed = option(1.4, above=0, maximum=20, help="walking speed")
     beyond: Length = option(1.0, minimum=0, help="distance to walk past the opposite edge")
     wait_for: Word = option(

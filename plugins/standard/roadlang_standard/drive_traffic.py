@@ -45,6 +45,7 @@ class Traffic(Controller):
     Kesting, Treiber and Helbing 2010)."""
 
     name: ClassVar[str] = "traffic"
+    also_called: ClassVar[tuple[str, ...]] = ("autopilot", "DriveAvoidingCollisions")
     interval: ClassVar[float] = 0.1
     keeps_distance: ClassVar[bool] = True
     for_vehicles: ClassVar[bool] = True

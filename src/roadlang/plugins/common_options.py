@@ -25,6 +25,9 @@ from .common_types import JunctionNumbers, LaneChoice, Points, RoadNumbers, Rout
 from .lane_options import LaneOptions
 from .options import OptionSchema, option, schema_of
 
+MOST_COPIES = 10_000
+"""Of an agent or object, also of a `count` that is drawn."""
+
 
 @dataclass(init=False, repr=False, eq=False)
 class PlacementOptions:
@@ -71,7 +74,7 @@ class PlacementOptions:
     count: Integer = option(
         1,
         minimum=0,
-        maximum=100_000,
+        maximum=MOST_COPIES,
         help="number of copies; each draws its own random values",
         example="integer(0, 3)",
     )

@@ -22,10 +22,10 @@ from ..ir.category import PAINTED, PEDESTRIAN
 from ..ir.read_only import frozen
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, Measure, PassCall, RandomValue
+from ..plugins.common_options import MOST_COPIES
 from ..plugins.guard import plugin_guard
 from ..plugins.options import schema_of
 
-MOST_COPIES = 10_000
 _UNUSUAL_SIZE = 1.0
 """Meters, of a kind that has no length or width"""
 

@@ -93,13 +93,16 @@ def _span_of(actor: ScenarioActor, part: int) -> Span | None:
 def _far(actor: ScenarioActor, point: NearPoints, part: int, lanes: LaneGraph) -> Diagnostic:
     x, y = point.point(0)
     every = np.concatenate([edge.curve.points for edge in lanes.edges.values()])
-    (west, south), (east, north) = every.min(axis=0), every.max(axis=0)
+    (west, south), (east, north) = (  # never -0
+        every.min(axis=0).round() + 0.0, every.max(axis=0).round() + 0.0,
+    )  # fmt: skip
+    away = point.distance(0)
     return diagnose(
         Code.FAR_FROM_LANES,
         _span_of(actor, part),
         x=f"{x:g}m",
         y=f"{y:g}m",
-        distance=f"{point.distance(0):.3g}m",
+        distance=f"{away:.0f}m" if away >= 100.0 else f"{away:.3g}m",
         network=actor.on,
         name=actor.name,
         help=f"a point is at most {FARTHEST:g}m from a lane; the roads of `{actor.on}` lie between "
