@@ -117,7 +117,9 @@ def goes_after(
     leaves += EASE * (1.0 - boldness)
     arrives = other_line + np.swapaxes(meetings.begin, 1, 2) - FROM_RIGHT_DISTANCE
     soon = other_line < FROM_RIGHT * speed_b + FROM_RIGHT_DISTANCE
-    return np.asarray(meetings.yields & (soon | (arrives < leaves * speed_b)))
+    # Infinite for who has nothing ahead, which times no speed would be no number.
+    gone = np.multiply(leaves, speed_b, out=np.zeros_like(leaves), where=speed_b > 0.0)
+    return np.asarray(meetings.yields & (soon | (arrives < gone)))
 
 
 def lets_in(
