@@ -58,3 +58,10 @@ def test_a_trace_without_a_sample_is_named(
     told = capsys.readouterr().err
     assert "error[RL300]" in told
     assert "empty.csv has no rows below" in told
+
+
+def test_a_parameter_is_given_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "drive.csv").write_text("t,e\n0,1\n")
+    twice = ["--param", "a=0..2", "--param", "a=0..5"]
+    assert run(["mine", "always (e < a)", *twice, str(tmp_path / "drive.csv")]) == 2
+    assert "--param a is given twice" in capsys.readouterr().err

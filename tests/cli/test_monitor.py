@@ -120,3 +120,34 @@ def test_an_open_trace_may_go_on(
     assert "unknown  1           [-inf, 1]" in capsys.readouterr().out
     assert run(command) == 0
     assert "range" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("rows", "told", "help_"),
+    [
+        ("0,1\n1,\n", "error[RL302]: `x` is nan at position 1", "drop the samples without a value"),
+        ("0,1\n0,2\n", "0 is followed by 0 (sample 1)", "sort the samples by position"),
+        ("0,1\nnan,2\n", "position 1 is nan", "sort the samples by position"),
+    ],
+)
+@pytest.mark.parametrize(
+    "command",
+    [["monitor", "always (x < 9)"], ["mine", "always (x < limit)", "--param", "limit=0..9"]],
+)
+def test_of_several_traces_the_one_at_fault_is_named(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    rows: str,
+    told: str,
+    help_: str,
+    command: list[str],
+) -> None:
+    right, wrong = tmp_path / "right.csv", tmp_path / "wrong.csv"
+    right.write_text("t,x\n0,1\n1,2\n")
+    wrong.write_text("t,x\n" + rows)
+    assert run([*command, str(right), str(wrong)]) == 1
+    text = capsys.readouterr().err
+    assert told in text
+    assert f"--> {wrong}" in text
+    assert f"= help: {help_}" in text
+    assert str(right) not in text

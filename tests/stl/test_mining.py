@@ -130,3 +130,12 @@ def test_a_threshold_at_the_end_of_its_bounds_is_monotone() -> None:
     found = mine("always (x < p)", [Parameter("p", 0, 9)], [([0.0, 1.0], {"x": [0.0, 0.0]})])
     assert found.not_monotone == ()
     assert 0 < found.values["p"] < 1e-9
+
+
+def test_of_several_recordings_the_one_at_fault_is_named() -> None:
+    recordings = [([0, 1], {"e": [1, 2]}), ([0, 1], {"e": [1, float("nan")]})]
+    with pytest.raises(DiagnosticError, match=r"in `recordings\[1\]`"):
+        mine("always (e < a)", [Parameter("a", 0, 9)], recordings)
+    with pytest.raises(DiagnosticError) as alone:
+        mine("always (e < a)", [Parameter("a", 0, 9)], recordings[1:])
+    assert "recordings" not in str(alone.value)

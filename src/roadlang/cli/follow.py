@@ -29,6 +29,7 @@ def follow(formula: Formula, path: str) -> bool:
     from ..stl import StreamMonitor
     from ..stl.formats.delimited_text import DelimitedTextFault
     from ..stl.formats.trace_stream import samples_of_lines
+    from .read_traces import judging
 
     monitor, truth = StreamMonitor(formula), StreamMonitor(formula, boolean=True)
     changes = _Changes()
@@ -36,7 +37,9 @@ def follow(formula: Formula, path: str) -> bool:
     try:
         with closing(_lines(path)) as lines:
             for position, values in samples_of_lines(lines):
-                changes.report(monitor.push(position, values), truth.push(position, values))
+                with judging(path):
+                    decided = monitor.push(position, values), truth.push(position, values)
+                changes.report(*decided)
     except DelimitedTextFault as fault:
         raise DiagnosticError(
             diagnose(Code.UNREADABLE_TRACE, path=path, file=_name(path), problem=str(fault))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..diagnostics import DiagnosticError
 from .console import echo, report
 from .finite_range import FiniteNumber
 
@@ -65,21 +66,12 @@ def command(
     interval `roadlang mine "eventually[0, tau] (e < 1)" --param tau=0..60 drive.csv`.
     """
     parameters = [_parameter(text) for text in bounds]
+    names = [parameter.name for parameter in parameters]
+    if twice := {name for name in names if names.count(name) > 1}:
+        raise click.UsageError(f"--param {min(twice)} is given twice")
     if front and len(parameters) < 2:
         raise click.UsageError("--front needs two parameters or more")
-    from ..stl.explain.mining import mine, mine_front
-    from ..stl.formats.column_units import check_units
-    from .read_traces import read_samples
-    from .trace_dimensions import check_dimensions
-
-    check_units(formula, traces)
-    check_dimensions(formula, traces)
-    recordings = [read_samples(path, agent)[1:] for path in traces]
-    digits = how["digits"]
-    if front:
-        mined = mine_front(formula, parameters, recordings, points=front, **how)
-    else:
-        mined = (mine(formula, parameters, recordings, **how),)
+    mined, digits = _mined(formula, parameters, traces, agent, front, how), how["digits"]
     _warn(mined)
     if as_json:
         found = [_document(point) for point in mined]
@@ -92,6 +84,32 @@ def command(
             note = "  (the end of its bounds)" if name in mined[0].at_bound else ""
             echo(f"{name} = {value:.{digits}g}{note}")
         echo(f"{mined[0].formula}  holds on every trace")
+
+
+def _mined(
+    formula: str,
+    parameters: Sequence[Parameter],
+    traces: Sequence[str],
+    agent: str | None,
+    front: int | None,
+    how: Mapping[str, Any],
+) -> Sequence[Mined]:
+    """Raises DiagnosticError, which names the trace that it is about."""
+    from ..stl.explain.mining import RecordingError, mine, mine_front
+    from ..stl.formats.column_units import check_units
+    from .read_traces import naming, read_samples
+    from .trace_dimensions import check_dimensions
+
+    check_units(formula, traces)
+    check_dimensions(formula, traces)
+    recordings = [read_samples(path, agent)[1:] for path in traces]
+    try:
+        if front:
+            return mine_front(formula, parameters, recordings, points=front, **how)
+        return (mine(formula, parameters, recordings, **how),)
+    except RecordingError as error:
+        named = naming(traces[error.recording], error.diagnostics)
+        raise DiagnosticError(*named) from None
 
 
 def _warn(mined: Sequence[Mined]) -> None:

@@ -138,12 +138,15 @@ def _refuse_combinations(
 def _judged(
     formula: Formula, columns: Columns, path: str, plot: str | None, how: dict[str, Any]
 ) -> dict[str, Any]:
-    if how["semantics"] != "sampled":
-        return _dense_finding(formula, columns, path, how)
-    finding = _finding(formula, columns, path, plot, how)
-    if how["measure"] != "space":
-        finding |= _measured(formula, columns, how["measure"])
-    return finding
+    from .read_traces import judging
+
+    with judging(path):
+        if how["semantics"] != "sampled":
+            return _dense_finding(formula, columns, path, how)
+        finding = _finding(formula, columns, path, plot, how)
+        if how["measure"] != "space":
+            finding |= _measured(formula, columns, how["measure"])
+        return finding
 
 
 def _show(formula: Formula, findings: list[dict[str, Any]], as_json: bool, is_open: bool) -> None:

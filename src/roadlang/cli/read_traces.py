@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
     from ..stl.formats.trace_files import Columns
+
+
+_ABOUT_TRACES = frozenset((
+    Code.EMPTY_TRACE, Code.INVALID_POSITIONS, Code.NON_FINITE_SIGNAL, Code.WRONG_SIGNAL_SHAPE,
+    Code.MISSING_SIGNAL, Code.INVALID_WRAP_LENGTH, Code.NON_FINITE_TERM,
+))  # fmt: skip
+"""what only a trace can be at fault for: one of several, which has to be named"""
 
 
 def read_samples(path: str, agent: str | None) -> Columns:
@@ -17,6 +27,25 @@ def read_samples(path: str, agent: str | None) -> Columns:
 
     columns = read_trace(path, agent)
     if not columns[1]:
-        help_ = f"{Path(path).name} has no rows below its column names"
+        lacks = "samples" if path.lower().endswith(".json") else "rows below its column names"
+        help_ = f"{Path(path).name} has no {lacks}"
         raise DiagnosticError(diagnose(Code.EMPTY_TRACE, path=path, help=help_))
     return columns
+
+
+@contextmanager
+def judging(path: str) -> Iterator[None]:
+    """Around the evaluation of one trace: its diagnostics name the file."""
+    try:
+        yield
+    except DiagnosticError as error:
+        raise DiagnosticError(*naming(path, error.diagnostics)) from error.__cause__
+
+
+def naming(path: str, diagnostics: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    """Diagnostics with the file that those about a trace are about."""
+    for diagnostic in diagnostics:
+        is_nowhere = diagnostic.span is None and diagnostic.path is None
+        if is_nowhere and diagnostic.code in _ABOUT_TRACES:
+            diagnostic = replace(diagnostic, path=path)
+        yield diagnostic

@@ -22,6 +22,8 @@ Positions: TypeAlias = ArrayLike
 Signals: TypeAlias = Mapping[str, ArrayLike]
 
 
+_ORDER = "sort the samples by position, and drop those that repeat one or have none"
+_FILL = "drop the samples without a value (positions may be uneven), or fill them in"
 _OWN_GRID = "signals with grids of their own need `semantics`: `held` or `linear`"
 
 
@@ -153,10 +155,12 @@ def checked_positions(positions: Positions) -> FloatArray:
 def _wrong_positions(stations: FloatArray, grows: BoolArray) -> DiagnosticError:
     if not np.isfinite(stations).all():
         index = int(np.argmin(np.isfinite(stations)))
-        return stl_error(Code.INVALID_POSITIONS, problem=f"position {index} is {stations[index]}")
+        problem = f"position {index} is {stations[index]}"
+        return stl_error(Code.INVALID_POSITIONS, problem=problem, help=_ORDER)
     index = int(np.argmin(grows))
     pair = " is followed by ".join(map(position_text, stations[index : index + 2]))
-    return stl_error(Code.INVALID_POSITIONS, problem=f"{pair} (sample {index + 1})")
+    problem = f"{pair} (sample {index + 1})"
+    return stl_error(Code.INVALID_POSITIONS, problem=problem, help=_ORDER)
 
 
 def _shown(name: str) -> str:
@@ -215,7 +219,8 @@ def _check_numbers(name: str, values: FloatArray, first: int, positions: FloatAr
         place = f"position {position_text(positions[column])}"
     if values.shape[0] > 1:
         place += f" of variant {first + row}"
-    raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=values[row, column], place=place)
+    value = values[row, column]
+    raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=value, place=place, help=_FILL)
 
 
 def _check_wrap(wrap: float | None, stations: FloatArray) -> None:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
+from typing import TypeVar
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from ..formula import formulas as f
 from ..formula.terms import number_text
 
 Recording = tuple[Positions, Signals]
+_Found = TypeVar("_Found")
 
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])")
 _STEPS, _PROBES = 60, 15
@@ -133,6 +135,17 @@ def _tightened(
     return Mined(values, formula, rho, tuple(at_bound), tuple(not_monotone))
 
 
+class RecordingError(DiagnosticError):
+    """A formula cannot be evaluated on a recording; `recording` is its place among `count`."""
+
+    recording, count = 0, 1
+
+    @property
+    def details(self) -> str:
+        """Which recording it is, where there are several."""
+        return f"in `recordings[{self.recording}]`" if self.count > 1 else ""
+
+
 @dataclass(frozen=True)
 class _ParameterSearch:
     text: str
@@ -169,7 +182,7 @@ class _ParameterSearch:
 
     def rho(self, values: Mapping[str, float]) -> float:
         formula = self.formula(values)
-        return min(float(np.min(formula.rho(*recording))) for recording in self.recordings)
+        return min(self._on_each(lambda recording: float(np.min(formula.rho(*recording)))))
 
     def holds(self, values: Mapping[str, float]) -> bool:
         """Whether the formula with these values holds; one without a meaning does not."""
@@ -179,7 +192,17 @@ class _ParameterSearch:
             if {diagnostic.code for diagnostic in error.diagnostics} == {Code.INVALID_INTERVAL}:
                 return False
             raise
-        return all(self._holds_on(formula, recording) for recording in self.recordings)
+        return all(self._on_each(lambda recording: self._holds_on(formula, recording)))
+
+    def _on_each(self, measure: Callable[[Recording], _Found]) -> Iterator[_Found]:
+        """Raises RecordingError."""
+        for place, recording in enumerate(self.recordings):
+            try:
+                yield measure(recording)
+            except DiagnosticError as error:
+                named = RecordingError(*error.diagnostics)
+                named.recording, named.count = place, len(self.recordings)
+                raise named from None
 
     def _holds_on(self, formula: f.Formula, recording: Recording) -> bool:
         if self.margin is not None and self.unknown_holds:

@@ -59,10 +59,10 @@ class DelimitedText:
             if len(commented) != len(names) or any(map(_is_number, commented)):
                 raise DelimitedTextFault("the first line has numbers; it must name the columns")
             names, rest, line = commented, f"{header}\n{rest}", line - 1
-        if not names[-1]:
+        if not names[-1] and not _is_filled(rest, delimiter, len(names)):
             names = names[:-1]  # every line ends with a separator
         if len(set(names)) < len(names) or not all(names):
-            raise DelimitedTextFault("two columns have the same name, or one has none")
+            raise DelimitedTextFault(_fault_of(names))
         if delimiter == ";":
             rest = rest.replace(",", ".")
         return cls(tuple(names), rest, line + 1, delimiter)
@@ -149,6 +149,20 @@ class DelimitedText:
             return None
         columns: list[list[float]] = table.T.tolist()
         return columns
+
+
+def _is_filled(rest: str, delimiter: str | None, count: int) -> bool:
+    """Whether the first line of cells has something in the last of `count` columns."""
+    lines = (line for line in rest.splitlines() if line.strip() and line.lstrip()[0] != COMMENT)
+    cells = _cells(next(lines, ""), delimiter)
+    return len(cells) == count and bool(cells[-1])
+
+
+def _fault_of(names: list[str]) -> str:
+    """Why these cannot be names of columns."""
+    if not all(names):
+        return f"column {names.index('') + 1} has no name"
+    return f"two columns have the same name, `{next(n for n in names if names.count(n) > 1)}`"
 
 
 def _delimiter(header: str) -> str | None:

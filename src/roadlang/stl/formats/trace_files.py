@@ -141,5 +141,11 @@ def _number(path: Path, cell: Any, place: str) -> float:
 
 def _unreadable(path: Path, problem: str, help: tuple[str, ...] = ()) -> DiagnosticError:
     return DiagnosticError(
-        diagnose(Code.UNREADABLE_TRACE, path=str(path), file=path.name, problem=problem, help=help)
+        diagnose(
+            Code.UNREADABLE_TRACE,
+            path=str(path),
+            file=path.name or str(path),
+            problem=problem,
+            help=help,
+        )
     )
