@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.test_run import run
+from roadlang.cli.main import run
 
 CRASH = """
 road main { draw with segments { pieces: [straight(200m)] }, lanes: 2 }

@@ -133,7 +133,7 @@ def test_a_threshold_at_the_end_of_its_bounds_is_monotone() -> None:
 
 
 def test_of_several_recordings_the_one_at_fault_is_named() -> None:
-    recordings = [([0, 1], {"e": [1, 2]}), ([0, 1], {"e": [1, float("nan")]})]
+    recordings = [([0.0, 1.0], {"e": [1.0, 2.0]}), ([0.0, 1.0], {"e": [1.0, float("nan")]})]
     with pytest.raises(DiagnosticError, match=r"in `recordings\[1\]`"):
         mine("always (e < a)", [Parameter("a", 0, 9)], recordings)
     with pytest.raises(DiagnosticError) as alone:

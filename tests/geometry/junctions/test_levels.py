@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ OSM = """<osm version="0.6">
 BRIDGE = '<tag k="bridge" v="yes"/>'
 
 
-def crossing(**second: object) -> tuple[RoadNetwork, dict[int, CrossSection]]:
+def crossing(**second: Any) -> tuple[RoadNetwork, dict[int, CrossSection]]:
     """Two roads that cross without a junction; what is said of the second."""
     network = network_of_polylines(CROSSING, 6.0)
     first, other = network.edges
