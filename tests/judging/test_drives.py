@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -215,3 +216,13 @@ def test_a_monitor_judges_the_worst_of_a_group_or_the_copy_that_it_names() -> No
     ((one,)) = testing.sample(text, 1, kinds=[StartsAt]).run("builtin", duration=1.0)
     found = {name: one.verdicts[name].robustness for name in ("all", "last", "told")}
     assert found == pytest.approx({"all": 10.0, "last": 50.0, "told": 30.0}, abs=0.1)
+
+
+def test_a_drive_whose_verdicts_were_read_can_be_pickled() -> None:
+    text = STRAIGHT + "agent ego is car on main at 5m { drive with brake }\n"
+    text += "expect slow: always (ego.speed < 9m/s)\n"
+    drive = testing.sample(text, 1)[0].run("builtin", duration=1.0)
+    assert drive.verdicts["slow"].satisfied
+    again = pickle.loads(pickle.dumps(drive))
+    assert again.verdicts == drive.verdicts
+    assert again.to_csv() == drive.to_csv()

@@ -52,15 +52,58 @@ def test_an_extractor_on_the_command_line(
     assert "acme-plugin 1.2" in said
 
 
+SWAY = """
+from dataclasses import dataclass
+from typing import ClassVar
+from roadlang.api import Backend, Perturber, hookimpl
+
+@dataclass(frozen=True)
+class Sway(Perturber):
+    "Divides by zero."
+    name: ClassVar[str] = "sway"
+    is_random: ClassVar[bool] = False
+
+    def displacement(self, road, random):
+        return 1 / 0
+
+@dataclass(frozen=True)
+class Zero(Backend):
+    "Divides by zero."
+    name: ClassVar[str] = "zero"
+
+    def files(self, scene):
+        return 1 / 0
+
+@hookimpl
+def roadlang_kinds():
+    return [Sway, Zero]
+"""
+ROAD = "road main { draw with segments { pieces: [straight(90m)] } }\n"
+
+
+@pytest.mark.parametrize(
+    "more", ["road bent from main { perturb with sway }\nemit json", "emit zero"]
+)
+@pytest.mark.parametrize("options", [[], ["--json"]])
 def test_the_author_of_a_plugin_can_see_where_it_raised(
-    site: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    site: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    more: str,
+    options: list[str],
 ) -> None:
-    install(site, "acme", PLUGIN.replace("RESULT", "return 1 / 0"))
+    install(site, "acme", SWAY)
+    path = site / "scene.rl"
+    path.write_text(ROAD + more)
+    command = ["compile", str(path), "-o", str(site / "out"), *options]
+    assert run(command) == 5
+    assert "Traceback" not in capsys.readouterr().err
     monkeypatch.setenv("ROADLANG_TRACEBACK", "1")
-    assert run(["extract", str(PICTURE), "--with", "odd"]) == 5
+    assert run(command) == 5
     said = capsys.readouterr().err
     assert "roadlang_acme.py" in said
     assert "ZeroDivisionError" in said
+    assert "Traceback" in said
 
 
 @pytest.mark.parametrize("command", [["plugins", "show", "zigzag"], ["schema", "zigzag"]])

@@ -76,11 +76,13 @@ class LazyGroup(click.Group):
             candidate = ctx.meta.get(_CANDIDATE)
             if candidate is None:
                 raise
+            from ..plugins.tracebacks import show_traceback
             from .plugin_commands import failure_of
 
             failure = failure_of(candidate, error)
             if failure is None:
                 raise
+            show_traceback(error)
             raise failure from error
 
     def resolve_command(

@@ -18,6 +18,7 @@ from ..plugins.termination import (
     raise_if_terminated,
     stop_noticing_sigterm,
 )
+from ..plugins.tracebacks import VARIABLE
 from ..version import __version__
 from . import exit_codes
 from .commands import LazyGroup
@@ -152,15 +153,11 @@ def _explain(error: Exception) -> int:
         from .bug import describe_bug
         from .machine_faults import machine_fault
 
-        if os.environ.get("ROADLANG_TRACEBACK"):
+        if os.environ.get(VARIABLE):
             raise error
         if isinstance(error, OSError):
             _forget_standard_output()
         error = DiagnosticError(machine_fault(error) or describe_bug(error))
-    elif os.environ.get("ROADLANG_TRACEBACK") and error.__cause__ is not None:
-        import traceback
-
-        traceback.print_exception(error.__cause__)
     report(error.diagnostics)
     if error.details:
         note(f"\n{error.details}")

@@ -12,6 +12,7 @@ import click
 from ..plugins.attribution import PluginFault, Reason, attributed, reason_of
 from ..plugins.compatibility import unmet_requirement
 from ..plugins.entry_points import Candidate, Origin, command_candidates
+from ..plugins.tracebacks import show_traceback
 
 if TYPE_CHECKING:
     from ..diagnostics import DiagnosticError
@@ -87,6 +88,8 @@ def load_command(candidate: Candidate) -> click.Command:
         return _loaded(candidate)
     except PluginFault as fault:
         broken = BrokenCommand(candidate.name, candidate.origin, str(fault))
+        if fault.__cause__ is not None and not isinstance(fault.__cause__, Reason):
+            show_traceback(fault.__cause__)
         raise broken.refuse() from fault.__cause__
 
 

@@ -13,6 +13,7 @@ from .attribution import PluginFault, attributed
 from .kinds import base_of
 from .option_error import OptionError
 from .registry import KindEntry
+from .tracebacks import show_traceback
 
 
 class plugin_guard(attributed):
@@ -53,6 +54,8 @@ class plugin_guard(attributed):
             return DiagnosticError(_invalid_option(entry, span, cause))
         if isinstance(cause, GeometryError) and base_of(entry.verb).geometry_is_user_input:
             return DiagnosticError(_impossible(entry, self._span, cause))
+        if cause is not None:
+            show_traceback(cause)
         return DiagnosticError(_failed(entry, self._span, fault))
 
 

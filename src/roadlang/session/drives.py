@@ -96,10 +96,14 @@ class Drive:
         """Seconds that were driven."""
         return float(self.trace.time[-1]) if len(self.trace.time) else 0.0
 
-    @cached_property
+    @property
     def verdicts(self) -> Mapping[str, Verdict]:
         """Each `expect` by name, with its robustness, satisfied or not."""
-        return MappingProxyType({verdict.name: verdict for verdict in self._verdicts})
+        return MappingProxyType(self._by_name)  # which cannot be pickled, as drives can
+
+    @cached_property
+    def _by_name(self) -> dict[str, Verdict]:
+        return {verdict.name: verdict for verdict in self._verdicts}
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
