@@ -135,11 +135,15 @@ def test_each_search_is_told_of_its_own_points() -> None:
     np.testing.assert_array_equal(second[2], [[1.0, 2.0], [1.0, np.nan]])
 
 
-@pytest.mark.parametrize(
-    "points", [np.zeros((3, 1)), np.zeros((7, 2)), np.zeros(2), np.full((1, 2), 1.0),
-               np.full((1, 2), -0.1)]
-)  # fmt: skip
-def test_points_that_are_none_are_a_fault(points: Floats) -> None:
+@pytest.mark.parametrize(("points", "fault"), [
+    (np.zeros((3, 1)), r"shape \(3, 1\), not"),
+    (np.zeros((7, 2)), r"shape \(7, 2\), not"),
+    (np.zeros(2), r"shape \(2,\), not"),
+    (np.full((1, 2), 1.0), "coordinate 1, which is not within"),
+    (np.full((1, 2), -0.1), "coordinate -0.1, which is not within"),
+    (np.full((1, 2), np.nan), "coordinate nan, which is not within"),
+])  # fmt: skip
+def test_points_that_are_none_are_a_fault(points: Floats, fault: str) -> None:
     found = islands(Rise())
-    with pytest.raises(DiagnosticError, match="RL474"):
+    with pytest.raises(DiagnosticError, match=rf"RL474(.|\n)*{fault}"):
         found._checked(points, 6)

@@ -291,8 +291,9 @@ def test_a_scene_from_json_has_no_photos(pictured: roadlang.Scene) -> None:
         again.svg(photo="photo")
 
 
-def test_emit_takes_kinds(file: Path, tmp_path: Path) -> None:
-    manifest = roadlang.load(file).sample().emit(tmp_path / "out", ["json"])
+@pytest.mark.parametrize("kinds", [["json"], "json"])
+def test_emit_takes_kinds(file: Path, tmp_path: Path, kinds: str | list[str]) -> None:
+    manifest = roadlang.load(file).sample().emit(tmp_path / "out", kinds)
     assert [output.path for output in manifest.files] == ["scene-0000.json"]
     assert json.loads((tmp_path / "out/manifest.json").read_text())["scenes"] == 1
 

@@ -93,9 +93,13 @@ class Islands:
         if count is None:
             count = len(points) if points.ndim else 1
         fits = points.ndim == 2 and points.shape[1] == len(self._axes) and len(points) <= count
-        if not fits or not ((points >= 0.0) & (points < 1.0)).all():
+        if not fits:
             fault = f"gave points of shape {points.shape}, not {(count, len(self._axes))}"
-            raise wrong_result(self._plan.entry, None, f"{fault}, or beyond [0, 1)")
+            raise wrong_result(self._plan.entry, None, fault)
+        beyond = points[~((points >= 0.0) & (points < 1.0))]
+        if len(beyond):
+            fault = f"gave the coordinate {beyond[0]:g}, which is not within [0, 1)"
+            raise wrong_result(self._plan.entry, None, fault)
         return points
 
     def _proposal(self, index: int, point: Sequence[float] | None) -> Proposal:

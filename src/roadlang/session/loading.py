@@ -118,15 +118,16 @@ class LoadedScenario:
         return self._changed(text=text)
 
     def with_outputs(self, outputs: Sequence[str]) -> LoadedScenario:
-        """The same file with other outputs than its `emit`s: `["json", "svg { size: 800px }"]`.
+        """The same file with other outputs than its `emit`s: `["json", "svg { size: 800px }"]`,
+        or `"json"`.
 
         One without options that the file has an `emit` for means that `emit`. Raises
         `DiagnosticError` RL930 for a kind that is not there, RL928 for none at all.
         """
-        key = tuple(outputs)
+        key = (outputs,) if isinstance(outputs, str) else tuple(outputs)
         if key not in self._by_outputs:  # checking a file takes longer than to write a scene
-            check_outputs(outputs, self.registry)
-            self._by_outputs[key] = self._changed(outputs=outputs)
+            check_outputs(key, self.registry)
+            self._by_outputs[key] = self._changed(outputs=key)
         return self._by_outputs[key]
 
     def _changed(self, **parts: Any) -> LoadedScenario:

@@ -147,9 +147,9 @@ class SceneSet(Sequence[Scene]):
     ) -> Manifest:
         """Write the files of the scenario's `emit`s, and `manifest.json`.
 
-        `outputs` come instead of them: `["json", "svg { size: 800px }"]`. JSON and SVG where
-        there is neither. Files are written whole, all of them or none, and those of an earlier
-        run are removed. Raises `DiagnosticError` (RL460 where the folder cannot be written).
+        `outputs` come instead of them: `["json", "svg { size: 800px }"]`, or one, `"json"`. JSON
+        and SVG where there is neither. Files are written whole, all of them or none, and those of
+        an earlier run are removed. Raises `DiagnosticError` (RL460 where the folder cannot be written).
         """
         from .emitting import emit
 
