@@ -149,7 +149,8 @@ class SceneSet(Sequence[Scene]):
 
         `outputs` come instead of them: `["json", "svg { size: 800px }"]`, or one, `"json"`. JSON
         and SVG where there is neither. Files are written whole, all of them or none, and those of
-        an earlier run are removed. Raises `DiagnosticError` (RL460 where the folder cannot be written).
+        an earlier run are removed. Raises `DiagnosticError` (RL460 where the folder cannot be
+        written).
         """
         from .emitting import emit
 
