@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from hypothesis import strategies as st
 
 from roadlang.diagnostics import Source, Span
-from roadlang.syntax.operators import letters
+from roadlang.syntax.operators import BY_WORD, letters
 from roadlang.syntax.recovery.operator_spelling import meant_temporal
 from roadlang.syntax.tree import nodes as ast
 from roadlang.syntax.tree.strings import dedented
@@ -28,8 +28,9 @@ _DEEPEST = 3
 
 def _free(name: str) -> bool:
     taken = name in RESERVED or name in (*_ANY_WORD, "as") or name in _LETTERS_OF_THE_LITERATURE
-    is_letter = len(name) == 1 and name.isupper()  # `X (p)` is `next (p)`
-    return not taken and not is_letter and meant_temporal(name) is None
+    # `X (p)` is `next (p)`, and `count[0]` the beginning of a formula.
+    is_operator = name in BY_WORD or (len(name) == 1 and name.isupper())
+    return not taken and not is_operator and meant_temporal(name) is None
 
 
 def _begun(word: str) -> str:
