@@ -46,17 +46,6 @@ def test_a_search_finds_failures_that_chance_seldom_finds() -> None:
     assert len(guided.failures) > len(chance.failures)
 
 
-def test_settings_of_a_search_in_python_are_checked_like_those_of_a_file() -> None:
-    with pytest.raises(DiagnosticError, match=r"RL220.*\n.*did you mean `evaluations`"):
-        slides().falsify(evaluation=10)
-    with pytest.raises(DiagnosticError, match=r"RL208.*`random` must be"):
-        slides().falsify(evaluations=10, random=2)
-    with pytest.raises(TypeError, match="`evaluations` must be an integer, not 'many'"):
-        slides().falsify(evaluations="many")
-    with pytest.raises(ValueError, match="`batch` must be at least 1, not 0"):
-        slides().falsify(batch=0)
-
-
 def test_the_first_ten_failures_are_printed_and_the_rest_is_counted(
     search: Falsification, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

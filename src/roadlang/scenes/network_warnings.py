@@ -96,8 +96,8 @@ def _on_levels(network: ScenarioNetwork, above: list[Problem]) -> Diagnostic:
         network=network.name,
         roads=_listed(list(pairs)),
         help=[
-            "vehicles on one stop for those on the other and touch them",
-            "`within` keeps a part of the map",
+            "vehicles on one road brake for those on the other, and collide with them",
+            "keep a part of the map with `within: box(...)`",
         ],
     )
 

@@ -24,7 +24,8 @@ SLUGGISH, SLUGGISH_SPEED = 1.2, 6.0
 FROM_RIGHT, FROM_RIGHT_DISTANCE = 3.0, 8.0
 """One yields at least to who is at the line within so many seconds, or meters."""
 EASE = 2.5
-"""Seconds that the calmest leave to one to whom they yield, so that it need not slow down."""
+"""Seconds of clearance that the calmest leave to those to whom they yield, who then need not
+slow down."""
 PATIENCE = 3.0
 """Seconds after which traffic of the main road lets in who waits where lanes merge."""
 LONGEST_WAIT = 15.0
@@ -117,7 +118,7 @@ def goes_after(
     leaves += EASE * (1.0 - boldness)
     arrives = other_line + np.swapaxes(meetings.begin, 1, 2) - FROM_RIGHT_DISTANCE
     soon = other_line < FROM_RIGHT * speed_b + FROM_RIGHT_DISTANCE
-    # Infinite for who has nothing ahead, which times no speed would be no number.
+    # `leaves` is infinite where no junction is ahead; times a speed of 0 it would be NaN.
     gone = np.multiply(leaves, speed_b, out=np.zeros_like(leaves), where=speed_b > 0.0)
     return np.asarray(meetings.yields & (soon | (arrives < gone)))
 
