@@ -122,7 +122,7 @@ def test_a_drive_signal_that_gives_no_numbers_is_at_fault() -> None:
     assert drive.verdicts["talks"].satisfied is None
     (found,) = [one for one in drive.diagnostics if "`talks`" in one.help[-1]]
     assert found.code == "RL474"
-    assert "gave values that are of type <U4, not real numbers" in found.message
+    assert "gave values as text, not as real numbers" in found.message
 
 
 def test_a_figure_is_called_after_the_worst_expectation() -> None:

@@ -164,12 +164,12 @@ def test_geometry_errors_of_an_adjuster_are_the_plugins(road: str) -> None:
     [
         (lambda u: u * np.nan, "gave values that are not finite numbers"),
         (lambda u: u * np.inf, "gave values that are not finite numbers"),
-        (lambda u: u * 1j, "gave values that are complex numbers, not real numbers"),
+        (lambda u: u * 1j, "gave values as complex numbers, not as real numbers"),
         (lambda u: u[:0], "gave values of shape (0, 1), not (4, 1)"),
-        (lambda u: None, "gave values that are of type object, not real numbers"),
-        (lambda u: [None] * len(u), "gave values that are of type object, not real numbers"),
-        (lambda u: "wide", "gave values that are of type <U4, not real numbers"),
-        (lambda u: b"wide", "gave values that are of type |S4, not real numbers"),
+        (lambda u: None, "gave values as None, not as real numbers"),
+        (lambda u: [None] * len(u), "gave values as None, not as real numbers"),
+        (lambda u: "wide", "gave values as text, not as real numbers"),
+        (lambda u: b"wide", "gave values as bytes, not as real numbers"),
     ],
 )
 def test_a_distribution_whose_values_are_no_numbers(
@@ -204,9 +204,9 @@ def test_what_is_not_a_number_by_the_scenes_own_doing_is_the_scenes_fault() -> N
 @pytest.mark.parametrize(
     ("displacement", "says"),
     [
-        (lambda road: 1j * road.stations, "displacements that are complex numbers"),
-        (lambda road: ["a"] * len(road.stations), "displacements that are of type <U1"),
-        (lambda road: [None] * len(road.stations), "displacements that are of type object"),
+        (lambda road: 1j * road.stations, "displacements as complex numbers"),
+        (lambda road: ["a"] * len(road.stations), "displacements as text"),
+        (lambda road: [None] * len(road.stations), "displacements as None"),
     ],
 )
 def test_displacements_that_are_no_real_numbers(

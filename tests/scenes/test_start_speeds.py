@@ -116,12 +116,12 @@ def test_what_is_no_initial_speed_is_a_fault_of_the_plugin() -> None:
 @pytest.mark.parametrize(
     ("parts", "says"),
     [
-        (("fast",), "initial speeds that are of type <U4, not real numbers"),
+        (("fast",), "initial speeds as text, not as real numbers"),
         ((np.array([1.0, 2.0]),), "initial speeds of shape (2,), not a number"),
         ((-1.0,), "the initial speed -1.0"),
         ((float("nan"),), "the initial speed nan"),
-        ((9.0, None), "lateral accelerations that are of type object"),
-        ((9.0, 3.0, "hard"), "decelerations that are of type <U4"),
+        ((9.0, None), "lateral accelerations as None"),
+        ((9.0, 3.0, "hard"), "decelerations as text"),
     ],
 )
 def test_an_initial_speed_of_anything_but_numbers(parts: tuple[Any, ...], says: str) -> None:

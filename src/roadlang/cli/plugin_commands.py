@@ -12,7 +12,7 @@ import click
 from ..plugins.attribution import PluginFault, Reason, attributed, reason_of
 from ..plugins.compatibility import unmet_requirement
 from ..plugins.entry_points import Candidate, Origin, command_candidates
-from ..plugins.tracebacks import show_traceback
+from ..plugins.tracebacks import help_of_fault, show_traceback
 
 if TYPE_CHECKING:
     from ..diagnostics import DiagnosticError
@@ -131,6 +131,6 @@ def failure_of(candidate: Candidate, error: Exception) -> DiagnosticError | None
             kind=f"roadlang {candidate.name}",
             plugin=str(candidate.origin),
             reason=reason_of(error),
-            help=f"this is a fault of the plugin; report it to the authors of {candidate.origin}",
+            help=help_of_fault(candidate.origin),
         )
     )

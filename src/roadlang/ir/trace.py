@@ -74,7 +74,7 @@ class AgentTrace(Frozen):
 
     @classmethod
     def recorded(
-        cls, actor: SceneActor, time: Floats, column: Callable[[str], Floats]
+        cls, actor: SceneActor | AgentTrace, time: Floats, column: Callable[[str], Floats]
     ) -> AgentTrace:
         """Of an agent whose `column`s, by the names of the members, are read when they are first
         needed; they are read-only."""

@@ -19,11 +19,13 @@ from ..plugins.drive_signals import drive_signal_values, named_entities
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.registry import KindEntry, Registry
+from ..plugins.results import robustness_values
 from ..stl import Formula
 from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
 from ..stl.evaluate.satisfaction import zero_satisfies
 from ..stl.formula.evaluation_options import EvaluationOptions
 from .drive_formulas import DriveFormula, VariableSignal, drive_formula
+from .unrecorded_columns import unrecorded_columns
 from .verdicts import decided
 from .window_warnings import JudgedAxis, window_warnings
 
@@ -131,17 +133,35 @@ class DriveCondition:
     def _values(self, signal: VariableSignal, chosen: Mapping[str, AgentTrace]) -> Floats:
         """(T,) a signal of the members `chosen`. Raises RL470, RL474, RL701."""
         trace, entry = self.trace, signal.entry
-        options = dict(signal.options)
-        for key, name in signal.entities.items():
-            options[key] = chosen[name] if signal.is_member else trace.named(name)
-        values = drive_signal_values(entry, options, trace)
+
+        def options(of: Trace) -> dict[str, Any]:
+            """With the agents of a trace in the place of their names."""
+            named = {
+                key: of.agents[chosen[name].name] if signal.is_member else of.named(name)
+                for key, name in signal.entities.items()
+            }
+            return {**signal.options, **named}
+
+        values = drive_signal_values(entry, options(trace), trace)
         if values.shape != trace.time.shape:
             fault = f"gave values of shape {values.shape}, not {trace.time.shape}"
             raise wrong_result(entry, None, fault)
-        if np.isnan(values).any():
-            name, engine = signal.variable, trace.engine
-            raise DiagnosticError(diagnose(Code.SIGNAL_NOT_RECORDED, signal=name, engine=engine))
+        unknown = np.isnan(values)
+        if unknown.any():
+            missing = unrecorded_columns(entry, options, trace)
+            if not missing:
+                fault = f"gave NaN at {trace.time[unknown.argmax()]:g} s"
+                raise wrong_result(entry, None, fault)
+            raise _not_recorded(signal.variable, trace.engine, missing)
         return values
+
+
+def _not_recorded(signal: str, engine: str, columns: tuple[str, ...]) -> DiagnosticError:
+    listed = ", ".join(f"`{column}`" for column in columns)
+    help_ = f"the trace has no value of {listed} at some times, or at all times"
+    return DiagnosticError(
+        diagnose(Code.SIGNAL_NOT_RECORDED, signal=signal, engine=engine, help=help_)
+    )
 
 
 def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> float:
@@ -160,7 +180,8 @@ def _monitored(call: Mapping[str, Any], trace: Trace, registry: Registry) -> flo
 def _monitored_once(entry: KindEntry, options: Mapping[str, Any], trace: Trace) -> float:
     with plugin_guard(entry, None):
         kind: Any = entry.load()
-        rho = float(kind(**options).judge(trace))
-    if math.isnan(rho):
-        raise wrong_result(entry, None, "gave a robustness that is not a number")
-    return rho
+        found = kind(**options).judge(trace)
+    rho = robustness_values(found, entry, None)
+    if rho.size != 1:
+        raise wrong_result(entry, None, f"gave a robustness of shape {rho.shape}, not one number")
+    return rho.item()

@@ -11,7 +11,7 @@ from ..evaluate.evaluation import build
 from ..geometry.arrays import Floats
 from ..ir.values import PassCall
 from ..plugins.guard import wrong_result
-from ..plugins.results import real_numbers
+from ..plugins.results import robustness_values
 from ..world.signals import axes_of
 
 
@@ -22,11 +22,9 @@ def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
         built = build(call, candidates, resolve=partial(axis.resolve, candidates=candidates))
         with built.guarded:
             result = built.kind.robustness()
-        rho = real_numbers(result, "robustness values", built.entry, call.span).reshape(-1)
+        rho = robustness_values(result, built.entry, call.span).reshape(-1)
         if rho.shape[0] not in (1, candidates.count):
             fault = f"gave a robustness of shape {rho.shape}, not ({candidates.count},)"
             raise wrong_result(built.entry, call.span, fault)
-        if np.isnan(rho).any():
-            raise wrong_result(built.entry, call.span, "gave a robustness that is not a number")
         worst = np.minimum(worst, rho)
     return worst

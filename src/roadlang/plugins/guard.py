@@ -13,7 +13,7 @@ from .attribution import PluginFault, attributed
 from .kinds import base_of
 from .option_error import OptionError
 from .registry import KindEntry
-from .tracebacks import show_traceback
+from .tracebacks import help_of_fault, show_traceback
 
 
 class plugin_guard(attributed):
@@ -76,9 +76,9 @@ def _invalid_option(entry: KindEntry, span: Span | None, error: OptionError) -> 
 
 
 def _failed(entry: KindEntry, span: Span | None, fault: PluginFault) -> Diagnostic:
-    help_ = f"this is a fault of the plugin; report it to the authors of {entry.origin}"
+    help_ = help_of_fault(entry.origin)
     if isinstance(fault.__cause__, MemoryError):
-        help_ = "the machine has too little memory for this, or the plugin asks for too much"
+        help_ = ("the machine has too little memory for this, or the plugin asks for too much",)
     return diagnose(
         Code.PLUGIN_FAILED,
         span,

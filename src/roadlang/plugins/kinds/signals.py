@@ -117,7 +117,7 @@ class Monitor(Kind):
         """If `domain` is "road": how well each candidate satisfies the monitor.
 
         Returns (variants,) or (1,) numbers: positive or 0 where satisfied, negative where not, and
-        greater the farther from the limit. NaN is RL474.
+        greater the farther from the limit. NaN, True and False are RL474.
         """
         raise NotImplementedError
 
