@@ -80,3 +80,19 @@ def test_a_dark_corner_is_a_margin_only_where_it_is_large(side: int, is_margin: 
     image = np.full((256, 256, 3), 120, np.uint8)
     image[:side, :side] = 0
     assert (nodata(image) is not None) == is_margin
+
+
+def test_a_sliver_along_the_rim_is_a_margin_and_its_edge_no_road() -> None:
+    """A photo that was turned by half a degree has a wedge of a few pixels beside it."""
+    scene = render_aerial("rural", 5, size=320).image
+    image = scene.copy()
+    wedge = np.array([[40, 320], [319, 316], [319, 320]], np.int32)
+    cv2.fillPoly(image, [wedge], (255, 255, 255))
+    margin = nodata(image)
+    assert nodata(scene) is None
+    assert margin is not None
+    assert margin[-1, 250:].all()
+    assert not margin[:300].any()
+    for road in roads_of_photo(image).roads:
+        at_wedge = (road.points[:, 1] > 308) & (road.points[:, 0] > 60)
+        assert at_wedge.mean() < 0.2

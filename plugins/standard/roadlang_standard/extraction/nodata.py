@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +12,11 @@ from .tones import Image
 
 _BLACK, _WHITE = 8, 248
 _LEAST = 0.004
-"""Margins smaller than this share of the picture are left alone."""
+"""Margins smaller than this share of the picture are left alone,"""
+_LONG = 0.1
+"""but for those that lie along this share of its shorter side: a photo that was turned a little."""
+_THIN = 5
+"""What is narrower, in pixels, is no margin, except along the rim, which cuts margins off."""
 
 
 def nodata(image: Image) -> NDArray[np.bool_] | None:
@@ -25,16 +31,18 @@ def nodata(image: Image) -> NDArray[np.bool_] | None:
     return found.astype(bool) if found.any() else None
 
 
-def _rim(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _rim(mask: NDArray[Any]) -> NDArray[Any]:
     return np.concatenate([mask[0], mask[-1], mask[:, 0], mask[:, -1]])
 
 
 def _touching(mask: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The large parts of a mask that touch the rim, without what is thin."""
-    thick = cv2.morphologyEx(mask, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8))
+    """The large and the long parts of a mask that touch the rim, without what is thin."""
+    beyond = cv2.copyMakeBorder(mask, *4 * [_THIN], cv2.BORDER_REPLICATE)
+    opened = cv2.morphologyEx(beyond, cv2.MORPH_OPEN, np.ones((_THIN, _THIN), np.uint8))
+    thick = np.ascontiguousarray(opened[_THIN:-_THIN, _THIN:-_THIN])
     count, labels, stats, _ = cv2.connectedComponentsWithStats(thick)
-    selected = np.zeros(count, np.uint8)
-    selected[np.unique(_rim(labels))] = 1
-    selected[stats[:, cv2.CC_STAT_AREA] < _LEAST * mask.size] = 0
-    selected[0] = 0
+    along = np.bincount(_rim(labels), minlength=count)
+    large = stats[:, cv2.CC_STAT_AREA] >= _LEAST * mask.size
+    selected = (along > 0) & (large | (along >= _LONG * min(mask.shape)))
+    selected[0] = False
     return np.asarray(selected[labels], np.uint8)
