@@ -15,7 +15,7 @@ def test_settings_of_a_search_in_python_are_checked_like_those_of_a_file() -> No
         loaded.falsify(evaluation=10)
     with pytest.raises(DiagnosticError, match=r"RL208.*`random` must be"):
         loaded.falsify(evaluations=10, random=2)
-    with pytest.raises(TypeError, match="`evaluations` must be an integer, not 'many'"):
+    with pytest.raises(DiagnosticError, match=r"RL206.*`evaluations` expects integer.* 'many'"):
         loaded.falsify(evaluations="many")
-    with pytest.raises(ValueError, match="`batch` must be at least 1, not 0"):
+    with pytest.raises(DiagnosticError, match=r"RL208.*`batch` must be >= 1"):
         loaded.falsify(batch=0)

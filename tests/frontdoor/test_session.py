@@ -142,7 +142,7 @@ def test_values_that_the_language_cannot_write_are_refused(file: Path) -> None:
     for number in ("nan", "inf", "-inf"):
         with pytest.raises(ValueError, match=f"`reach` is {number}"):
             roadlang.load(file, reach=float(number))
-    with pytest.raises(TypeError, match="a dict"):
+    with pytest.raises(TypeError, match="`reach` must be a number, or a text"):
         roadlang.load(file, reach={})  # type: ignore[arg-type]
 
 

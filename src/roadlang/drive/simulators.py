@@ -52,8 +52,9 @@ def simulator_call(
     where there is none at all.
     """
     call = scene.simulate
-    name = engine or (call.kind if call is not None else _first_engine(registry))
-    entry = entry_of(registry, "simulate", name)
+    if engine is None:
+        engine = call.kind if call is not None else _first_engine(registry)
+    entry = entry_of(registry, "simulate", engine)
     is_of_scene = call is not None and entry_of(registry, "simulate", call.kind) == entry
     written = dict(call.options) if call is not None and is_of_scene else {}
     return Call(entry.recorded, {**written, **options})

@@ -13,8 +13,9 @@ from ..evaluate.kind_instance import scalar
 from ..ir.scenario import Scenario
 from ..ir.values import PassCall
 from ..plugins.common_options import FalsifyOptions
-from ..plugins.configured import configured, option_faults
+from ..plugins.configured import configured
 from ..plugins.finding import entry_of
+from ..plugins.given_options import given_options, option_faults
 from ..plugins.options import schema_of
 from .plan import Plan
 
@@ -30,10 +31,12 @@ def plan_of(
 
     `searcher` and `overrides` (values of `SETTINGS`, None where not set) precede the scene file.
     Raises `DiagnosticError` RL703 where there is nothing to violate, RL930 for a searcher that does
-    not exist, RL220 for a setting that does not, RL208 for a value that is out of bounds.
+    not exist, RL220 for a setting that does not, RL206 and RL208 for values of one.
     """
+    schemas = schema_of(FalsifyOptions)
     given = {name: value for name, value in overrides.items() if value is not None}
-    faults = option_faults("`falsify`", schema_of(FalsifyOptions), given)
+    given = given_options(schemas, given)
+    faults = option_faults("`falsify`", schemas, given)
     if faults:
         raise DiagnosticError(*faults)
     settings = _settings(scenario) | given

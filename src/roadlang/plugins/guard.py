@@ -49,7 +49,7 @@ class plugin_guard(attributed):
         entry, cause = self._entry, fault.__cause__
         if isinstance(cause, DiagnosticError):
             return DiagnosticError(*(_at(d, self._span) for d in cause.diagnostics))
-        if isinstance(cause, OptionError):
+        if isinstance(cause, OptionError) and cause.option in _names_of_options(entry):
             span = self._option_spans.get(cause.option, self._span)
             return DiagnosticError(_invalid_option(entry, span, cause))
         if isinstance(cause, GeometryError) and base_of(entry.verb).geometry_is_user_input:
@@ -57,6 +57,10 @@ class plugin_guard(attributed):
         if cause is not None:
             show_traceback(cause)
         return DiagnosticError(_failed(entry, self._span, fault))
+
+
+def _names_of_options(entry: KindEntry) -> list[str]:
+    return [option.name for option in entry.options]
 
 
 def _impossible(entry: KindEntry, span: Span | None, error: GeometryError) -> Diagnostic:
@@ -76,7 +80,11 @@ def _invalid_option(entry: KindEntry, span: Span | None, error: OptionError) -> 
 
 
 def _failed(entry: KindEntry, span: Span | None, fault: PluginFault) -> Diagnostic:
-    help_ = help_of_fault(entry.origin)
+    help_, reason = help_of_fault(entry.origin), str(fault)
+    if isinstance(fault.__cause__, OptionError):
+        reason = f"it raised an OptionError of `{fault.__cause__.option}`, which is no option of it"
+        known = ", ".join(_names_of_options(entry)) or "none"
+        help_ = (f"its options are {known}", *help_)
     if isinstance(fault.__cause__, MemoryError):
         help_ = ("the machine has too little memory for this, or the plugin asks for too much",)
     return diagnose(
@@ -84,7 +92,7 @@ def _failed(entry: KindEntry, span: Span | None, fault: PluginFault) -> Diagnost
         span,
         kind=f"{entry.verb} {entry.qualified}",
         plugin=str(entry.origin),
-        reason=str(fault),
+        reason=reason,
         help=help_,
     )
 

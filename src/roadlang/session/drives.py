@@ -9,6 +9,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
+from ..diagnostics import arguments
 from ..drive.batches import DriveTask
 from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
@@ -43,6 +44,7 @@ def drive(
     places: WrittenPlaces = UNKNOWN,
 ) -> DriveSet:
     """Drive scenes, all with one engine. `places`: where faults are shown."""
+    arguments.text_or_none("engine", engine)
     records = [scene.record for scene in scenes]
     driven = (
         drive_scenes(records, registry, engine, options, record_sensors=True, places=places)

@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
 from ..drive.written_places import WrittenPlaces
 from ..falsification.axes import axes_of
 from ..falsification.deadline import deadline
@@ -247,7 +247,7 @@ class Falsification:
         """Write failures, tables and the summary; see the guide. Raises `DiagnosticError` RL460."""
         from .falsification_files import write_falsification
 
-        write_falsification(self, Path(folder))
+        write_falsification(self, arguments.path("folder", folder))
 
 
 def falsified(

@@ -10,18 +10,18 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Diagnostic, DiagnosticError, Source
+from ..diagnostics import Diagnostic, DiagnosticError, Source, arguments
 from ..diagnostics.diagnostic import in_order
-from .outputs import check_outputs
+from .meant_arguments import refuse_sampling, refuse_searching
+from .outputs import check_outputs, parse_outputs
 from .params import ParamValue, param_texts
 from .scene_files import read_scene_file
-from .whole_numbers import whole_number
 
 if TYPE_CHECKING:
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
     from ..scenes.sampling import SceneObserver
-    from ..search.worker_pool import Executor
+    from ..search.worker_pool import Executor, Workers
     from .falsification import Falsification
     from .param_files import ParamFile
     from .scene_set import SceneSet
@@ -37,13 +37,14 @@ def load(file: str | Path, /, **params: ParamValue) -> LoadedScenario:
     Nothing heavy happens before `check` or `sample`. Raises `DiagnosticError` (RL920 to RL923)
     where the file cannot be read.
     """
-    name = str(file)
-    return LoadedScenario(read_scene_file(name), Path(name), param_texts(params))
+    path = arguments.path("file", file)
+    return LoadedScenario(read_scene_file(str(file)), path, param_texts(params))
 
 
 def loads(text: str, /, *, folder: str | Path = ".", **params: ParamValue) -> LoadedScenario:
     """The scenario of a text; the files that it names are relative to `folder`."""
-    return LoadedScenario(text, Path(folder) / "scene.rl", param_texts(params))
+    path = arguments.path("folder", folder) / "scene.rl"
+    return LoadedScenario(arguments.text("text", text), path, param_texts(params))
 
 
 class LoadedScenario:
@@ -94,7 +95,7 @@ class LoadedScenario:
         self, params: Mapping[str, ParamValue] | None = None, /, **more: ParamValue
     ) -> LoadedScenario:
         """The same file with other values for some params."""
-        texts = param_texts({**(params or {}), **more})
+        texts = param_texts({**arguments.mapping("params", params or {}), **more})
         if not texts:
             return self
         return self._changed(params={**self._settings, **texts})
@@ -106,7 +107,9 @@ class LoadedScenario:
         """
         from .param_files import ParamFile, read_params
 
-        found = file if isinstance(file, ParamFile) else read_params(str(file))
+        if not isinstance(file, ParamFile):
+            file = read_params(str(arguments.path("file", file)))
+        found = file
         inputs = {**self.inputs, found.path: found.sha256}
         return tuple(
             self._changed(params={**self._settings, **values}, inputs=inputs)
@@ -115,16 +118,17 @@ class LoadedScenario:
 
     def with_text(self, text: str) -> LoadedScenario:
         """Another text in the place of the file, with the same params."""
-        return self._changed(text=text)
+        return self._changed(text=arguments.text("text", text))
 
-    def with_outputs(self, outputs: Sequence[str]) -> LoadedScenario:
+    def with_outputs(self, outputs: str | Sequence[str]) -> LoadedScenario:
         """The same file with other outputs than its `emit`s: `["json", "svg { size: 800px }"]`,
-        or `"json"`.
+        or `"json, svg"`.
 
         One without options that the file has an `emit` for means that `emit`. Raises
         `DiagnosticError` RL930 for a kind that is not there, RL928 for none at all.
         """
-        key = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+        given = arguments.texts("outputs", outputs)
+        key = tuple(output for text in given for output in parse_outputs(text))
         if key not in self._by_outputs:  # checking a file takes longer than to write a scene
             check_outputs(key, self.registry)
             self._by_outputs[key] = self._changed(outputs=key)
@@ -172,6 +176,7 @@ class LoadedScenario:
         """
         if params:
             changed = self.with_params(params)
+            refuse_sampling(params, self._declared)
             return changed.sample(
                 n,
                 seed=seed,
@@ -180,12 +185,12 @@ class LoadedScenario:
                 after_pass=after_pass,
                 executor=executor,
             )
-        from ..search.worker_pool import Workers
         from .scene_set import sampled
 
-        n = None if n is None else whole_number("n", n, least=1)
-        seed = whole_number("seed", seed, least=0)
-        return sampled(self, n, seed, Workers(jobs, executor, progress), after_pass)
+        n = None if n is None else arguments.whole_number("n", n, least=1)
+        seed = arguments.whole_number("seed", seed, least=0)
+        workers = _workers(jobs, executor, progress)
+        return sampled(self, n, seed, workers, arguments.function("after_pass", after_pass))
 
     def falsify(  # noqa: PLR0913 - one parameter for each option
         self,
@@ -210,27 +215,33 @@ class LoadedScenario:
         seed and settings give the same outcomes, whatever `jobs` and `executor` (anything with
         `submit`, of `jobs` workers) are. `folder` keeps a journal, which `resume` goes on with.
         Raises `DiagnosticError` (RL702 for the journal of another search, RL703, RL705 where there
-        is nothing to violate or to search, RL220 for a setting that does not exist).
+        is nothing to violate or to search; for settings RL220 where there is none of that name,
+        RL206 and RL208 for its value), `TypeError` and `ValueError` for the other arguments.
         """
-        from ..search.worker_pool import Workers
+        from ..falsification.settings import SETTINGS
         from .falsification import Drives, falsified
 
-        seed = whole_number("seed", seed, least=0)
-        names = [expects] if isinstance(expects, str) else expects
-        for name in ("evaluations", "failures", "batch", "islands"):
-            if settings.get(name) is not None:
-                settings[name] = whole_number(name, settings[name], least=1)
-        all_settings = {"expects": names, **settings}
+        refuse_searching(settings, SETTINGS, self._declared)
+        if resume and folder is None:
+            raise ValueError("`resume` needs the `folder` with the journal of the search")
+        names = None if expects is None else arguments.texts("expects", expects)
         return falsified(
             self,
-            seed,
-            searcher,
-            all_settings,
-            Drives(engine, dict(options or {})),
-            Workers(jobs, executor, progress),
-            None if folder is None else Path(folder).absolute(),
+            arguments.whole_number("seed", seed, least=0),
+            arguments.text_or_none("searcher", searcher),
+            {"expects": names, **settings},
+            Drives(
+                arguments.text_or_none("engine", engine),
+                dict(arguments.mapping("options", options or {})),
+            ),
+            _workers(jobs, executor, progress),
+            None if folder is None else arguments.path("folder", folder).absolute(),
             resume,
         )
+
+    def _declared(self) -> frozenset[str]:
+        """The names of params and `let`s. Raises `DiagnosticError` where the file has errors."""
+        return frozenset(value.name for value in self.scenario.values)
 
     @cached_property
     def _checked(self) -> tuple[Scenario | None, tuple[Diagnostic, ...]]:
@@ -246,3 +257,13 @@ class LoadedScenario:
             if faults:
                 return None, tuple(in_order([*found, *faults]))
         return scenario, tuple(found)
+
+
+def _workers(jobs: int, executor: Executor | None, progress: Progress | None) -> Workers:
+    """Who does the work of a function with these arguments."""
+    from ..search.worker_pool import Workers
+
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise arguments.wrong_type("executor", "something with a method `submit`", executor)
+    jobs = arguments.whole_number("jobs", jobs, least=1)
+    return Workers(jobs, executor, arguments.function("progress", progress))

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..diagnostics.arguments import shown
 from ..plugins.guard import plugin_guard
 from ..plugins.option_types import EntityType
 
@@ -75,14 +76,14 @@ def _images_of(scenario: IndexedScenario) -> str:
 def _wrong_type(option: str, value: object, loaded: LoadedScenario | None) -> DiagnosticError:
     names = "" if loaded is None else "the name of an image, or "
     help_ = (
-        "" if loaded is not None else "a scene from JSON has no pictures; sample it to use names"
+        () if loaded is not None else "a scene from JSON has no pictures; sample it to use names"
     )
     return DiagnosticError(
         diagnose(
             Code.WRONG_TYPE,
             what=f"`{option}`",
             expected=f"{names}a `roadlang.api.Picture`",
-            found=f"a {type(value).__name__}",
+            found=shown(value),
             help=help_,
         )
     )

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..diagnostics.arguments import wrong_type
 
 ParamValue = str | int | float | bool | Sequence[Any]
 """Text as in the language (`"12m"`), a number without unit, true or false, or a list of such."""
@@ -32,10 +33,7 @@ def _text(name: str, value: Any) -> str:
         return repr(value)
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_text(name, item) for item in value) + "]"
-    raise TypeError(
-        f"the value of `{name}` is a {type(value).__name__}; write a number,"
-        ' or a text as in the language, such as "12m"'
-    )
+    raise wrong_type(name, 'a number, or a text as in the language, such as "12m"', value)
 
 
 def parse_overrides(settings: Iterable[str]) -> dict[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..diagnostics import arguments
 from ..files.writing import write_file
 from ..plugins.registry import Registry
 from ..report.report import report
@@ -21,6 +22,7 @@ def write_report(
     Raises `DiagnosticError` RL720 for a folder without results, RL721 for results that cannot be
     read, RL460 where the page cannot be written.
     """
-    source = Path(folder).absolute()
-    text = report(Path(folder), installed() if registry is None else registry)
-    return write_file(source / REPORT if file is None else Path(file).absolute(), text)
+    source = arguments.path("folder", folder)
+    target = source / REPORT if file is None else arguments.file_to_write("file", file)
+    target = target.absolute()  # before a plugin can change the current folder
+    return write_file(target, report(source, installed() if registry is None else registry))

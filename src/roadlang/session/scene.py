@@ -11,7 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, DiagnosticError, arguments, diagnose
 from .profiles import Profiles, read_only
 
 if TYPE_CHECKING:
@@ -129,6 +129,8 @@ class Scene:
         """
         from ..ir.encoding import scene_from_json
 
+        if not isinstance(text, str | bytes):
+            raise arguments.wrong_type("text", "the text of a document", text)
         try:
             return cls(scene_from_json(text))
         except ValueError as error:
@@ -267,7 +269,7 @@ class Scene:
         """Write the scene as JSON, whole or not at all. Raises `DiagnosticError` RL460."""
         from ..files.writing import write_file
 
-        return write_file(Path(path), self.to_json())
+        return write_file(arguments.file_to_write("path", path), self.to_json())
 
     @property
     def registry(self) -> Registry:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
 from ..drive.written_places import WrittenPlaces
 from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
 from .expectations import Expectation, expectations_of
@@ -141,7 +141,7 @@ class SceneSet(Sequence[Scene]):
     def emit(
         self,
         folder: str | Path,
-        outputs: Sequence[str] | None = None,
+        outputs: str | Sequence[str] | None = None,
         *,
         progress: Progress | None = None,
     ) -> Manifest:
@@ -154,7 +154,10 @@ class SceneSet(Sequence[Scene]):
         """
         from .emitting import emit
 
-        resolved = Path(folder).absolute()  # before a plugin can change the current folder
+        arguments.function("progress", progress)
+        resolved = arguments.path(
+            "folder", folder
+        ).absolute()  # a plugin can change the current one
         loaded = self.loaded if outputs is None else self.loaded.with_outputs(outputs)
         return emit(loaded, self.result, self.seed, resolved, progress)
 

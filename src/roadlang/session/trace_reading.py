@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..diagnostics import arguments
 from ..drive.trace_files import from_json
 from ..ir.trace import Trace
 from ..report.reading import parsed
@@ -14,4 +15,4 @@ def read_drive(file: str | Path) -> Trace:
 
     Raises `DiagnosticError` RL721 for any other file.
     """
-    return parsed(Path(file), from_json)
+    return parsed(arguments.path("file", file), from_json)
