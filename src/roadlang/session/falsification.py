@@ -60,6 +60,9 @@ class Drives:
     engine: str | None = None
     options: Mapping[str, Any] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        arguments.text_or_none("engine", self.engine)
+
 
 class Failure:
     """A scene that violates an expectation. `rank` counts from 1, the worst first."""

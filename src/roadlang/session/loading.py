@@ -224,16 +224,14 @@ class LoadedScenario:
         refuse_searching(settings, SETTINGS, self._declared)
         if resume and folder is None:
             raise ValueError("`resume` needs the `folder` with the journal of the search")
-        names = None if expects is None else arguments.texts("expects", expects)
+        if expects is not None:
+            expects = arguments.texts("expects", expects)
         return falsified(
             self,
             arguments.whole_number("seed", seed, least=0),
             arguments.text_or_none("searcher", searcher),
-            {"expects": names, **settings},
-            Drives(
-                arguments.text_or_none("engine", engine),
-                dict(arguments.mapping("options", options or {})),
-            ),
+            {"expects": expects, **settings},
+            Drives(engine, dict(arguments.mapping("options", options or {}))),
             _workers(jobs, executor, progress),
             None if folder is None else arguments.path("folder", folder).absolute(),
             resume,
