@@ -14,7 +14,7 @@ from roadlang.geometry import Booleans, Floats
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.photo_confidence import RoadFacts, road_facts
 
-NAMES = ("least", "evidence", "wide", "alone")
+NAMES = ("least", "evidence", "wide")
 """The fitted log odds, as in `photo_confidence`."""
 _RADIUS = 3.0
 """Pixels, times the scale of the case, within which a road is right."""
@@ -24,7 +24,7 @@ _EDGES = (0.0, 0.5, 0.7, 0.85, 1.01)
 
 @dataclass(frozen=True)
 class Samples:
-    """Points of roads, n of them: what their confidence depends on (n, 4), as `NAMES` say, and the
+    """Points of roads, n of them: what their confidence depends on (n, 3), as `NAMES` say, and the
     given log odds (n,); whether they are right; the pixels of road at each; the index of the road,
     of the group that is left out together, and of the source of its photo."""
 
@@ -68,8 +68,7 @@ def _of_road(
     step = np.hypot(*np.diff(points, axis=0).T)
     length = (np.append(0.0, step) + np.append(step, 0.0)) / 2
     x, y = np.clip(np.round(points).astype(int), 0, np.array(near.shape[::-1]) - 1).T
-    same = (np.full(count, value) for value in (facts.wide, facts.alone))
-    columns = (np.ones(count), facts.evidence, *same)
+    columns = (np.ones(count), facts.evidence, np.full(count, facts.wide))
     ids = (np.full(count, float(value)) for value in (road, group, source))
     given = np.full(count, facts.given)
     return Samples(np.column_stack(columns), given, near[y, x], length, *ids)
@@ -85,7 +84,7 @@ def joined(parts: Sequence[Samples]) -> Samples:
 
 
 def fitted(samples: Samples) -> Floats:
-    """The log odds (4,) of `NAMES` under which what is right is likeliest, each pixel of road
+    """The log odds (3,) of `NAMES` under which what is right is likeliest, each pixel of road
     counting the same: logistic regression by Newton's method."""
     weights = np.zeros(len(NAMES))
     for _ in range(_ROUNDS):
@@ -101,7 +100,7 @@ def fitted(samples: Samples) -> Floats:
 
 
 def stated(samples: Samples, weights: Floats) -> Floats:
-    """The confidences (n,) under fitted log odds (4,)."""
+    """The confidences (n,) under fitted log odds (3,)."""
     return np.asarray(1 / (1 + np.exp(-(samples.facts @ weights + samples.given))))
 
 

@@ -20,15 +20,13 @@ from benchmarks.extraction.calibration import (
 from benchmarks.extraction.scores import Case
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 
-TRUE = np.array([0.5, 0.8, -0.6, -1.2])
+TRUE = np.array([0.5, 0.8, -0.6])
 
 
 def drawn(count: int = 20_000, seed: int = 0) -> Samples:
     """Points of 400 roads in 40 photos of two sources, right as often as `TRUE` says."""
     rng = np.random.default_rng(seed)
-    facts = np.column_stack(
-        [np.ones(count), rng.normal(0.5, 1.5, count), rng.random(count), rng.random(count)]
-    )
+    facts = np.column_stack([np.ones(count), rng.normal(0.5, 1.5, count), rng.random(count)])
     chance = 1 / (1 + np.exp(-facts @ TRUE))
     road = np.sort(rng.integers(0, 400, count)).astype(float)
     group = road // 10

@@ -32,8 +32,8 @@ _LITTLE = 0.4
 _RELAXED = (0.64, 0.36)
 _CARRIED = 0.45
 """Share of the cutoffs that counts where a road may go on."""
-_FAINTER, _FEW = (0.85, 0.64), 12
-"""Shares of the cutoffs that are tried for the whole picture, and up to how many roads in it."""
+_FAINTER, _FEW = 0.75, 12
+"""Share of the cutoffs that is tried for the whole picture, and up to how many roads in it."""
 _GAP = 6.0
 """Gaps of so many widths are bridged where the evidence lets them."""
 _EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.5
@@ -146,9 +146,8 @@ def roads_of_evidence(
             paint(surface, score, path, request.width or max(5.0, typical_width(seen.surface)))
         cutoffs = cutoffs.stricter(min(float(stations(path)[-1]) for path in paths))
     graph, mask = _traced(score, cutoffs)
-    few = request.threshold is None and len(graph.lines) <= _FEW
-    for share in _FAINTER if few else ():
-        fainter = _traced(score, cutoffs.relaxed(share))
+    if request.threshold is None and len(graph.lines) <= _FEW:
+        fainter = _traced(score, cutoffs.relaxed(_FAINTER))
         if _is_tidier(fainter[0], graph, score):
             graph, mask = fainter
     for share in _RELAXED if request.threshold is None else ():

@@ -12,18 +12,18 @@ from roadlang.geometry import Floats
 from .drawn_confidence import connected_parts
 from .found_network import FoundNetwork, FoundRoad
 
-_LEAST, _EVIDENCE, _WIDE, _ALONE = 0.62, 0.64, -0.50, -1.06
-"""Log odds of being right: without anything, for each log odd of the evidence, for each ten pixels
-of width beyond `_NARROW`, and for full doubt of what is alone. `python -m
-benchmarks.extraction.confidence` fits them; these are of 26 photos at 1 m/px and 25 of towns."""
+_LEAST, _EVIDENCE, _WIDE = 0.635, 0.599, -0.477
+"""Log odds of being right: without anything, for each log odd of the evidence, and for each ten
+pixels of width beyond `_NARROW`. `python -m benchmarks.extraction.confidence` fits them; these are
+of 26 photos at 1 m/px and 25 of towns."""
 _ONLY = -1.6
-"""The same for full doubt where the picture shows nothing else. Not fitted, for all those photos
-show roads: of a picture that shows none, a faint line is all that is found."""
+"""For full doubt of what is alone where the picture shows nothing else. Not fitted, for all those
+photos show roads: of a picture that shows none, a faint line is all that is found."""
 _NARROW = 12.0
 """The middle of wider roads is less certain: cars, crowns and medians hide a side of it."""
 _SHORT, _SIDE = 1.15, 512
-"""A connected part of the network stands alone if its total length is below this many sides of the
-picture; of a larger picture, only this many pixels of its side count."""
+"""A picture shows nothing else if the total length of its roads is below this many sides of it; of
+a larger picture, only this many pixels of its side count."""
 _CLEAR, _FAINT = 0.8, 0.5
 """Mean evidence from which on what is alone is not doubted, and at which it is doubted in full."""
 _STRETCH = 15
@@ -36,21 +36,20 @@ _CERTAIN = 0.98
 class RoadFacts:
     """What the confidence of a road depends on.
 
-    `evidence` (n,) are log odds at its points, `wide` tens of pixels of width beyond 12, `alone` is
-    the doubt, 0 to 1, of a faint road that joins no network. Where the picture shows nothing else,
-    `given` log odds take the place of that doubt: photos with roads cannot tell them.
+    `evidence` (n,) are log odds at its points, `wide` tens of pixels of width beyond 12, `given`
+    further log odds: of a faint road that joins no network where the picture shows nothing else.
     """
 
     evidence: Floats
     wide: float
-    alone: float = 0.0
     given: float = 0.0
 
 
 def calibrated(found: FoundNetwork, doubt_alone: bool) -> FoundNetwork:
     """The same roads with confidences that are about the share of their length that is right.
 
-    Faint roads that join no network are seldom any: they are doubted more, if `doubt_alone`.
+    Faint roads in a picture that shows little else are seldom any: they are doubted more, if
+    `doubt_alone`.
     """
     facts = road_facts(found, doubt_alone)
     roads = tuple(_calibrated(*pair) for pair in zip(found.roads, facts, strict=True))
@@ -60,23 +59,27 @@ def calibrated(found: FoundNetwork, doubt_alone: bool) -> FoundNetwork:
 def road_facts(found: FoundNetwork, doubt_alone: bool = True) -> list[RoadFacts]:
     """Of each road, in order; its `confidences` are the evidence along it."""
     short = _SHORT * min(*found.mask.shape, _SIDE)
-    nothing_else = sum(road.length for road in found.roads) < short
-    doubts: dict[int, float] = {}
-    for part in connected_parts(found.roads):
-        lengths = np.array([road.length for road in part])
-        total = max(float(lengths.sum()), 1e-9)
-        mean = float(lengths @ [road.confidence for road in part]) / total
-        faint = float(np.clip((_CLEAR - mean) / (_CLEAR - _FAINT), 0.0, 1.0))
-        doubts.update((id(road), faint if doubt_alone and total < short else 0.0) for road in part)
+    little = doubt_alone and sum(road.length for road in found.roads) < short
+    doubts = _doubts(found) if little else {}
     return [
         RoadFacts(
             _evidence(road),
             max(0.0, float(np.median(road.widths)) - _NARROW) / 10,
-            alone=0.0 if nothing_else else doubts[id(road)],
-            given=_ONLY * doubts[id(road)] if nothing_else else 0.0,
+            _ONLY * doubts.get(id(road), 0.0),
         )
         for road in found.roads
     ]
+
+
+def _doubts(found: FoundNetwork) -> dict[int, float]:
+    """How doubtful each road is, 0 to 1, by the evidence of all that it is connected to."""
+    doubts: dict[int, float] = {}
+    for part in connected_parts(found.roads):
+        lengths = np.array([road.length for road in part])
+        mean = float(lengths @ [road.confidence for road in part]) / max(float(lengths.sum()), 1e-9)
+        doubt = float(np.clip((_CLEAR - mean) / (_CLEAR - _FAINT), 0.0, 1.0))
+        doubts.update((id(road), doubt) for road in part)
+    return doubts
 
 
 def _evidence(road: FoundRoad) -> Floats:
@@ -89,6 +92,6 @@ def _evidence(road: FoundRoad) -> Floats:
 
 
 def _calibrated(road: FoundRoad, facts: RoadFacts) -> FoundRoad:
-    known = _LEAST + _WIDE * facts.wide + _ALONE * facts.alone + facts.given
+    known = _LEAST + _WIDE * facts.wide + facts.given
     sure = 1 / (1 + np.exp(-(_EVIDENCE * facts.evidence + known)))
     return replace(road, confidence=round(float(sure.mean()), 4), confidences=sure)
