@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
 from .cli.finite_range import FiniteRange
+from .cli.quantities import pixel_size, seconds
 
 if TYPE_CHECKING:
     from .cli.progress import ProgressBar
@@ -77,11 +78,13 @@ __all__ = [
     "note",
     "offset_of",
     "parse_overrides",
+    "pixel_size",
     "python_controllers",
     "read_scene_file",
     "removed",
     "replace_file",
     "report",
+    "seconds",
     "staged_set",
     "style",
     "waypoints_of",

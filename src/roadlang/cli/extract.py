@@ -11,6 +11,7 @@ from ..diagnostics import Code
 from . import exit_codes
 from .console import echo, report
 from .finite_range import FiniteRange
+from .quantities import pixel_size, pixels
 
 if TYPE_CHECKING:
     from ..images.image_file import OpenedImage
@@ -62,7 +63,7 @@ class _Place(_Numbers):
 @click.option(
     "--with", "kind", default="auto", metavar="KIND", help="Extractor: a kind of `extract`."
 )
-@click.option("--scale", type=FiniteRange(1e-4, 1e4), help="Ground resolution in meters per pixel.")
+@click.option("--scale", type=pixel_size(min=1e-4, max=1e4), help="Ground resolution: 0.5m/px.")
 @click.option(
     "--origin",
     type=_Place(2, "LATITUDE,LONGITUDE"),
@@ -74,7 +75,7 @@ class _Place(_Numbers):
     type=FiniteRange(0, 1, min_open=True, max_open=True),
     help="Threshold of the extractor.",
 )
-@click.option("--width", type=FiniteRange(0, min_open=True), help="Road width in pixels.")
+@click.option("--width", type=pixels(min=0, min_open=True), metavar="PIXELS", help="Road width.")
 @click.option(
     "--through",
     type=_Numbers(2, "X,Y"),

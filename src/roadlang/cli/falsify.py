@@ -12,6 +12,7 @@ from ..session.params import parse_overrides
 from . import exit_codes, shared_options
 from .console import echo, note, report, shown, style
 from .finite_range import FiniteRange
+from .quantities import seconds
 
 if TYPE_CHECKING:
     from ..session.falsification import Failure, Falsification
@@ -35,7 +36,9 @@ _SHOWN = 10
 @click.option(
     "--failures", type=click.IntRange(min=1), help="Stop after this many distinct failures."
 )
-@click.option("--seconds", type=FiniteRange(min=0, min_open=True), help="Stop after this time.")
+@click.option(
+    "--seconds", type=seconds(min=0, min_open=True), help="Stop after this time, such as 10min."
+)
 @click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together, at most.")
 @click.option("--islands", type=click.IntRange(min=1), help="Independent searches side by side.")
 @click.option("--random", type=FiniteRange(0, 1), help="Fraction of candidates drawn at random.")

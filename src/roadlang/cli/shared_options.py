@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from .finite_range import FiniteRange
+from .quantities import seconds
 
 output = click.option(
     "-o",
@@ -47,7 +47,7 @@ params = click.option(
 )
 engine = click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
 duration = click.option(
-    "--duration", type=FiniteRange(min=0.1), help="Maximum duration of a drive in seconds."
+    "--duration", type=seconds(min=0.1), help="Maximum duration of a drive, such as 60s."
 )
 emit = click.option(
     "--emit",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from roadlang.commands import FiniteRange, echo, report
+from roadlang.commands import echo, pixel_size, report, seconds
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario
@@ -43,10 +43,10 @@ MOST_SECONDS = 3600.0
 )
 @click.option(
     "--every",
-    type=FiniteRange(0.01, MOST_SECONDS),
+    type=seconds(min=0.01, max=MOST_SECONDS),
     default=0.5,
     show_default=True,
-    help="Seconds between two moments.",
+    help="Time between two moments, in seconds.",
 )
 @click.option("--clips", is_flag=True, help="Also write the dataset's color images as clips.")
 @click.option(
@@ -66,16 +66,18 @@ MOST_SECONDS = 3600.0
     metavar="WxH",
     help="Image size in pixels; by default 1280x720, or 640x360 in a dataset.",
 )
-@click.option("--scale", type=FiniteRange(1e-4, 1e4), help="Meters per pixel of the top view.")
+@click.option(
+    "--scale", type=pixel_size(min=1e-4, max=1e4), help="Scale of the top view, such as 0.5m/px."
+)
 @click.option(
     "--at",
     "time",
-    type=FiniteRange(0, MOST_SECONDS),
+    type=seconds(min=0, max=MOST_SECONDS),
     help="Time in the drive at which to render, in seconds.",
 )
 @click.option(
     "--duration",
-    type=FiniteRange(0, MOST_SECONDS),
+    type=seconds(min=0, max=MOST_SECONDS),
     default=6.0,
     show_default=True,
     help="Duration of a clip in seconds.",

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import FiniteRange, echo, report
+from roadlang.commands import echo, report
+from roadlang.commands import seconds as times
 from roadlang_godot.usual_port import USUAL_PORT
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ BYTE_ORDER_MARK = "\ufeff"
 @click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )
-@click.option("--for", "seconds", type=FiniteRange(min=0), help="Exit after this many seconds.")
+@click.option("--for", "seconds", type=times(min=0), help="Exit after this time, such as 60s.")
 def command(  # noqa: PLR0913 - one parameter per option
     file: str,
     headless: bool,
