@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.stl.explain.mining import Parameter, mine, mine_front
+from roadlang.stl.explain.mining import mine, mine_front
+from roadlang.stl.explain.parameters import Parameter
 from roadlang.stl.formula.terms import number_text
 
 POSITIONS = np.arange(0.0, 50.0, 0.5)
@@ -139,3 +140,17 @@ def test_of_several_recordings_the_one_at_fault_is_named() -> None:
     with pytest.raises(DiagnosticError) as alone:
         mine("always (e < a)", [Parameter("a", 0, 9)], recordings[1:])
     assert "recordings" not in str(alone.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "tightest"),
+    [
+        ("eventually[0, a] (x < 3)", 0.0),
+        ("always (x >= a)", 0.0),
+        ("always (x > a)", -1e-12),  # it is strict: 0 does not hold
+    ],
+)
+def test_a_boundary_at_zero_is_zero(text: str, tightest: float) -> None:
+    """Bisection comes no nearer to 0 than the halves of the bounds, such as 4.6e-18."""
+    recording = ([0.0, 1.0, 2.0], {"x": [0.0, 1.0, 0.5]})
+    assert mine(text, [Parameter("a", -1, 5)], [recording]).values == {"a": tightest}

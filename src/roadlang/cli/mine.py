@@ -13,7 +13,8 @@ from .console import echo, report
 from .finite_range import FiniteNumber
 
 if TYPE_CHECKING:
-    from ..stl.explain.mining import Mined, Parameter
+    from ..stl.explain.mining import Mined
+    from ..stl.explain.parameters import Parameter
 
 
 @click.command("mine")
@@ -130,7 +131,7 @@ def _document(mined: Mined) -> dict[str, Any]:
 
 
 def _parameter(text: str) -> Parameter:
-    from ..stl.explain.mining import Parameter
+    from ..stl.explain.parameters import Parameter
 
     name, _, bounds = text.partition("=")
     low, _, high = bounds.partition("..")

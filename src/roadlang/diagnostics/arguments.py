@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
 
-def whole_number(name: str, value: Any, *, least: int) -> int:
+def whole_number(name: str, value: Any, *, least: int | None = None) -> int:
     """An integer of Python or numpy that is at least `least`; True and False are none."""
     try:
         number = operator.index(value)
@@ -21,9 +22,16 @@ def whole_number(name: str, value: Any, *, least: int) -> int:
         number = None
     if number is None or isinstance(value, bool):
         raise wrong_type(name, "an integer", value) from None
-    if number < least:
+    if least is not None and number < least:
         raise ValueError(f"`{name}` must be at least {least}, not {number}")
     return number
+
+
+def number(name: str, value: Any) -> float:
+    """A number of Python or numpy; True and False are none."""
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise wrong_type(name, "a number", value)
+    return float(value)
 
 
 def text(name: str, value: Any) -> str:
@@ -72,14 +80,17 @@ def function(name: str, value: Any) -> Any:
     return value
 
 
-def mapping(name: str, value: Any) -> Mapping[str, Any]:
-    """A map whose keys are texts."""
-    if not isinstance(value, Mapping):
+def mapping(name: str, value: Any, keys: Iterable[str] | None = None) -> Mapping[str, Any]:
+    """A map whose keys are texts, or a table of pandas. With `keys`, those that are looked up, its
+    own are looked at where one of these is missing."""
+    if not (hasattr(value, "keys") and hasattr(value, "items")):
         raise wrong_type(name, "a map, such as a dict", value)
-    for key in value:
-        if not isinstance(key, str):
-            raise wrong_type(name, "a map whose keys are texts", key)
-    return value
+    found: Mapping[str, Any] = value
+    if keys is None or not all(key in found for key in keys):
+        for key in found:
+            if not isinstance(key, str):
+                raise wrong_type(name, "a map whose keys are texts", key)
+    return found
 
 
 def wrong_type(name: str, expected: str, value: Any) -> TypeError:

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from .evaluate.weighted_robustness import weighted_robustness
     from .explain.causes import ViolationInterval
     from .explain.explanation import Explanation, Link
-    from .explain.mining import Mined, Parameter, mine, mine_front
+    from .explain.mining import Mined, mine, mine_front
+    from .explain.parameters import Parameter
     from .formats.breach_and_latex import read_breach, read_latex
     from .formats.json_form import from_json, to_json
     from .formats.staliro import read_staliro
@@ -79,7 +80,8 @@ _HOMES = {
     "formula.interval": "Interval UNBOUNDED",
     "formula.normal_form": "normal_form",
     "formats.json_form": "from_json to_json",
-    "explain.mining": "Mined Parameter mine mine_front",
+    "explain.mining": "Mined mine mine_front",
+    "explain.parameters": "Parameter",
     "evaluate.average_robustness": "average_robustness",
     "evaluate.weighted_robustness": "weighted_robustness",
     "evaluate.online": "OnlineMonitor",

@@ -13,12 +13,13 @@ from ...diagnostics import Code
 from ..errors import check_word, stl_error
 from ..evaluate.graph_operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
 from ..evaluate.sliding_and_until import GREATEST, LEAST
-from ..evaluate.trace import FloatArray, Positions
+from ..evaluate.trace import FloatArray, Positions, checked_variant
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.evaluation_options import Semantics
 from ..formula.interval import UNBOUNDED
 from ..formula.normal_form import normal_form
+from ..formula.variables import variables_of
 from .durations import lasting
 from .grids import GridSignals, GridsOrSignals
 from .piecewise import PiecewiseLinear, constant, extreme_of, holding, joined, together
@@ -36,7 +37,7 @@ def dense_rho(
 ) -> FloatArray:
     """Robustness at the start: (V,), or a scalar where no signal has a variant axis."""
     refuse_laps(wrap, semantics)
-    grids = GridSignals.of(positions, signals, formula.variables)
+    grids = GridSignals.of(positions, signals, variables_of(formula))
     values = np.array([function.at[0] for function in _functions(formula, grids, semantics)])
     return values if grids.batched else values[0]
 
@@ -53,7 +54,7 @@ def dense_robustness(
     Raises DiagnosticError RL301 for a position at which a signal is not known.
     """
     refuse_laps(wrap, semantics)
-    grids = GridSignals.of(positions, signals, formula.variables)
+    grids = GridSignals.of(positions, signals, variables_of(formula))
     stations = grids.checked(positions)
     values = np.array(
         [function.limits(stations)[1] for function in _functions(formula, grids, semantics)]
@@ -73,7 +74,8 @@ def dense_function(
     Raises DiagnosticError RL342 for semantics that are neither held nor linear.
     """
     check_word("semantics", semantics, _BETWEEN_SAMPLES)
-    grids = GridSignals.of(positions, signals, formula.variables)
+    grids = GridSignals.of(positions, signals, variables_of(formula))
+    variant = checked_variant(variant, grids.variants)
     return DenseEvaluation(grids, semantics, variant).formula(normal_form(formula))
 
 
@@ -234,7 +236,7 @@ def sampling_error(
     or extremes of signals, RL342 for semantics that are neither held nor linear.
     """
     check_word("semantics", semantics, _BETWEEN_SAMPLES)
-    grids = GridSignals.of(positions, signals, formula.variables)
+    grids = GridSignals.of(positions, signals, variables_of(formula))
     share = 0.5 if semantics == "linear" else 1.0
 
     def off_by(term: t.Term) -> float:

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ...diagnostics import Code
+from ...diagnostics import Code, arguments
 from ..errors import stl_error
 from ..evaluate.axis import TOLERANCE
 from ..evaluate.position_text import position_text
@@ -44,9 +44,11 @@ class GridSignals:
     @classmethod
     def of(cls, positions: Positions, signals: GridsOrSignals, names: Iterable[str]) -> GridSignals:
         """Check the signals called `names`. Raises DiagnosticError RL300 to RL304."""
+        names = sorted(names)
+        arguments.mapping("signals", signals, keys=names)
         common = {name: value for name, value in signals.items() if not isinstance(value, OwnGrid)}
         traces: dict[str, SampledSignals] = {}
-        for name in sorted(names):
+        for name in names:
             value = signals.get(name)
             if isinstance(value, OwnGrid):
                 traces[name] = SampledSignals.of(value.positions, {name: value.values}, [name])

@@ -10,6 +10,7 @@ from ...diagnostics import Code, DiagnosticError
 from ..evaluate.trace import Positions
 from ..formula import formulas as f
 from ..formula.evaluation_options import Semantics
+from ..formula.variables import variables_of
 from .evaluation import sampling_error
 from .grids import GridSignals, GridsOrSignals
 
@@ -18,7 +19,7 @@ def observed_rates(
     formula: f.Formula, positions: Positions, signals: GridsOrSignals
 ) -> Mapping[str, float]:
     """The greatest change per unit of the positions from one sample to the next, of each signal."""
-    grids = GridSignals.of(positions, signals, formula.variables)
+    grids = GridSignals.of(positions, signals, variables_of(formula))
     rates = {}
     for name, trace in grids.traces.items():
         values = np.broadcast_to(

@@ -9,6 +9,7 @@ import numpy as np
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
+from ..formula.variables import variables_of
 from .axis import SamplePositions
 from .evaluation import at_start, everywhere
 from .graph_operations import BOOLEAN
@@ -33,7 +34,7 @@ def average_robustness(
     definition 4, with every operator averaged). All else combines as robustness does. Raises
     DiagnosticError as `robustness` does.
     """
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     satisfied = everywhere(formula, trace, BOOLEAN) > 0
     values = _averaged(formula, trace, satisfied, (0, trace.samples - 1))
     return values if trace.batched else values[0]
@@ -43,7 +44,7 @@ def average_rho(
     formula: f.Formula, positions: Positions, signals: Signals, *, wrap: float | None = None
 ) -> FloatArray:
     """Averaged robustness at the first sample, (V,) or a scalar; computes no more than it needs."""
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     satisfied = at_start(formula, trace, BOOLEAN)[:, None] > 0
     values = _averaged(formula, trace, satisfied, (0, 0))[:, 0]
     return values if trace.batched else values[0]

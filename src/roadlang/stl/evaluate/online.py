@@ -7,10 +7,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...diagnostics import Code
+from ...diagnostics import Code, arguments
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon, looks_at_neighbors, memory
+from ..formula.variables import variables_of
 from .position_text import position_text
 from .ranges import range_at_start
 from .trace import FloatArray, SampledSignals
@@ -31,7 +32,7 @@ class OnlineMonitor:
         self.formula = formula
         self.lo, self.hi = -math.inf, math.inf
         self.verdict: Verdict = "unknown"
-        self._names = sorted(formula.variables)
+        self._names = sorted(variables_of(formula))
         self._positions: list[float] = []
         self._values: dict[str, list[float]] = {name: [] for name in self._names}
         self._settled: float | None = None
@@ -44,15 +45,24 @@ class OnlineMonitor:
 
         Raises DiagnosticError RL301 to RL304 for a sample that does not fit, and forgets it.
         """
+        position = arguments.number("position", position)
         if self._positions and not position > self._positions[-1]:
             pair = " is followed by ".join(
                 position_text(place) for place in (self._positions[-1], position)
             )
             raise stl_error(Code.INVALID_POSITIONS, problem=pair)
-        SampledSignals.of([position], values, self._names).check()
-        self._positions.append(float(position))
-        for name in self._names:
-            self._values[name].append(float(values[name]))
+        trace = SampledSignals.of([position], values, self._names)
+        trace.check()
+        for name, sample in trace.signals.items():
+            if sample.size != 1:
+                shape = np.shape(values[name])
+                raise stl_error(
+                    Code.WRONG_SIGNAL_SHAPE, what=f"`{name}`", expected="be one number",
+                    found=f"has shape {shape}",
+                )  # fmt: skip
+        self._positions.append(position)
+        for name, sample in trace.signals.items():
+            self._values[name].append(float(sample[0, 0]))
         self._update()
         return self.lo, self.hi
 

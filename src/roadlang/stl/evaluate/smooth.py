@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ...diagnostics import Code
 from ..errors import check_positive, stl_error
 from ..formula import formulas as f
+from ..formula.variables import variables_of
 from . import graph_operations as o
 from .axis import SamplePositions
 from .evaluation import finite_first
@@ -55,7 +56,7 @@ def smooth_rho(
     RL343 for terms without a derivative rule (`^`).
     """
     check_positive(sharpness=sharpness)
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     axis = SamplePositions.of(trace.positions, wrap)
 
     def value(infinite: bool) -> list[Smooth]:

@@ -9,11 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...diagnostics import Code
+from ...diagnostics import Code, arguments
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon
 from ..formula.interval import UNBOUNDED, NeighborWindow
+from ..formula.variables import variables_of
 from . import graph_operations as op
 from .graph import FormulaGraph
 from .graph_operations import (
@@ -62,10 +63,10 @@ class StreamMonitor:
 
     def __init__(self, formula: f.Formula, *, boolean: bool = False) -> None:
         self.formula = formula
+        self._names = sorted(variables_of(formula))
         self.delay = horizon(formula)
         if math.isinf(self.delay):
             raise stl_error(Code.UNBOUNDED_FUTURE, formula=str(formula))
-        self._names = sorted(formula.variables)
         self._clock = Clock()
         graph = FormulaGraph.of(formula, op.BOOLEAN if boolean else op.ROBUST)
         self._steps = [
@@ -79,6 +80,7 @@ class StreamMonitor:
 
         Raises DiagnosticError RL301, RL302 or RL304 for a sample that does not fit, and forgets it.
         """
+        position = arguments.number("position", position)
         place = self._clock.latest + self._clock.first
         if not math.isfinite(position) or (self._clock.count and not position > place):
             pair = f"{position_text(place)} is followed by {position_text(position)}"
@@ -86,7 +88,7 @@ class StreamMonitor:
         for name in self._names:
             if name not in values:
                 raise stl_error(Code.MISSING_SIGNAL, name=name)
-            if values[name] != values[name]:
+            if math.isnan(arguments.number(f"values[{name!r}]", values[name])):
                 where = f"position {position_text(position)}"
                 raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=values[name], place=where)
         place = self._clock.advance(float(position))

@@ -10,6 +10,7 @@ from ..errors import check_word
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
+from ..formula.variables import variables_of
 from .evaluation import at_start, everywhere
 from .graph_operations import BOOLEAN
 from .trace import FloatArray, Positions, SampledSignals, Signals
@@ -34,7 +35,7 @@ def time_robustness(
     minima and maxima of robustness (Donze and Maler, FORMATS 2010, definition 5). Raises
     DiagnosticError as `robustness` does.
     """
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     values = everywhere(*_timed(formula, trace, direction))
     values = np.broadcast_to(values, (trace.variants, trace.samples))
     return np.array(values if trace.batched else values[0])
@@ -49,7 +50,7 @@ def time_rho(
     wrap: float | None = None,
 ) -> FloatArray:
     """Time robustness at the first sample, (V,) or a scalar."""
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     values = np.broadcast_to(at_start(*_timed(formula, trace, direction)), (trace.variants,))
     return np.array(values if trace.batched else values[0])
 

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...diagnostics import Code, DiagnosticError
+from ...diagnostics import Code, DiagnosticError, arguments
 from ...diagnostics.nearest import nearest
 from ..errors import stl_error
 from ..formula.terms import name_text
@@ -57,8 +57,10 @@ class SampledSignals:
         wrap: float | None = None,
     ) -> SampledSignals:
         """Check the signals called `names`. Raises DiagnosticError RL300 to RL306."""
+        names = sorted(names)
+        arguments.mapping("signals", signals, keys=names)
         stations = checked_positions(positions)
-        checked = {name: _checked_signal(name, signals, stations) for name in sorted(names)}
+        checked = {name: _checked_signal(name, signals, stations) for name in names}
         variants = _variants(signals)
         _check_wrap(wrap, stations)
         return cls(
@@ -113,7 +115,8 @@ class SampledSignals:
         return np.asarray(part, dtype=np.float64).T
 
     def alone(self, variant: int) -> SampledSignals:
-        """The trace of one variant."""
+        """The trace of one variant. Raises as `checked_variant`."""
+        variant = checked_variant(variant, self.variants)
         chosen = {
             name: array if array.shape[0] == 1 else array[variant : variant + 1]
             for name, array in self.signals.items()
@@ -121,9 +124,20 @@ class SampledSignals:
         return SampledSignals(self.positions, chosen, 1, False, self.wrap, self.constants)
 
 
+def checked_variant(variant: int, count: int) -> int:
+    """The number of one of `count` variants. Raises TypeError for what is no integer, and
+    DiagnosticError RL342 for one that is not there."""
+    number = arguments.whole_number("variant", variant)
+    if not 0 <= number < count:
+        there = f"there are {count} variants" if count > 1 else "there is 1 variant"
+        problem = f"it is {number}, but {there}, counted from 0"
+        raise stl_error(Code.INVALID_PARAMETER, name="variant", problem=problem)
+    return number
+
+
 def _variants(signals: Signals) -> int | None:
     """How many variants the two-dimensional signals have; None where there is no such signal."""
-    shapes = {name: np.shape(values) for name, values in signals.items()}
+    shapes = {name: _shape(values) for name, values in signals.items()}
     counts = {name: shape[0] for name, shape in shapes.items() if len(shape) == 2}
     if len(set(counts.values()) - {1}) > 1:
         found = ", ".join(f"`{name}` has {count}" for name, count in counts.items())
@@ -131,6 +145,15 @@ def _variants(signals: Signals) -> int | None:
             Code.WRONG_SIGNAL_SHAPE, what="the signals", expected="agree in variants", found=found
         )
     return max(counts.values(), default=None)
+
+
+def _shape(values: ArrayLike) -> tuple[int, ...]:
+    """That of an array; none of rows of different lengths, which are refused where they are
+    read."""
+    try:
+        return np.shape(values)
+    except ValueError:
+        return ()
 
 
 def checked_positions(positions: Positions) -> FloatArray:
@@ -181,7 +204,13 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
         hints = () if meant is None else (f"did you mean {_written(meant)}?",)
         help = (*hints, f"the signals given are: {known}")
         raise stl_error(Code.MISSING_SIGNAL, name=name, help=help)
-    array = _unmasked(signals[name])
+    try:
+        array = _unmasked(signals[name])
+    except ValueError:
+        raise stl_error(
+            Code.WRONG_SIGNAL_SHAPE, what=f"`{name}`", expected="be an array",
+            found="has rows of different lengths",
+        ) from None  # fmt: skip
     if array.dtype.kind not in "fiub":
         raise stl_error(
             Code.WRONG_SIGNAL_SHAPE,
@@ -225,5 +254,7 @@ def _check_numbers(name: str, values: FloatArray, first: int, positions: FloatAr
 
 def _check_wrap(wrap: float | None, stations: FloatArray) -> None:
     length = float(stations[-1] - stations[0])
+    if wrap is not None:
+        wrap = arguments.number("wrap", wrap)
     if wrap is not None and not (np.isfinite(wrap) and wrap > length):
         raise stl_error(Code.INVALID_WRAP_LENGTH, wrap=f"{wrap:g}", length=f"{length:g}")

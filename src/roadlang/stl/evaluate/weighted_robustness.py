@@ -14,6 +14,7 @@ from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
 from ..formula.normal_form import normal_form
+from ..formula.variables import variables_of
 from ..formula.weighted_operands import WeightedOperands
 from .evaluation import at_start, everywhere
 from .trace import FloatArray, Positions, SampledSignals, Signals
@@ -37,7 +38,7 @@ def weighted_robustness(
     preferences using weighted signal temporal logic, L-CSS 2021). Raises DiagnosticError RL342 for
     a weight that is not positive or belongs to no operand, and as `robustness` does.
     """
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     plain, evaluated = _prepared(formula, trace, weights)
     values = evaluated.values(plain)
     return values if trace.batched else values[0]
@@ -52,7 +53,7 @@ def weighted_rho(
     wrap: float | None = None,
 ) -> FloatArray:
     """Weighted robustness at the first sample, (V,) or a scalar."""
-    trace = SampledSignals.of(positions, signals, formula.variables, wrap)
+    trace = SampledSignals.of(positions, signals, variables_of(formula), wrap)
     plain, evaluated = _prepared(formula, trace, weights)
     values = evaluated.at_start(plain)
     return values if trace.batched else values[0]

@@ -11,7 +11,7 @@ from ..dense.evaluation import DenseEvaluation, refuse_laps
 from ..dense.grids import GridSignals, GridsOrSignals
 from ..dense.piecewise import PiecewiseLinear, constant, together
 from ..dense.verdicts import dense_range, dense_verdict, operators_end
-from ..evaluate.trace import Positions
+from ..evaluate.trace import Positions, checked_variant
 from ..formula import formulas as f
 from ..formula.evaluation_options import Semantics
 from ..formula.interval import UNBOUNDED
@@ -46,6 +46,7 @@ def explain_between_samples(
     """
     refuse_laps(wrap, semantics)
     grids = GridSignals.of(positions, signals, formula.variables)
+    variant = checked_variant(variant, grids.variants)
     finder = _DenseFinder(DenseEvaluation(grids, semantics, variant))
     chain, empty = finder.chain(normal_form(formula))
     last, moment = chain[-1]

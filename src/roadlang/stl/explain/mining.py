@@ -11,31 +11,23 @@ from typing import TypeVar
 
 import numpy as np
 
-from ...diagnostics import Code, DiagnosticError, did_you_mean
+from ...diagnostics import Code, DiagnosticError, arguments, did_you_mean
 from ..errors import stl_error
-from ..evaluate.trace import Positions, Signals
 from ..formats.text import parse
 from ..formula import formulas as f
 from ..formula.terms import number_text
+from .parameters import Parameter, Recording, checked
 
-Recording = tuple[Positions, Signals]
 _Found = TypeVar("_Found")
 
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])")
 _STEPS, _PROBES = 60, 15
+_FINEST = 1e-12
+"""The least difference of values that is looked at, as a share of the bounds of a parameter."""
 _CUT_OFF = (
     "only the end of a trace is in the way: `--unknown-holds` (`unknown_holds=True`) counts as "
     "holding what a longer trace could still make hold"
 )
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A name in the text of a formula that stands for a number between `low` and `high`."""
-
-    name: str
-    low: float
-    high: float
 
 
 @dataclass(frozen=True)
@@ -74,8 +66,8 @@ def mine(
     given the first, and so on. Raises DiagnosticError RL341 where no corner of the box of
     parameters holds, RL342 for wrong parameters.
     """
-    search = _ParameterSearch(text, tuple(parameters), tuple(recordings), margin, unknown_holds)
-    search.check()
+    search = _search(text, parameters, recordings, margin, unknown_holds)
+    digits = arguments.whole_number("digits", digits, least=1)
     corner = search.loosest()
     return _tightened(search, corner, corner, parameters, digits)
 
@@ -95,8 +87,9 @@ def mine_front(
     The first parameter takes at most `points` values between its tightest and its loosest one;
     at each of them the others are tightened in order. The rest as for `mine`.
     """
-    search = _ParameterSearch(text, tuple(parameters), tuple(recordings), margin, unknown_holds)
-    search.check()
+    search = _search(text, parameters, recordings, margin, unknown_holds)
+    digits = arguments.whole_number("digits", digits, least=1)
+    points = arguments.whole_number("points", points, least=2)
     first, *others = parameters
     corner = search.loosest()
     tightest = _tightened(search, corner, corner, parameters, digits)
@@ -109,6 +102,21 @@ def mine_front(
         if any(found.values[other.name] != front[-1].values[other.name] for other in others):
             front.append(found)
     return tuple(front)
+
+
+def _search(
+    text: str,
+    parameters: Sequence[Parameter],
+    recordings: Iterable[Recording],
+    margin: float | None,
+    unknown_holds: bool,
+) -> _ParameterSearch:
+    pairs = checked(text, parameters, recordings)
+    if margin is not None:
+        margin = arguments.number("margin", margin)
+    search = _ParameterSearch(text, tuple(parameters), pairs, margin, unknown_holds)
+    search.check()
+    return search
 
 
 def _tightened(
@@ -158,11 +166,14 @@ class _ParameterSearch:
         """Each parameter has finite bounds in order and occurs in the text."""
         if not self.recordings:
             raise stl_error(Code.EMPTY_TRACE)
+        names = [parameter.name for parameter in self.parameters]
         for parameter in self.parameters:
             name, low, high = parameter.name, parameter.low, parameter.high
             if not (math.isfinite(low) and math.isfinite(high) and low < high):
                 problem = f"its bounds are {number_text(low)} and {number_text(high)}"
                 raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
+            if names.count(name) > 1:
+                raise stl_error(Code.INVALID_PARAMETER, name=name, problem="it is given twice")
             if not _word(name).search(self.text):
                 help_ = did_you_mean(name, self._words())
                 problem = "the formula does not contain it"
@@ -245,9 +256,12 @@ class _ParameterSearch:
         self, values: Mapping[str, float], name: str, failing: float, digits: int
     ) -> tuple[float, float]:
         """The last value that holds, and the one next to it that does not."""
-        holding = values[name]
+        holding, finest = values[name], _FINEST * abs(values[name] - failing)
         for _ in range(_STEPS):
-            middle = _rounded((holding + failing) / 2, abs(holding - failing), digits)
+            middle = (holding + failing) / 2
+            if holding * failing < 0:  # else a boundary at 0 would be met by no bisection
+                middle = 0.0
+            middle = _rounded(middle, abs(holding - failing), digits, finest)
             if middle in (holding, failing):
                 break
             if self.holds({**values, name: middle}):
@@ -257,12 +271,13 @@ class _ParameterSearch:
         return holding, failing
 
 
-def _rounded(value: float, width: float, digits: int) -> float:
-    """`value` to `digits` significant digits, or more where the bracket is still wide."""
+def _rounded(value: float, width: float, digits: int, finest: float) -> float:
+    """`value` to `digits` significant digits, or fewer where the bracket is still wide or the last
+    of them is worth less than `finest`."""
     if value == 0 or width == 0:
         return value
     places = digits - 1 - math.floor(math.log10(max(abs(value), width)))
-    return round(value, places)
+    return round(value, min(places, math.ceil(-math.log10(finest))))
 
 
 def _word(name: str) -> re.Pattern[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ...diagnostics import Code, Source
+from ...diagnostics import Code, Source, arguments
 from ...syntax.operators import OPERATORS
 from ..errors import stl_error
 from ..formula import formulas as f
@@ -48,6 +48,7 @@ def read_breach(text: str) -> f.Formula:
     Raises DiagnosticError: RL331 for a signal at another time than t, and what `parse` raises for
     the text in the language.
     """
+    arguments.text("text", text)
     text = _COMMENT.sub("", text)
     text = _BREACH_DEFINITION.sub("", text)
     for match in _SIGNAL.finditer(text):
@@ -70,6 +71,7 @@ def read_latex(text: str) -> f.Formula:
     """
     from ...syntax.recovery.foreign_notation import from_latex
 
+    arguments.text("text", text)
     text = _DEFINITION.sub("", _MARKUP.sub(" ", text).strip(" $\n.,"))
     text = re.sub(r"\\(?:left|right|middle)(?![a-z])", "", text).replace("~", " ")
     text = text.replace(r"\{", "(").replace(r"\}", ")")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from ...diagnostics import arguments
 from ..formula import formulas as f
 from .text import parse
 
@@ -25,6 +26,7 @@ def read_staliro(text: str) -> f.Formula:
     replaced by them. Raises what `parse` raises for the text in the language: RL026 for half-open
     intervals that end.
     """
+    arguments.text("text", text)
     for sign, word in _WORDS:
         text = sign.sub(word, text)
     text = _INTERVAL.sub(_interval, text)

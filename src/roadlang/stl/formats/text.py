@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...diagnostics import Code, Diagnostic, DiagnosticError, Source
+from ...diagnostics import Code, Diagnostic, DiagnosticError, Source, arguments
 from ...syntax.operators import BY_WORD
 from ...syntax.parsing.parser import parse_formula
 from ...syntax.recovery.operator_spelling import meant_temporal
@@ -32,6 +32,7 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
     see; numbers with one are converted to SI. Raises DiagnosticError with all faults found:
     RL0xx where the text is no formula, RL305 and RL320 to RL326 where it makes no sense.
     """
+    arguments.text("text", text)
     source = Source(path, text)
     expression, diagnostics = parse_formula(source)
     errors = [diagnostic for diagnostic in diagnostics if diagnostic.is_error]

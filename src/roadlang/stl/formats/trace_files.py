@@ -7,7 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from ...diagnostics import Code, DiagnosticError, diagnose
+from ...diagnostics import Code, DiagnosticError, arguments, diagnose
 from ...files.reading import UnreadableFile, read_file
 from .delimited_text import DelimitedText, DelimitedTextFault
 from .drive_traces import (
@@ -35,7 +35,7 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     be time stamps of ISO 8601 or `hh:mm:ss`. Empty cells become NaN, which a formula that reads
     the signal refuses. Raises DiagnosticError RL340.
     """
-    path = Path(path)
+    path = arguments.path("path", path)
     try:
         data = read_file(path)
         text = decoded(data)

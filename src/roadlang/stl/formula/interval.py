@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from ...diagnostics import Code
+from ...diagnostics import Code, arguments
 from ..errors import stl_error
 
 
@@ -21,6 +21,8 @@ class Interval:
     hi: float = math.inf
 
     def __post_init__(self) -> None:
+        for name, end in (("lo", self.lo), ("hi", self.hi)):
+            arguments.number(name, end)
         if not 0 <= self.lo <= self.hi or math.isinf(self.lo):
             raise stl_error(Code.INVALID_INTERVAL, lo=f"{self.lo:g}", hi=f"{self.hi:g}")
 

@@ -1,0 +1,88 @@
+"""What a program hands over instead of formulas, signals and parameters is named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang import DiagnosticError, stl
+
+TIME = np.arange(4.0)
+X = np.array([0.0, 1.0, 0.5, 2.0])
+SIGNALS = {"x": X}
+LOW: Any = stl.parse("always (x < 3)")
+STL: Any = stl
+RECORDINGS = [(TIME, SIGNALS)]
+TEXT = "always (x < a)"
+A = stl.Parameter("a", 0, 3)
+
+WRONG: list[tuple[Callable[[], Any], str]] = [
+    (lambda: STL.parse(3), "`text` must be text, not 3"),
+    (lambda: STL.read_breach(None), "`text` must be text, not None"),
+    (lambda: STL.read_latex(b"x"), "`text` must be text, not b'x'"),
+    (lambda: STL.read_staliro(3), "`text` must be text, not 3"),
+    (lambda: STL.read_trace(3), "`path` must be a path"),
+    (lambda: LOW.rho(TIME, None), "`signals` must be a map, such as a dict, not None"),
+    (lambda: LOW.rho(TIME, X, semantics="linear"), "`signals` must be a map"),
+    (lambda: LOW.verdict(TIME, {3: X}), "`signals` must be a map whose keys are texts, not 3"),
+    (lambda: LOW.rho(TIME, SIGNALS, wrap="9"), "`wrap` must be a number, not '9'"),
+    (lambda: LOW.explain(TIME, SIGNALS, variant="a"), "`variant` must be an integer, not 'a'"),
+    (lambda: STL.average_robustness("x < 3", TIME, SIGNALS), "`formula` must be a formula, which"),
+    (lambda: STL.time_robustness("x < 3", TIME, SIGNALS), "`formula` must be a formula"),
+    (lambda: STL.smooth_rho(3, TIME, SIGNALS), "`formula` must be a formula"),
+    (lambda: STL.dense_function(3, TIME, SIGNALS, "held"), "`formula` must be a formula"),
+    (lambda: STL.OnlineMonitor("x < 3"), "`formula` must be a formula"),
+    (lambda: STL.StreamMonitor("x < 3"), "`formula` must be a formula"),
+    (lambda: STL.OnlineMonitor(LOW).push("0", {"x": 1.0}), "`position` must be a number, not '0'"),
+    (lambda: STL.OnlineMonitor(LOW).push(0.0, 1.0), "`signals` must be a map"),
+    (lambda: _stream().push(0.0, {"x": "1"}), "`values['x']` must be a number, not '1'"),
+    (lambda: STL.Interval("0", 3), "`lo` must be a number, not '0'"),
+    (lambda: STL.Parameter("a", "0", 3), "`low` must be a number, not '0'"),
+    (lambda: STL.mine(3, [A], RECORDINGS), "`text` must be text, not 3"),
+    (lambda: STL.mine(TEXT, [("a", 0, 3)], RECORDINGS), "`parameters` must be a list of `Param"),
+    (lambda: STL.mine_front(TEXT, [], RECORDINGS), "`parameters` must be a list of `Parameter`s"),
+    (lambda: STL.mine(TEXT, [A], (TIME, SIGNALS)), "`recordings` must be a list of pairs"),
+    (lambda: STL.mine(TEXT, [A], RECORDINGS, margin="1"), "`margin` must be a number, not '1'"),
+    (lambda: STL.mine(TEXT, [A], RECORDINGS, digits=0), "`digits` must be at least 1, not 0"),
+    (lambda: STL.mine_front(TEXT, [A], RECORDINGS, points=1), "`points` must be at least 2"),
+]
+
+
+def _stream() -> Any:
+    return STL.StreamMonitor(stl.parse("once[0, 1] (x > 1)"))
+
+
+@pytest.mark.parametrize(("call", "says"), WRONG, ids=[says for _, says in WRONG])
+def test_an_argument_that_is_wrong_is_named(call: Callable[[], Any], says: str) -> None:
+    with pytest.raises((TypeError, ValueError)) as caught:
+        call()
+    assert says in str(caught.value)
+
+
+@pytest.mark.parametrize("semantics", ["sampled", "held", "linear"])
+@pytest.mark.parametrize("variant", [2, -1])
+def test_a_variant_that_is_not_there(semantics: Any, variant: int) -> None:
+    both = {"x": np.stack([X, X + 1.0])}
+    with pytest.raises(DiagnosticError, match=f"it is {variant}, but there are 2 variants"):
+        LOW.explain(TIME, both, variant=variant, semantics=semantics)
+
+
+def test_rows_of_different_lengths_are_no_signal() -> None:
+    with pytest.raises(DiagnosticError, match=r"RL303.*`x` must be an array, but has rows of diff"):
+        LOW.rho(TIME, {"x": [[1.0, 2.0], [3.0]]})
+
+
+def test_a_sample_of_several_numbers_is_none() -> None:
+    monitor: Any = stl.OnlineMonitor(LOW)
+    monitor.push(0.0, {"x": [1.0]})
+    with pytest.raises(DiagnosticError, match=r"RL303.*`x` must be one number, but has shape"):
+        monitor.push(1.0, {"x": [[1.0], [2.0]]})
+    assert monitor.push(1.0, {"x": np.float32(0.5)}) == (-np.inf, 2.0)
+
+
+def test_a_parameter_that_is_given_twice() -> None:
+    with pytest.raises(DiagnosticError, match=r"RL342.*`a`: it is given twice"):
+        stl.mine(TEXT, [A, A], RECORDINGS)
