@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def nearest(group: Any, other: Any, separation: Separation) -> Floats:
     """The least of a measure over two groups; nothing is compared with itself. It is infinite where
-    one of the two has left."""
+    one of the two has left, or is on another level than the other."""
     import numpy as np
 
     some = group if isinstance(group, tuple) else (group,)
@@ -32,6 +32,8 @@ def _while_present(a: AgentTrace, b: AgentTrace, separation: Separation) -> Floa
 
     absent = (a.present == 0.0) | (b.present == 0.0)
     apart = separation(a, b)
+    levels = geometry.are_apart(a.elevation, b.elevation, middles(a, b))
+    absent = absent | levels if levels.any() else absent
     return np.where(absent, np.inf, apart) if absent.any() else apart
 
 

@@ -20,6 +20,7 @@ class Builtin(Simulator):
 
     name: ClassVar[str] = "builtin"
     is_default: ClassVar[bool] = True
+    knows_levels: ClassVar[bool] = True
 
     duration: Duration = option(60.0, above=0, maximum=3600, help="maximum duration of a drive")
     step: Duration = option(0.1, minimum=0.001, maximum=1, help="sampling interval of the trace")

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..ir.road_heights import standing_trace
 from ..ir.scene import Scene
 from ..ir.trace import AgentTrace, Trace
 
@@ -24,7 +25,7 @@ def without_objects(trace: Trace, scene: Scene) -> Trace:
 def with_objects(trace: Trace, scene: Scene) -> Trace:
     """The trace with all objects of the scene: those that it lacks stand where they were placed."""
     missing = {
-        object_.name: AgentTrace.standing(object_, trace.time)
+        object_.name: standing_trace(scene, object_, trace.time)
         for object_ in scene.standing
         if object_.name not in trace.agents
     }

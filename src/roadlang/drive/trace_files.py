@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+from collections.abc import Iterable
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
@@ -24,20 +25,30 @@ ADDED_COLUMNS = (
     "collision", "present",
 )  # fmt: skip
 """Older files lack them."""
+_ELEVATION = ("elevation",)
 COLUMNS = (
     "x", "y", "heading", "speed", "acceleration", "steering", "station", "cross_track_error",
     "progress", "contacts", *ADDED_COLUMNS,
 )  # fmt: skip
 
 
+def recorded_columns(agents: Iterable[AgentTrace]) -> tuple[str, ...]:
+    """Those of `COLUMNS`, and of scenes with roads on several levels the `elevation`."""
+    import numpy as np
+
+    has_elevation = any(np.isfinite(agent.elevation).any() for agent in agents)
+    return (*COLUMNS, *_ELEVATION) if has_elevation else COLUMNS
+
+
 def to_csv(trace: Trace) -> str:
     """One row for each agent at each time; SI units and radians, 9 significant digits."""
-    header = ",".join(("time", "agent", *COLUMNS))
+    names = recorded_columns(trace.agents.values())
+    header = ",".join(("time", "agent", *names))
     time = _shown(trace.time)
     tables = [
         map(",".join, zip(time, agent, *columns, strict=True))
         for agent, columns in (
-            ([_field(name)] * len(time), [_shown(getattr(agent, c)) for c in COLUMNS])
+            ([_field(name)] * len(time), [_shown(getattr(agent, c)) for c in names])
             for name, agent in trace.agents.items()
         )
     ]
@@ -90,8 +101,8 @@ def _read(values: dict[str, Any]) -> dict[str, np.ndarray[Any, Any]]:
 
     columns = {
         name: np.array(_column(values, name), dtype=float)
-        for name in COLUMNS
-        if name in values or name not in ADDED_COLUMNS
+        for name in (*COLUMNS, *_ELEVATION)
+        if name in values or name not in (*ADDED_COLUMNS, *_ELEVATION)
     }
     if "speed_limit" in columns:  # infinity is no JSON: where the road is known, null is no limit
         limit = columns["speed_limit"]
@@ -108,7 +119,7 @@ def _column(values: dict[str, Any], name: str) -> list[float | None]:
 
 
 def _columns(agent: AgentTrace) -> str:
-    columns = {name: _numbers(getattr(agent, name)) for name in COLUMNS}
+    columns = {name: _numbers(getattr(agent, name)) for name in recorded_columns([agent])}
     columns |= {name: json.dumps(getattr(agent, name)) for name in ("length", "width")}
     return "{" + ",".join(f'"{name}":{text}' for name, text in columns.items()) + "}"
 

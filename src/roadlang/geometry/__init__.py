@@ -20,7 +20,7 @@ Nothing is imported until a name is used.
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
-- crossings: `crossings`, `self_crossings`
+- crossings: `crossings`, `self_crossings`; whether two places are on different levels: `are_apart`
 - errors: `GeometryError`; types of arrays: `Floats`, `Integers`, `Booleans`
 """
 
@@ -73,6 +73,7 @@ if TYPE_CHECKING:
     from .junctions.plan import plan_junctions as plan_junctions
     from .junctions.priority import minor_roads as minor_roads
     from .lane import Lane as Lane
+    from .levels import are_apart as are_apart
     from .map_junctions import MapControl as MapControl
     from .map_junctions import MapJunction as MapJunction
     from .map_junctions import MapTurn as MapTurn
@@ -133,6 +134,7 @@ _HOMES = {
     "WidthProfile": "width",
     "OffsetProfile": "profile",
     "Lane": "lane",
+    "are_apart": "levels",
     "CrossSection": "cross_section",
     "Road": "road",
     "RoadToJoin": "joining",

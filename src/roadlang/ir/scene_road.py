@@ -88,7 +88,8 @@ class SceneRoad:
     street: str = ""
     """its name in the map that it is from"""
     elevation: tuple[float, ...] = field(default=(), repr=False)
-    """meters above the origin at each station, where the map has it; nothing uses it yet"""
+    """meters above the origin at each station, where the map has it or roads pass over others; with
+    it the embedded engine tells the levels of roads apart"""
     along: tuple[RoadPart, ...] = ()
     """of a road that was selected from a network and not perturbed itself: what it runs over"""
     surface: SurfaceName | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
@@ -35,7 +36,8 @@ class AgentTrace(Frozen):
     (infinite for none), `off_road` how far the footprint sticks out of the drivable area (negative
     within), `red_light` the number of stop lines crossed at red so far, `collision` the speed of
     the hardest impact so far, 0 before the first, `present` 1 and, once it has left at the end of
-    its road or route, 0. What an engine does not report is NaN throughout, and a signal of it is
+    its road or route, 0, `elevation` meters of the ground below it, where roads of the scene have
+    heights. What an engine does not report is NaN throughout, and a signal of it is
     refused with a diagnostic.
     """
 
@@ -62,6 +64,7 @@ class AgentTrace(Frozen):
     red_light: Floats = field(default_factory=_unknown)
     collision: Floats = field(default_factory=_unknown)
     present: Floats = field(default_factory=_unknown)
+    elevation: Floats = field(default_factory=_unknown)
 
     def __post_init__(self) -> None:
         for name in _OPTIONAL:
@@ -100,8 +103,8 @@ class AgentTrace(Frozen):
     """deprecated: now `standing`"""
 
     @classmethod
-    def standing(cls, actor: SceneActor, time: Floats) -> AgentTrace:
-        """What stands where the scene has it, at all times (T,)."""
+    def standing(cls, actor: SceneActor, time: Floats, elevation: float = math.nan) -> AgentTrace:
+        """What stands where the scene has it, at all times (T,), `elevation` meters high."""
         import numpy as np
 
         zero = np.zeros(len(time))
@@ -122,6 +125,7 @@ class AgentTrace(Frozen):
             red_light=zero,
             collision=zero,
             present=zero + 1.0,
+            elevation=zero + elevation,
             length=actor.length,
             width=actor.width,
         )

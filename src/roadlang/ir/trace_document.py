@@ -14,7 +14,7 @@ COLUMN_UNITS = {
     "time": "s", "x": "m", "y": "m", "heading": "rad", "speed": "m/s", "acceleration": "m/s^2",
     "steering": "rad", "station": "m", "cross_track_error": "m", "progress": "", "contacts": "",
     "road": "", "lane": "", "lane_offset": "m", "route_progress": "m", "speed_limit": "m/s",
-    "off_road": "m", "red_light": "", "collision": "m/s", "present": "",
+    "off_road": "m", "red_light": "", "collision": "m/s", "present": "", "elevation": "m",
 }  # fmt: skip
 """What the columns of a trace are in; nothing for plain numbers."""
 
@@ -67,6 +67,8 @@ class AgentColumns:
     """m/s, relative speed of its hardest impact so far, 0 before the first"""
     present: Column = ()
     """1, and 0 once it has left at the end of its road or route"""
+    elevation: Column = ()
+    """meters, of the ground below it; only where roads of the scene have heights"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -72,7 +72,7 @@ def concrete_scenes(
         singles = (candidates.take(np.array([row])) for row in range(rows.count))
         aliased = [aliasing_remarks(single) for single in singles]
         remarks = [[*found, *more] for found, more in zip(remarks, aliased, strict=True)]
-    warned = network_warnings(source.networks, candidates, have_agents=bool(source.agents))
+    warned = network_warnings(source.networks, candidates)
     warned += joined_road_warnings(source.roads, candidates) + road_window_warnings(candidates)
     scenes = _finished(members, rows)
     bends = bend_warnings(source.agents, scenes)

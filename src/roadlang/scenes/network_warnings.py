@@ -15,12 +15,14 @@ _MOST = 6
 
 
 def network_warnings(
-    networks: Iterable[ScenarioNetwork], candidates: CandidateBatch, *, have_agents: bool
+    networks: Iterable[ScenarioNetwork], candidates: CandidateBatch
 ) -> tuple[Diagnostic, ...]:
     """What was said of their sources, and one for each junction or pair of roads; networks with
-    the same junctions are one. Roads that pass above others matter where agents may drive."""
+    the same junctions are one. Roads that pass above others matter where agents drive on level
+    ground."""
     found: list[Diagnostic] = []
     seen: list[JunctionPlan] = []
+    simulator = _with_level_ground(candidates)
     for network in networks:
         root = network_root(network, candidates)
         found += [warning for warning in root.warnings if warning not in found]
@@ -29,8 +31,8 @@ def network_warnings(
             seen.append(plan)
             found += _of_plan(network, plan)
             above = [problem for problem in plan.problems if problem.kind == "level"]
-            if above and have_agents:
-                found.append(_on_levels(network, above))
+            if above and simulator:
+                found.append(_on_levels(network, above, simulator))
     return tuple(found)
 
 
@@ -88,16 +90,27 @@ def _overlap(network: ScenarioNetwork, problem: Problem) -> Diagnostic:
     )
 
 
-def _on_levels(network: ScenarioNetwork, above: list[Problem]) -> Diagnostic:
+def _with_level_ground(candidates: CandidateBatch) -> str:
+    """The simulator that the scene file names, if agents drive in it and it knows no levels."""
+    scenario = candidates.scenario
+    call = scenario.source.simulate
+    if call is None or not scenario.source.agents:
+        return ""
+    entry, kind = scenario.kind(call)
+    return "" if kind.knows_levels else entry.recorded  # type: ignore[attr-defined]
+
+
+def _on_levels(network: ScenarioNetwork, above: list[Problem], simulator: str) -> Diagnostic:
     pairs = (f"{problem.edges[0]} and {problem.edges[1]}" for problem in above)
     return diagnose(
         Code.ROADS_ON_LEVELS,
         network.span,
         network=network.name,
+        simulator=simulator,
         roads=_listed(list(pairs)),
         help=[
             "vehicles on one road brake for those on the other, and collide with them",
-            "keep a part of the map with `within: box(...)`",
+            "write `simulate with builtin`, or keep a part of the map with `within: box(...)`",
         ],
     )
 

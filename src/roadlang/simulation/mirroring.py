@@ -61,6 +61,7 @@ class Mirror:
         )
         """the agents that are decided for"""
         self._world = world_of([replace(scene, agents=agents)], bodies or {}, step, step)
+        self._world.heights = None  # the ground of other engines is level
         self._drivers = DriverGroup(self._world, [drivers], step)
         self._recorder = Recorder(self._world)
         self._known: Poses | None = None

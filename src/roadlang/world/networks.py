@@ -18,6 +18,7 @@ from ..geometry import CurveFrame, Edge, RoadNetwork, WidthProfile
 from ..geometry.arrays import Floats
 from ..geometry.joints import junction_window
 from ..geometry.junctions.one_way import one_way
+from ..geometry.junctions.raised_roads import with_heights
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
 from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
@@ -192,6 +193,7 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     moved = moved_network(network, found.network, candidates)
     if moved is not found.network:  # the pixels are where they were
         found = replace(found, network=moved, mask=None)
+    found = replace(found, network=with_heights(found.network))
     plans = network_plans(network, found.network, candidates)
     return replace(found, junctions=plans)
 

@@ -1,4 +1,5 @@
-"""Roads that pass above others: no fault of the map, but drives are flat."""
+"""Roads that pass above others: no fault of the map, and a warning for simulators whose ground is
+level."""
 
 from __future__ import annotations
 
@@ -50,11 +51,13 @@ def test_roads_of_a_map_pass_above_others_with_room_between(height: float, count
 
 
 @pytest.mark.parametrize(("tags", "agent", "codes"), [
-    (BRIDGE, "agent ego is car on town at random", ["RL444"]),
-    (BRIDGE, "", []),
+    (BRIDGE, "agent ego is car on town at random\nsimulate with godot", ["RL444"]),
+    (BRIDGE, "agent ego is car on town at random\nsimulate with builtin", []),
+    (BRIDGE, "agent ego is car on town at random", []),
+    (BRIDGE, "simulate with godot", []),
     ("", "agent ego is car on town at random", ["RL436"]),
 ])  # fmt: skip
-def test_a_bridge_is_a_warning_where_agents_may_drive(
+def test_a_bridge_is_a_warning_where_agents_drive_on_level_ground(
     tmp_path: Path, tags: str, agent: str, codes: list[str]
 ) -> None:
     path = tmp_path / "town.osm"

@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 
 from ..cross_section import CrossSection
+from ..levels import are_apart
 from ..network import Edge, RoadNetwork
 from .model import NO_JUNCTION, Junction, Problem
 from .sweeping import TOLERANCE, valid
 
 _SPACING = 2.0
 _SHORTEST = 0.1
-_HEADROOM = 3.0
-"""Meters between two roads of which one passes above the other."""
 
 
 def overlaps(
@@ -48,7 +47,7 @@ def passing_above(
     return tuple(
         Problem("level", NO_JUNCTION, (a.id, b.id), _extent(common))
         for a, b, common in _overlapping(network, sections, trims)
-        if abs(_height(a, common) - _height(b, common)) > _HEADROOM
+        if are_apart(_height(a, common), _height(b, common))
     )
 
 

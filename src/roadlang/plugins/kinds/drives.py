@@ -113,6 +113,10 @@ class Simulator(Kind):
     """How many scenes `drive_all` is called with, at most. Results are written when it
     returns, so use a small number if each drive takes long, a large one if they run in parallel."""
 
+    knows_levels: ClassVar[bool] = False
+    """Whether agents on a bridge do not meet those below it. Otherwise a map with roads that pass
+    over others is a warning (RL444)."""
+
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
         """What this simulator cannot drive of a scenario; as `Backend.unsupported`, at the
         `simulate with` of a scene file."""

@@ -21,6 +21,7 @@ from ..lines.lines import Lines, LineSource, road_line, straight_line
 from ..lines.route_lines import RouteLine, plain_line, route_line
 from ..lines.route_table import RouteTable
 from ..state.arrivals import Arrivals
+from ..state.line_heights import LineHeights
 from ..state.world import World
 from ..surroundings.crossed_junctions import crossings_of
 from ..surroundings.outlines import Outlines
@@ -48,7 +49,9 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
             found.append(_slot(actor, scene, names, rows, (sources, routes)))
     lines = Lines.of(sources, FASTEST * margin)
     table = RouteTable.of(routes, np.array([slot.route for slot in found], dtype=np.int64))
-    return _started(tuple(scenes), slots, found, lines, table, kinds, dt)
+    over = {slot.line: (i // slots, routes[slot.route]) for i, slot in enumerate(found)}
+    heights = LineHeights.of(scenes, lines, [over[row] for row in range(len(sources))])
+    return _started(tuple(scenes), slots, found, lines, (table, heights), kinds, dt)
 
 
 @dataclass(frozen=True)
@@ -154,10 +157,11 @@ def _started(
     slots: int,
     found: Sequence[_Slot],
     lines: Lines,
-    table: RouteTable,
+    led: tuple[RouteTable, LineHeights | None],
     kinds: Mapping[str, Body],
     dt: float,
 ) -> World:
+    """`led`: what the lines lead over, and how high."""
     actors = [slot.actor or _NOBODY for slot in found]
     present = np.array([slot.actor is not None for slot in found], dtype=bool)
     row = np.array([slot.line for slot in found], dtype=np.int64)
@@ -178,12 +182,12 @@ def _started(
     followed = _followed(scenes, slots, found, track, (backward, start.along))
     world = World(
         scenes, slots, dt, present, present.copy(), tuple(slot.actor for slot in found),
-        np.array([actor.name for actor in actors], dtype=object), bodies, verges, track, table,
+        np.array([actor.name for actor in actors], dtype=object), bodies, verges, track, led[0],
         Sweeps.of(bodies, lines, row, present & np.repeat(_crowded(scenes), slots)),
         has_road, has_route, backward, road, followed, np.array(ends), start, start, ~present,
         np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count),
         (np.zeros(count), np.zeros(count)), np.zeros(count, dtype=np.int64),
-        StopLines.none(count),
+        StopLines.none(count), led[1],
     )  # fmt: skip
     if any(map(has_signals, scenes)):
         world.stop_lines = StopLines.of(crossings_of(world))

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats, Integers, inverse_index
 from ...ir.controller_failure import ControllerFailure
+from ...ir.road_heights import standing_trace
 from ...ir.scene import Scene
 from ...ir.trace import AgentTrace, Trace
 from ..signals.columns import COLUMNS
@@ -115,7 +116,7 @@ class Recorder:
         for slot, actor in enumerate(scene.agents):
             columns = tuple((part, first + slot) for part, first in parts)
             agents[actor.name] = AgentTrace.recorded(actor, time, RecordedAgent(time, columns))
-        agents |= {actor.name: AgentTrace.standing(actor, time) for actor in scene.standing}
+        agents |= {one.name: standing_trace(scene, one, time) for one in scene.standing}
         events = [event for event in self._events.get(row, ()) if event["time"] <= time[-1]]
         events.sort(key=lambda event: (event["time"], event["agent"]))
         return Trace(time=time, agents=agents, engine=ENGINE, events=tuple(events))

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats
 from ..state.world import World
+from ..surroundings.levels import ground_heights
 from ..vehicles.poses import Poses
 
 Column = Callable[[World, Poses], Floats]
@@ -27,6 +28,7 @@ COLUMNS: Mapping[str, Column] = {
     "red_light": lambda world, poses: world.red_lights,
     "collision": lambda world, poses: world.collision,
     "present": lambda world, poses: world.present.astype(np.float64),
+    "elevation": lambda world, poses: ground_heights(world),
     "along": lambda world, poses: world.motion.along,
     "offset": lambda world, poses: world.motion.offset,
     "length": lambda world, poses: world.bodies.length,

@@ -15,7 +15,7 @@ from .lane_reader import LaneReader
 RECORDED = (
     "x", "y", "heading", "speed", "steering", "station", "cross_track_error", "progress",
     "contacts", "route_progress", "red_light", "collision", "present", "along",
-    "offset",
+    "offset", "elevation",
 )  # fmt: skip
 """Those of `COLUMNS` that change, but for the rate of another."""
 PLACES = {name: place for place, name in enumerate(RECORDED)}

@@ -10,6 +10,7 @@ from dataclasses import fields
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
+from ...ir.road_heights import standing_trace
 from ...ir.trace import AgentTrace, Trace
 from ..lanes.lane_columns import LANE_COLUMNS
 from ..state.world import World
@@ -110,7 +111,7 @@ class Samples:
                 )
                 for slot, actor in enumerate(record.agents)
             }
-            agents |= {actor.name: AgentTrace.standing(actor, time) for actor in record.standing}
+            agents |= {one.name: standing_trace(record, one, time) for one in record.standing}
             self._traces[scene] = Trace(time, agents, "the embedded engine")
         return self._traces[scene]
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from ...diagnostics import DiagnosticError
 from ...geometry.arrays import Floats, Integers, inverse_index
+from ...ir.road_heights import standing_trace
 from ...ir.scene import Scene
 from ...ir.trace import AgentTrace, Trace
 from ...plugins.drive_signals import drive_signal_kind, drive_signal_values, named_entities
@@ -80,6 +81,10 @@ class _Part:
         return replace(self, rows=self.rows[index], scenes=self.scenes[index], objects=objects)
 
 
+def _standing(scene: Scene, place: int) -> AgentTrace:
+    return standing_trace(scene, scene.standing[place], np.zeros(1))
+
+
 class SignalCall:
     """One signal of a condition for R agents, which may be in different scenes.
 
@@ -116,10 +121,7 @@ class SignalCall:
             actors = places[rows[0]]
             objects = {
                 place: tuple(
-                    AgentTrace.standing(
-                        world.scenes[scene].standing[place - self._slots], np.zeros(1)
-                    )
-                    for scene in within
+                    _standing(world.scenes[scene], place - self._slots) for scene in within
                 )
                 for place in {place for named in actors.values() for place in named}
                 if place >= self._slots

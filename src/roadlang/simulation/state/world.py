@@ -23,6 +23,7 @@ from ..vehicles.placing import Placing
 from ..vehicles.poses import Poses, poses_of
 from ..vehicles.verges import Verges
 from .arrivals import ARRIVED, END_BRAKING
+from .line_heights import LineHeights
 
 
 @dataclass
@@ -36,14 +37,12 @@ class World:
 
     scenes: tuple[Scene, ...]
     slots: int
-    """A"""
     dt: float
     """seconds for one step of the vehicles"""
     filled: Booleans
     present: Booleans
     actors: tuple[SceneActor | None, ...]
     names: NDArray[np.object_]
-    """of the agents"""
     bodies: Bodies
     verges: Verges
     track: Track
@@ -77,6 +76,7 @@ class World:
     """the tick at which the drive of each agent began"""
     stop_lines: StopLines
     """those with signals"""
+    heights: LineHeights | None = None
     tick: int = 0
     placing: Placing | None = None
     """agents that go by recordings, in the last step"""

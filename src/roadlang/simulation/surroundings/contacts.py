@@ -13,8 +13,10 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
+from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .levels import ground_heights, standing_heights
 from .outlines import Outlines
 
 
@@ -36,8 +38,8 @@ class ContactDetector:
     """Watches the agents of a world, from one sample to the next.
 
     Who touches something stands still from then on. On foot one touches nothing but vehicles. Who
-    has left touches nothing. Two that overlap where the scene puts them (`overlap: true`) never
-    touch.
+    has left touches nothing, and nobody what is on another level. Two that overlap where the scene
+    puts them (`overlap: true`) never touch.
     """
 
     def __init__(self, world: World) -> None:
@@ -45,6 +47,7 @@ class ContactDetector:
         self._names = [actor.name for scene in world.scenes for actor in scene.objects]
         radius = np.hypot(self._objects.half_length, self._objects.half_width)
         self._object_radius = radius
+        self._standing = None if world.heights is None else standing_heights(world.scenes)
         self._pairs, self._near = _pairs(world)
         self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
         self._before: Poses | None = None
@@ -59,6 +62,10 @@ class ContactDetector:
         )  # fmt: skip
         clear = ~_overlapping(moving, first, moving, second)
         free = ~_overlapping(moving, agent, self._objects, thing)
+        if self._standing is not None:
+            height = ground_heights(world)
+            clear |= are_apart(height[first], height[second])
+            free |= are_apart(height[agent], self._standing[thing])
         return (first[clear], second[clear]), (agent[free], thing[free])
 
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
@@ -112,6 +119,9 @@ class ContactDetector:
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]
             close = close[world.present[first[close]] & world.present[second[close]]]
+        if len(close) and world.heights is not None:
+            height = ground_heights(world)
+            close = close[~are_apart(height[first[close]], height[second[close]])]
         if not len(close):
             return []
         agent, partner = first[close], second[close]
@@ -140,6 +150,8 @@ class ContactDetector:
         free = away - self._radius[checked] - self._object_radius[object_]
         self._next_check[pending] = self._traveled[checked] + free
         close = free <= moved
+        if self._standing is not None:
+            close &= ~are_apart(ground_heights(world)[checked], self._standing[object_])
         if not close.any():
             return []
         checked, object_ = checked[close], object_[close]

@@ -17,6 +17,7 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles import compiled
 from ..vehicles.poses import frames_in
+from .levels import apart_where_met, ground_heights
 from .outlines import Outlines
 from .sorted_groups import sorted_groups
 
@@ -77,9 +78,22 @@ def looks_ahead(world: World) -> Floats:
 def nearest_in_corridor(
     world: World, agent: Integers, target: Integers, outlines: Outlines
 ) -> tuple[Floats, Floats]:
-    """(P,) for pairs of an agent, in ascending order, and one of `things`: the gap along the line
-    to what of it is in the corridor, infinite where nothing is, and the heading of the line there.
+    """(P,) for pairs of an agent, in ascending order, and another: the gap along the line to what
+    of it is in the corridor, infinite where nothing is, and the heading of the line there. Who is
+    on another level than the line there is not in the corridor.
     """
+    gap, heading = _nearest(world, agent, target, outlines)
+    if world.heights is not None:
+        apart = apart_where_met(
+            world, agent, gap + 0.5 * world.bodies.length[agent], ground_heights(world)[target]
+        )
+        gap = np.where(apart, math.inf, gap)
+    return gap, heading
+
+
+def _nearest(
+    world: World, agent: Integers, target: Integers, outlines: Outlines
+) -> tuple[Floats, Floats]:
     gap, heading = np.full(len(agent), math.inf), np.zeros(len(agent))
     if not len(agent):
         return gap, heading

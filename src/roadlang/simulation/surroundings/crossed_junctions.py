@@ -10,11 +10,13 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Floats
+from ...ir.road_heights import road_heights
 from ...ir.scene import Scene
 from ...ir.scene_junctions import SceneConnection, SceneJunction
 from ..junctions.crossings import Crossings
 from ..lines.route_lines import connection_points
 from ..state.world import World
+from .levels import apart_at
 
 TURNED = 0.6
 """Radians: at its ends, a line without a route is turned from its connection by less than this."""
@@ -137,12 +139,24 @@ def _of_line(world: World, agent: int, crossed: Sequence[SceneJunction]) -> list
             begin = _passed(points, heading, along, (x[0], y[0], h[0]), 0.5 * connection.widths[0])
             if begin is None or not 0.0 <= begin[0] < length:
                 continue
+            if world.heights is not None and _passes_over(world, agent, begin[0], connection):
+                continue
             end = _passed(points, heading, along, (x[-1], y[-1], h[-1]), 0.5 * connection.widths[1])
             error, exit_ = _followed(connection, begin, end, length)
             key = (junction.id, round(begin[0]))
             if error < out.get(key, (math.inf, None))[0]:
                 out[key] = error, _Crossing(begin[0], exit_, junction, place)
     return sorted((crossing for _, crossing in out.values()), key=lambda crossing: crossing.stop)
+
+
+def _passes_over(world: World, agent: int, along: float, connection: SceneConnection) -> bool:
+    """Whether a line is on another level, at an arc length, than a connection begins on."""
+    scene, source = world.scenes[agent // world.slots], connection.source
+    road = next(road for road in scene.roads if road.name == source.road)
+    height = road_heights(scene)[road.name](
+        np.array([0.0 if source.end == "start" else road.length])
+    )
+    return bool(apart_at(world, np.array([agent]), np.array([along]), height)[0])
 
 
 def _followed(

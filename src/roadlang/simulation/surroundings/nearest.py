@@ -7,15 +7,17 @@ import math
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
+from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .levels import ground_heights
 
 
 def nearest(
     world: World, poses: Poses, rows: Integers, count: int
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """(R, count) x, y, heading and speed of the nearest other agents of the agents `rows`, nearest
-    first; NaN where a scene has no more."""
+    first; NaN where a scene has no more. Who is on another level is not seen."""
     out = np.full((4, len(rows), count), math.nan)
     if world.slots == 1:
         return out[0], out[1], out[2], out[3]
@@ -26,6 +28,10 @@ def nearest(
     square = off_x * off_x + off_y * off_y
     square[~world.present.reshape(shape)[scene]] = math.inf
     square[np.arange(len(rows)), place] = math.inf
+    if world.heights is not None:
+        height = ground_heights(world).reshape(shape)
+        away = np.sqrt(square)
+        square[are_apart(height[scene], height[scene, place][:, None], away)] = math.inf
     first = np.argsort(square, axis=1, kind="stable")[:, :count]
     missing = ~np.isfinite(np.take_along_axis(square, first, axis=1))
     agents = scene[:, None] * world.slots + first

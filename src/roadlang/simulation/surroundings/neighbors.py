@@ -13,6 +13,7 @@ from ...ir.surroundings import Neighbors
 from ..lines.lines import Lines
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .levels import apart_where_met, ground_heights
 from .standing_objects import StandingObjects
 
 LONGER = 1.6
@@ -47,6 +48,12 @@ class Nearby:
         there = world.present[others] & (others != rows[:, None])
         there &= (world.filled & world.has_road)[rows][:, None]
         ahead, beside, line = self._along(rows, others, there, distance)
+        if world.heights is not None:
+            agent = np.broadcast_to(rows[:, None], others.shape).ravel()
+            apart = apart_where_met(
+                world, agent, ahead.ravel(), ground_heights(world)[others.ravel()]
+            )
+            there &= ~apart.reshape(others.shape)
         heading, speed = poses.heading[others], world.motion.speed[others]
         turned = heading - line
         return {

@@ -10,6 +10,7 @@ import numpy as np
 from ...geometry.arrays import Floats, Integers
 from ..lines.lines import Lines
 from ..state.world import World
+from .levels import on_level_of_line
 from .outlines import Outlines
 
 BESIDE = 8.0
@@ -44,6 +45,9 @@ class Obstacles:
             row, objects = int(world.track.row[agent]), world.scenes[agent // world.slots].objects
             if not objects:
                 continue
+            if row not in known and world.heights is not None:
+                here = on_level_of_line(world, row, objects)
+                objects = tuple(one for one, is_here in zip(objects, here, strict=True) if is_here)
             if row not in known:
                 known[row] = things_beside(world.track.lines, row, Outlines.of(objects))
             found.append((np.full(len(known[row][0]), agent), *known[row]))

@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...geometry.arrays import Floats, Integers
+from ...geometry.levels import are_apart
 from ...ir.sensed_batch import CastRays, SolidThings
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .levels import ground_heights, standing_heights
 from .outlines import Outlines
 
 _AT_ONCE = 500_000
@@ -38,6 +40,9 @@ class RayCaster:
         objects = [object_ for scene in world.scenes for object_ in scene.objects]
         counts = np.array([len(scene.objects) for scene in world.scenes], dtype=np.int64)
         self._standing = Outlines.of(objects)
+        level = world.heights is None
+        self._elevations = np.zeros(0) if level else standing_heights(world.scenes)
+        """of what stands, meters; none on level ground"""
         self._headings = np.array([o.heading for o in objects], dtype=np.float64)
         moving = ["" if actor is None else actor.category for actor in world.actors]
         self._categories = np.array([*moving, *(o.category for o in objects)], dtype=object)
@@ -68,7 +73,7 @@ class RayCaster:
         """What some agents have around them."""
         boxes, heights = self.boxes(world, poses)
         headings = np.concatenate([poses.heading, self._headings])
-        place, box = self.candidates(world, rows)
+        place, box = self.candidates(world, poses, rows)
         counts = np.bincount(place, minlength=len(rows))
         there = np.arange(int(counts.max(initial=0))) < counts[:, None]
 
@@ -83,8 +88,9 @@ class RayCaster:
         categories = table(self._categories, "")
         return SolidThings(there, categories, *(table(column, 0.0) for column in numbers))
 
-    def candidates(self, world: World, rows: Integers) -> tuple[Integers, Integers]:
-        """Pairs (P,): a place in `rows`, ascending, and a box of the same scene that is there."""
+    def candidates(self, world: World, poses: Poses, rows: Integers) -> tuple[Integers, Integers]:
+        """Pairs (P,): a place in `rows`, ascending, and a box of the same scene that is there, and
+        on no other level."""
         scenes = rows // self._slots
         width = self._slots + int(self._counts.max(initial=0))
         number = np.arange(width)
@@ -98,7 +104,14 @@ class RayCaster:
         there &= box != rows[:, None]
         there &= present[np.where(there, box, 0)]
         place, column = np.nonzero(there)
-        return place, box[place, column]
+        box = box[place, column]
+        if world.heights is None:
+            return place, box
+        height = np.concatenate([ground_heights(world), self._elevations])
+        boxes, agent = self.boxes(world, poses)[0], rows[place]
+        away = np.hypot(boxes.x[box] - poses.x[agent], boxes.y[box] - poses.y[agent])
+        seen = ~are_apart(height[box], height[agent], away)
+        return place[seen], box[seen]
 
 
 class _Cast:
@@ -133,7 +146,7 @@ class _Cast:
     ) -> None:
         """Shorten the rays that end at a box."""
         boxes, heights = self._caster.boxes(self._world, self._poses)
-        place, box = self._caster.candidates(self._world, self._rows)
+        place, box = self._caster.candidates(self._world, self._poses, self._rows)
         off_x, off_y = boxes.x[box] - origin[0][place], boxes.y[box] - origin[1][place]
         near = reach[place] + boxes.half_length[box] + boxes.half_width[box]
         close = off_x * off_x + off_y * off_y <= near * near

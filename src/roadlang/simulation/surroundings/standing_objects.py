@@ -11,6 +11,7 @@ import numpy as np
 from ...geometry.arrays import Floats, Integers
 from ...ir.scene import SceneActor
 from ..state.world import World
+from .levels import on_level_of_line
 
 _NUMBERS = ("x", "y", "heading", "length", "width")
 _WORDS = ("name", "kind")
@@ -77,4 +78,6 @@ def _on_line(world: World, row: int, objects: tuple[SceneActor, ...]) -> tuple[F
     chosen = np.arange(len(objects)), cell
     beyond = cosine * off_x[chosen] + sine * off_y[chosen]
     left = cosine * off_y[chosen] - sine * off_x[chosen]
-    return lines.origin[row] + cell * lines.spacing[row] + beyond, left
+    along = lines.origin[row] + cell * lines.spacing[row] + beyond
+    here = on_level_of_line(world, row, objects)
+    return np.where(here, along, math.nan), np.where(here, left, math.nan)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...geometry.levels import are_apart
 from ..state.world import World
 from ..surroundings.leaders import Leaders
 from ..vehicles.poses import frames_in
@@ -147,6 +148,8 @@ class _Samples:
     to_right: Floats
     is_wide: Booleans
     """where the agent may need more than its lane"""
+    height: Floats | None = None
+    """None on level ground"""
 
     @classmethod
     def of(cls, world: World, agents: Integers) -> _Samples:
@@ -169,6 +172,7 @@ class _Samples:
         return cls(
             agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
             cosine, sine, left + width, right + width, wide,
+            None if world.heights is None else world.heights.cells[cell],
         )  # fmt: skip
 
     def take(self, places: Integers) -> _Samples:
@@ -176,7 +180,8 @@ class _Samples:
         columns = (self.s, self.x, self.y, self.cosine, self.sine, self.to_left, self.to_right)
         s, x, y, cosine, sine, left, right = (column[:, places] for column in columns)
         is_wide = self.is_wide[:, places]
-        return _Samples(self.agents[places], s, x, y, cosine, sine, left, right, is_wide)
+        height = None if self.height is None else self.height[:, places]
+        return _Samples(self.agents[places], s, x, y, cosine, sine, left, right, is_wide, height)
 
 
 def _pairs(world: World, wide: WidePlaces) -> tuple[_Samples, Integers, Integers] | None:
@@ -246,6 +251,8 @@ def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats,
     room = np.where(left > 0.0, one.to_left[:, None], one.to_right[:, None])
     room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + MARGIN
     meets = near & (square < room * room) & np.isfinite(one.s)[:, None] & np.isfinite(two.s)[None]
+    if one.height is not None and two.height is not None:
+        meets &= ~are_apart(one.height[:, None], two.height[None])
     if not meets.any():
         return None
     there: Booleans = np.asarray(meets.any(axis=1))

@@ -13,10 +13,12 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ..junctions.crossings import Crossings
 from ..state.world import World
 from ..surroundings.corridors import SAMPLE_SPACING, Window, looks_ahead
+from ..surroundings.levels import apart_where_met, ground_heights
 from ..vehicles.poses import Poses
 from .approaches import braking_to_stop
 from .crosswalks import Crosswalks
 from .junction_tables import SIGNALS, JunctionTables
+from .stays_in_lane import SOON, TIMES, stay
 
 MARGIN = 0.5
 """Meters to each side between a car and a pedestrian that it passes."""
@@ -24,11 +26,6 @@ BEFORE = 1.0
 """Meters before a pedestrian at which cars stop."""
 STEPS = 0.3
 """m/s toward the lane from which on a pedestrian walks into it."""
-SOON = 6.0
-"""Seconds: who comes to the lane later does not count yet."""
-STEP = 0.5
-TIMES: Floats = np.arange(0.0, SOON + 0.5 * STEP, STEP)
-"""Seconds ahead at which it is looked where somebody who goes on as now will be."""
 STARTING = 2.0
 """m/s: who is slower counts as this fast."""
 RIDES = 4.0
@@ -43,6 +40,8 @@ PATIENCE = 4.0
 """Seconds for which a car waits for one who stands at a crossing."""
 COURTEOUS = 3.0
 """m/s^2: who would have to brake harder for one who stands does not."""
+FAR = 1e6
+"""Meters from the lane, of who is on another level."""
 CROSSING = (-1.0, 5.0)
 """Meters beyond a stop line, and before the end of a connection, between which people cross."""
 
@@ -226,16 +225,27 @@ def _seen(
     x = poses.x[walker] + TIMES[:, None] * pace[0]
     y = poses.y[walker] + TIMES[:, None] * pace[1]
     ahead, left, outside, line = _on_lines(window, column, x, y, half)
+    _leave_out_other_levels(world, rows[place], walker, (ahead, outside, crossed))
     line_x, line_y = x[0] + left[0] * np.sin(line[0]), y[0] - left[0] * np.cos(line[0])
     side = np.where(left[0] > 0.0, -1.0, 1.0)
     turned = side * np.sin(poses.heading[walker] - line)
-    enters, leaves, first, nearest = _stay(outside, ahead)
+    enters, leaves, first, nearest = stay(outside, ahead)
     later = turned[first, np.arange(len(walker))]
     return _Seen(
         place, ahead[0], outside[0], enters, leaves, ahead[first, np.arange(len(walker))], nearest,
         half_extent, speed * turned[0], speed * later, turned[0] > FACES, np.abs(speed) < STEPS,
         crosswalks.covers(crossed, line_x, line_y), rides_beside[walker],
     )  # fmt: skip
+
+
+def _leave_out_other_levels(
+    world: World, car: Integers, walker: Integers, seen: tuple[Floats, Floats, Integers]
+) -> None:
+    """Pairs (P,) of which one is on another level are far away. `seen`: how far ahead and outside
+    the lane (T, P), and the crosswalk (P,)."""
+    if world.heights is not None:
+        apart = apart_where_met(world, car, seen[0][0], ground_heights(world)[walker])
+        seen[1][:, apart], seen[2][apart] = FAR, -1
 
 
 def _near(
@@ -279,22 +289,3 @@ def _on_lines(
     covered = half + np.where(left > 0.0, to_left[sample, column], to_right[sample, column])
     ahead = window.s[sample] + cosine * dx + sine * dy
     return ahead, left, np.abs(left) - covered, np.arctan2(sine, cosine)
-
-
-def _stay(outside: Floats, ahead: Floats) -> tuple[Floats, Floats, Integers, Floats]:
-    """(P,) seconds until somebody who goes on as now is in the lane, infinite for who is not there
-    soon, and until it has left it again; the number in `TIMES` of the first; and how far ahead it
-    is there, at least. `outside`, `ahead`: (T, P) at `TIMES`."""
-    inside = outside < 0.0
-    soon, each = inside.any(axis=0), np.arange(outside.shape[1])
-    number = np.arange(len(TIMES))[:, None]
-    first = inside.argmax(axis=0)
-    before = np.maximum(first - 1, 0)
-    step = outside[before, each] - outside[first, each]
-    share = outside[before, each] / np.where(step > 0.0, step, 1.0)
-    enters = np.where(first > 0, TIMES[before] + share * STEP, 0.0)
-    gone = ~inside & (number > first)
-    leaves = np.where(gone, TIMES[:, None], math.inf).min(axis=0)
-    stays = inside & (TIMES[:, None] < leaves)
-    nearest = np.where(stays, ahead, math.inf).min(axis=0)
-    return np.where(soon, enters, math.inf), leaves, first, nearest
