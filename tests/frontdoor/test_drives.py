@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from roadlang import DriveSet, testing
+from roadlang import DriveSet, stl, testing
 from roadlang.api import Controller, DriveSignal, Scene, Simulator, Trace
 
 TIME = np.linspace(0.0, 2.0, 21)
@@ -74,6 +74,20 @@ def test_what_cannot_be_evaluated_is_not_satisfied() -> None:
     assert found.help[-1] == "this is the expectation `central` in scene 0"
     assert found.span is not None
     assert found.span.line == 5
+
+
+def test_traces_describe_themselves_in_a_line_and_notebooks_show_the_path() -> None:
+    drive = drives(n=1)[0]
+    assert repr(drive.trace).startswith("<trace of ego")
+    assert repr(drive.trace.agents["ego"]) == f"<trace of ego: {len(drive.trace.time)} samples>"
+    assert drive._repr_svg_() == drive.svg()
+
+
+def test_a_formula_is_evaluated_on_the_columns_of_a_drive() -> None:
+    drive = drives(n=1)[0]
+    columns = drive.to_dict()
+    formula = stl.parse("always (ego.speed < 12m/s)")
+    assert formula.rho(columns["time"], columns) == drive.verdicts["slow"].robustness == 2.0
 
 
 def test_the_worst_and_the_violating_of_several_drives_are_told() -> None:

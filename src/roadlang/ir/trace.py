@@ -75,6 +75,9 @@ class AgentTrace(Frozen):
                 object.__setattr__(self, name, np.broadcast_to(value, self.time.shape))
         Frozen.__post_init__(self)
 
+    def __repr__(self) -> str:
+        return f"<trace of {self.name}: {len(self.time)} samples>"
+
     @classmethod
     def recorded(
         cls, actor: SceneActor | AgentTrace, time: Floats, column: Callable[[str], Floats]
@@ -158,6 +161,10 @@ class Trace(Frozen):
     engine: str = ""
     events: tuple[Mapping[str, Any], ...] = field(default_factory=tuple)
     inputs: Mapping[str, Floats] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        seconds = float(self.time[-1]) if len(self.time) else 0.0
+        return f"<trace of {', '.join(self.agents) or 'no agent'}: {seconds:.6g} s>"
 
     @property
     def controller_failures(self) -> tuple[ControllerFailure, ...]:

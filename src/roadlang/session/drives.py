@@ -180,6 +180,9 @@ class Drive:
         record = self.scene.record
         return drive_figure(record, self.moving_trace, name, series, title, at)
 
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
     @cached_property
     def moving_trace(self) -> Trace:
         """The trace without objects that stand still, which are in the scene."""
