@@ -12,6 +12,7 @@ import pytest
 from roadlang.drive.figure import color_shares, drive_figure, robustness_color
 from roadlang.ir.scene import SceneActor, SceneNetwork
 from roadlang.ir.scene_junctions import SceneArm, SceneJunction
+from roadlang.ir.scene_lane import SceneLane
 from roadlang.ir.trace import AgentTrace, Trace
 from tests.backends.handmade_scenes import actor, bend, road
 
@@ -205,3 +206,27 @@ def test_of_a_road_that_lies_within_junctions_nothing_is_drawn() -> None:
     """Between them there is at most one of its stations."""
     inside = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400, trim=(42.6, 42.5))
     assert figure(roads=(inside,)).findall("polygon") == []
+
+
+def test_lines_between_lanes_are_drawn_as_they_are_marked() -> None:
+    """4 m lanes: broken in the middle, at y = 0; a double line is a solid one."""
+    drawn = {}
+    for marking in ("broken", "double", "none"):
+        main = replace(road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400), lanes=2)
+        lanes = tuple(
+            SceneLane(id, "drive", "backward" if id > 0 else "forward", (4.0,)) for id in (1, -1)
+        )
+        main = replace(main, lane_list=lanes, center_marking=marking)
+        drawn[marking] = figure(roads=(main,)).findall("path")
+    (broken,), (double,) = drawn["broken"], drawn["double"]
+    assert broken.get("d") == "M24.0,58.0 876.0,58.0", "two points of a straight line"
+    assert broken.get("stroke-dasharray") == "30.0 45.0"
+    assert double.get("stroke-dasharray") is None
+    assert drawn["none"] == []
+
+
+def test_lines_of_lanes_too_narrow_to_see_are_left_out() -> None:
+    long = replace(road("main", lambda x: 0.0, 852.0, width=(8.0,) * 400), lanes=2)
+    assert len(figure(roads=(long,)).findall("path")) == 1
+    longer = replace(road("main", lambda x: 0.0, 8520.0, width=(8.0,) * 400), lanes=2)
+    assert figure(roads=(longer,)).findall("path") == []

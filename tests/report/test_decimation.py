@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from roadlang import testing
-from roadlang.report.decimation import deltas, samples_of, simplified
+from roadlang.geometry.simplifying import simplified
+from roadlang.report.decimation import deltas, samples_of
 from roadlang.report.outlines import outline
 
 NUMBERS = st.floats(-1e4, 1e4)

@@ -13,13 +13,18 @@ from ..geometry.arrays import Floats
 from ..geometry.cross_section import drivable_borders
 from ..ir.scene import Scene, SceneActor, SceneRoad
 from ..ir.trace import AgentTrace, Trace
+from .lane_lines import marked_lines
 
 COLOR_STEPS = 8
 """Shades of robustness on each side of 0."""
 _SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
 _SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
 _ROAD, _GROUND, _INK, _OTHER = "#757b83", "#f4f2ec", "#23272b", "#1c7ed6"
-_OBJECT = "#c9a227"
+_OBJECT, _LINE = "#c9a227", "#f1f3f5"
+_LINE_WIDTH, _DASH, _GAP = 0.15, 3.0, 4.5
+"""Meters: of a line, of a dash of a broken one, and of the gap to the next."""
+_NARROWEST, _SHORTEST_DASH = 4.0, 5.0
+"""Pixels: of a lane whose lines are drawn, and of a dash."""
 
 
 def drive_figure(
@@ -47,6 +52,7 @@ def drive_figure(
     height = _HEAD + 2 * _MARGIN + high * scale
     parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
     parts += _surfaces(scene, roads, place)
+    parts += _lane_lines(roads, place, scale)
     parts += (_footprint(object_, place, scale) for object_ in scene.objects)
     for agent in agents:
         line = place(agent.x, agent.y)
@@ -85,6 +91,29 @@ def _surfaces(
         ring = _between_junctions(road)
         if ring is not None:
             yield _area(place(*ring))
+
+
+def _lane_lines(
+    roads: list[SceneRoad], place: Callable[[Floats, Floats], Floats], scale: float
+) -> Iterator[str]:
+    """All lines between lanes, a shape for those of one kind; none where lanes are too narrow."""
+    if all(road.lanes * _NARROWEST > scale * max(road.width) for road in roads):
+        return
+    found = [line for road in roads for line in marked_lines(road)]
+    length = max(scale, _SHORTEST_DASH / _DASH)
+    dashes = f' stroke-dasharray="{_DASH * length:.1f} {_GAP * length:.1f}"'
+    for is_broken in (False, True):
+        lines = [place(*line.T) for line, broken in found if broken == is_broken]
+        if lines:
+            yield (
+                f'<path d="{"".join(map(_path, lines))}" fill="none" stroke="{_LINE}"'
+                f' stroke-width="{max(_LINE_WIDTH * scale, 0.6):.1f}"'
+                f"{dashes if is_broken else ''}/>"
+            )
+
+
+def _path(line: Floats) -> str:
+    return "M" + " ".join(["%.1f,%.1f"] * len(line)) % tuple(line.ravel().tolist())
 
 
 def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats] | None:

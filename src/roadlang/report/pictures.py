@@ -9,8 +9,9 @@ import numpy as np
 
 from ..drive.figure import color_shares, robustness_color
 from ..geometry.arrays import Floats
+from ..geometry.simplifying import simplified
 from ..ir.trace import AgentTrace
-from .decimation import samples_of, simplified
+from .decimation import samples_of
 from .drive_records import DriveView
 from .elements import drawing, element, text
 from .numbers import quantity
