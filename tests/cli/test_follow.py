@@ -70,7 +70,8 @@ def test_lines_come_out_before_the_stream_ends(tmp_path: Path) -> None:
         ("once (y < 1)", LINES, "RL304"),
         ("once (x < 1)", "t,x\n0,1\n1\n", "RL340"),
         ("once (x < 1)", "t,x\n0,1\n0,1\n", "RL301"),
-        ("once (x < 1)", "t,x\n0,one\n", "RL340"),
+        ("once (x < 1)", "t,x\n0,one\n", "RL303"),
+        ("once (x < 1)", "t,x\none,0\n", "RL340"),
     ],
 )
 def test_streams_and_formulas_that_do_not_fit(formula: str, text: str, code: str) -> None:

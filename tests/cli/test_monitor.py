@@ -151,3 +151,14 @@ def test_of_several_traces_the_one_at_fault_is_named(
     assert f"--> {wrong}" in text
     assert f"= help: {help_}" in text
     assert str(right) not in text
+
+
+@pytest.mark.parametrize("name", ["out.png", "out", "out.svgz"])
+def test_a_plot_is_svg(
+    trace: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    plot = tmp_path / name
+    assert run(["monitor", "always (e < 9)", trace, "--plot", str(plot)]) == 2
+    assert "--plot writes SVG: name a file that ends in `.svg`" in capsys.readouterr().err
+    assert not plot.exists()
+    assert run(["monitor", "always (e < 9)", trace, "--plot", str(tmp_path / "out.SVG")]) == 0

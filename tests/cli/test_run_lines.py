@@ -35,6 +35,18 @@ def test_contacts_that_no_expectation_is_about_are_named(
     assert first == "scene 0: holds (5.0 s driven)"
     assert contact.startswith("  contact  front and rear at 1.")
     assert "worst" not in last
+    assert last.startswith("all expectations hold in 2 of 2 scenes, with contacts in 2 of them; ")
+
+
+def test_contacts_are_counted_where_nothing_is_expected(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "crash.rl"
+    path.write_text((CRASH % "").replace("expect unharmed: always (ego.contacts == 0)", ""))
+    for again in ([], ["--resume"]):
+        assert run(["run", str(path), "-n", "2", "-o", str(tmp_path / "out"), *again]) == 0
+        last = capsys.readouterr().out.splitlines()[-1]
+        assert last.startswith("contacts in 2 of 2 scenes; traces and verdicts in ")
 
 
 def test_contacts_are_not_named_beside_a_violation(
@@ -42,7 +54,7 @@ def test_contacts_are_not_named_beside_a_violation(
 ) -> None:
     first, *others = lines_of(tmp_path, capsys, "expect apart: always (rear.contacts == 0)", 2)
     assert first.startswith("scene 0: violated apart -1 at 1.")
-    assert not any("contact " in line for line in others)
+    assert not any("contact " in line or "with contacts" in line for line in others)
 
 
 def test_no_place_is_given_for_what_never_came_near(
@@ -52,5 +64,6 @@ def test_no_place_is_given_for_what_never_came_near(
     apart = "expect apart: always (time_to_collision(ego, front) > 1s)"
     lines = lines_of(tmp_path, capsys, apart, 2)
     assert lines[0] == "scene 0: holds (5.0 s driven)"
+    assert "worst time" not in (tmp_path / "out" / "results.csv").read_text().splitlines()[0]
     near = lines_of(tmp_path, capsys, "expect slow: always (ego.speed < 6m/s)", 2)
     assert near[0].startswith("scene 0: holds, worst: slow 1 at ")

@@ -84,7 +84,10 @@ def test_compile_names_a_cluster_that_does_not_answer(
 
 def test_a_cluster_that_does_not_answer_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("roadlang.session.cluster._PATIENCE", "200ms")
-    with pytest.raises(DiagnosticError, match="RL704"), cluster("tcp://127.0.0.1:9", 1):
+    with (
+        pytest.raises(DiagnosticError, match=r"RL704(.|\n)*`dask scheduler` starts one"),
+        cluster("tcp://127.0.0.1:9", 1),
+    ):
         pass
 
 

@@ -38,7 +38,7 @@ WRONG: list[tuple[Callable[[], Any], str]] = [
     (lambda: STL.StreamMonitor("x < 3"), "`formula` must be a formula"),
     (lambda: STL.OnlineMonitor(LOW).push("0", {"x": 1.0}), "`position` must be a number, not '0'"),
     (lambda: STL.OnlineMonitor(LOW).push(0.0, 1.0), "`signals` must be a map"),
-    (lambda: _stream().push(0.0, {"x": "1"}), "`values['x']` must be a number, not '1'"),
+    (lambda: _stream().push(0.0, {"x": None}), "`values['x']` must be a number, not None"),
     (lambda: STL.Interval("0", 3), "`lo` must be a number, not '0'"),
     (lambda: STL.Parameter("a", "0", 3), "`low` must be a number, not '0'"),
     (lambda: STL.mine(3, [A], RECORDINGS), "`text` must be text, not 3"),

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from roadlang import stl
 from roadlang.diagnostics import DiagnosticError
 from roadlang.stl.formats.trace_files import read_trace
 
@@ -80,14 +81,13 @@ def test_positions_and_signals(tmp_path: Path) -> None:
         ("a.csv", "", "empty"),
         ("a.csv", "0,1\n2,3\n", "must name the columns"),
         ("a.csv", "s,x\n0,1\n2\n", "line 3 has 1 cells, not 2"),
-        ("a.csv", "s,x\n0,one\n", "line 2, column `x`"),
+        ("a.csv", "s,x\none,0\n", "line 2, column `s`"),
         ("a.csv", "s,s\n0,1\n", "the same name, `s`"),
         ("a.csv", "s,,x\n0,1,2\n", "column 2 has no name"),
         ("a.csv", "s,\n0,1\n", "column 2 has no name"),
         ("a.csv", "# only\n# comments\n", "empty"),
-        ("a.csv", "s,x\n0,1\n1,on\n", "'on' in line 3, column `x` is not a number"),
+        ("a.csv", "s,x\n0,1\non,1\n", "'on' in line 3, column `s` is not a number"),
         ("a.csv", "# hi\ns,x\n0,1\n1,2,3\n", "line 4 has 3 cells, not 2"),
-        ("a.csv", "s,x\n0,12:00:00\n", "line 2, column `x`"),
         ("a.json", "{", "not JSON"),
         ("a.json", "3", "neither"),
         ("a.json", '{"s": 3}', "not a list"),
@@ -101,6 +101,40 @@ def test_files_that_are_no_traces(tmp_path: Path, name: str, text: str, problem:
     path.write_text(text)
     with pytest.raises(DiagnosticError, match=problem):
         read_trace(path)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "place"),
+    [
+        ("a.csv", "s,x,who\n0,1,ego\n1,2,lead\n", "'ego' in line 2"),
+        ("a.csv", "s,x,who\n0,1,3\n\n1,2,n/a\n", "'n/a' in line 4"),
+        ("a.csv", "s,x,who\n0,1,12:00:00\n", "'12:00:00' in line 2"),
+        ("a.json", '[{"s": 0, "x": 1, "who": "ego"}]', "'ego' at sample 0"),
+        ("a.json", '{"s": [0, 1], "x": [1, 2], "who": [3, "on"]}', "'on' at sample 1"),
+    ],
+)
+def test_columns_of_text_are_refused_by_formulas_that_read_them(
+    tmp_path: Path, name: str, text: str, place: str
+) -> None:
+    path = tmp_path / name
+    path.write_text(text)
+    _, positions, signals = read_trace(path)
+    assert stl.parse("x > 0").satisfied(positions, signals)
+    with pytest.raises(DiagnosticError, match=rf"RL303.*`who` must be numbers, but is {place}"):
+        stl.parse("who > 0").rho(positions, signals)
+
+
+@pytest.mark.parametrize("column", ["x [m]", "x(m)", "x [km/h]"])
+def test_a_column_whose_name_has_a_unit_is_named_as_it_has_to_be_written(column: str) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        stl.parse("x > 0").rho([0.0], {column: [1.0]})
+    assert f"did you mean `` `{column}` `` (in back quotes)?" in str(caught.value)
+    assert stl.parse(f"`{column}` > 0").satisfied([0.0], {column: [1.0]})
+
+
+def test_a_name_with_a_unit_is_written_in_back_quotes() -> None:
+    with pytest.raises(DiagnosticError, match=r"stands in back quotes: `` `x \[km/h\]` ``"):
+        stl.parse("always (x [km/h] < 3)")
 
 
 def test_missing_and_binary_files(tmp_path: Path) -> None:

@@ -135,7 +135,16 @@ def test_a_picture_without_a_road_says_so(sample: Sample, tmp_path: Path) -> Non
     cv2.imwrite(str(tmp_path / "flat.png"), np.full((80, 80, 3), 90, np.uint8))
     with pytest.raises(DiagnosticError) as caught:
         sample('image a from "flat.png" { scale: 1m/px }\nnetwork town from a\n')
-    assert caught.value.diagnostics[0].code == "RL412"
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL412"
+    assert "`extract with aerial` for a photo" in found.help[-1]
+
+
+def test_a_typed_picture_without_a_road_says_how_one_is_drawn(sample: Sample) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        sample(TOWN.replace("#", ".").replace('".": road', '"#": road'))
+    (found,) = caught.value.diagnostics
+    assert found.help[-1] == "draw some with the character that the `legend` calls `road`"
 
 
 def test_an_image_needs_a_scale(sample: Sample, tmp_path: Path) -> None:

@@ -35,7 +35,7 @@ def print_drive(drive: Drive, run: str, in_full: bool) -> None:
 def _print_contacts(drive: Drive) -> None:
     """Who touched whom, if no expectation says that something went wrong: they stand still from
     then on, which the expectations may not be about."""
-    if any(verdict.satisfied is False for verdict in drive.verdicts.values()):
+    if not drive.has_contacts_alone:
         return
     pairs: dict[frozenset[str], str] = {}
     for event in drive.trace.events:
@@ -54,11 +54,14 @@ def _print_controller_failures(drive: Drive) -> None:
         echo(f"  {word}  controller of {failure.agent} at {failure.time:.1f} s: {failure.summary}")
 
 
-def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool]) -> str:
-    """In how many scenes all expectations hold; of several scenes also the worst."""
+def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool], contacts: int = 0) -> str:
+    """In how many scenes all expectations hold, and in how many of them there are contacts all the
+    same; of several scenes also the worst."""
     from ..judging.badness import badness, says_how_near
 
     text = holding(sum(satisfied), len(satisfied))
+    if contacts:
+        text += f", with contacts in {contacts} of them"
     failed = sum("controller failure time" in row for row in rows)
     if failed:
         text += f"; controllers failed in {failed}"

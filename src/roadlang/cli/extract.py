@@ -44,6 +44,11 @@ class _Place(_Numbers):
         return latitude, longitude
 
 
+_SAY_MORE = (
+    "`--overlay` shows what is seen; `--with contour` is for a drawing, `--with aerial` for a photo"
+)
+
+
 @click.command("extract")
 @click.argument(
     "images", metavar="IMAGE...", nargs=-1, required=True, type=click.Path(dir_okay=False)
@@ -227,5 +232,5 @@ def _report(found: Extraction, wrote: bool) -> None:
         about = f"{found.remarks[0]}, " if found.remarks else ""
         echo(f"{roads} ({about}{found.confidence:.0%} sure)")
     if not found.network.edges:
-        report([diagnose(Code.NO_ROAD_IN_IMAGE, help=found.remarks)])
+        report([diagnose(Code.NO_ROAD_IN_IMAGE, help=(*found.remarks, _SAY_MORE))])
         click.get_current_context().exit(exit_codes.SCENARIO_HAS_ERRORS)

@@ -123,6 +123,8 @@ def _refuse_combinations(
     dense, measure = how["semantics"], how["measure"]
     if "-" in traces and not following:
         raise click.UsageError("`-`, the standard input, goes with --follow")
+    if plot and Path(plot).suffix.lower() != ".svg":
+        raise click.UsageError("--plot writes SVG: name a file that ends in `.svg`")
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
     if dense != "sampled" and (plot or following or how["wrap"]):

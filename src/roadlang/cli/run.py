@@ -124,6 +124,7 @@ class RunBatch:
         self._resume = resume
         self._as_json = as_json
         self._rows: list[dict[str, Any]] = []
+        self._contacts = 0
         self.records: list[dict[str, Any]] = []
         self.codes: list[int] = []
 
@@ -225,6 +226,7 @@ class RunBatch:
         report(dict.fromkeys(found))
         numbers = [scene.index for scene in scenes]
         records = folder.records(numbers)
+        self._contacts += folder.contacts(numbers)
         self._rows += [{**run, **row} for row in folder.rows(numbers)]
         self.records += [{**run, **record} for record in records]
         satisfied = all(map(_holds, records))
@@ -247,8 +249,10 @@ class RunBatch:
         from .drive_lines import summary
 
         if not any(record["expectations"] for record in self.records):
-            return ""
-        return summary(self._rows, [_holds(record) for record in self.records])
+            some = f"contacts in {self._contacts} of {len(self.records)} scenes; "
+            return some if self._contacts else ""
+        satisfied = [_holds(record) for record in self.records]
+        return summary(self._rows, satisfied, self._contacts)
 
 
 def _holds(record: dict[str, Any]) -> bool:

@@ -55,6 +55,7 @@ class Code:
     EMPTY_OVERRIDE: Final = "RL113"
     NOT_OVERRIDABLE: Final = "RL114"
     DUPLICATE_OVERRIDE: Final = "RL115"
+    EMPTY_SCENE_FILE: Final = "RL116"
     UNUSED_LET: Final = "RL190"
     UNIT_SHADOWS_NAME: Final = "RL191"
     ACTOR_ON_REPLACED_ROAD: Final = "RL192"

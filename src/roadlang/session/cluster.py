@@ -38,14 +38,25 @@ def cluster(address: str | None, jobs: int) -> Iterator[Workers]:
         client = Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         reason = str(error) or "no scheduler answers there"
-        fault = diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=reason)
+        help_ = "`dask scheduler` starts one and prints its address, such as `tcp://10.0.0.5:8786`"
+        fault = diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=reason, help=help_)
         raise DiagnosticError(fault) from error
     with client:
         workers = sum(client.nthreads().values())
         unfit = _unfit(client) if workers else "it has no workers"
         if unfit:
-            raise DiagnosticError(diagnose(Code.CLUSTER_NOT_REACHED, address=address, reason=unfit))
+            fault = diagnose(
+                Code.CLUSTER_NOT_REACHED, address=address, reason=unfit, help=_needs(workers)
+            )
+            raise DiagnosticError(fault)
         yield Workers(workers, client.get_executor(retries=_RETRIES, pure=False))
+
+
+def _needs(workers: int) -> str:
+    """What to do about a cluster without workers, or with others."""
+    if not workers:
+        return "`dask worker ADDRESS` starts one"
+    return f"its machines need `pip install roadlang=={__version__}` and the same plugins"
 
 
 def worker_version() -> str:

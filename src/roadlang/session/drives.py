@@ -17,7 +17,7 @@ from ..drive.standing import without_objects
 from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..drive.written_places import UNKNOWN, WrittenPlaces
 from ..ir.controller_failure import failure_columns
-from ..judging.badness import badness
+from ..judging.badness import badness, says_how_near
 from ..judging.deciding_moment import DecidingMoment, deciding_moment
 from ..judging.robustness_series import robustness_series
 from ..search.worker_pool import ALONE, WorkerPool, Workers
@@ -154,6 +154,12 @@ class Drive:
         return frame_of(self.to_dict(), "time")
 
     @property
+    def has_contacts_alone(self) -> bool:
+        """Whether agents touch something, which no expectation says to be wrong."""
+        touched = any(event["event"] == "contact" for event in self.trace.events)
+        return touched and self.verdict != "violated"
+
+    @property
     def worst(self) -> Verdict | None:
         """The violated expectation of least robustness; where all hold that of the least above 0:
         what equality decides (`ego.contacts == 0`) holds with 0, and came near to nothing."""
@@ -264,7 +270,8 @@ class DriveSet(Sequence[Drive]):
 def _worst_columns(drive: Drive) -> dict[str, Any]:
     worst, moment = drive.worst, drive.worst_moment
     columns: dict[str, Any] = {"worst": None if worst is None else worst.name}
-    if moment is not None and moment.actors:
+    shows = worst is not None and says_how_near(worst.satisfied, worst.robustness)
+    if shows and moment is not None and moment.actors:
         agent, at = moment.actors[0], moment.sample
         columns |= {"worst time": float(drive.trace.time[at]), "worst agent": agent.name}
         for name in ("x", "y", "station"):

@@ -249,9 +249,11 @@ class LoadedScenario:
             self.text, self.path, self._settings, self.registry, self.outputs
         )
         if scenario is not None:
+            from .empty_files import empty_file
             from .fixed_faults import fixed_faults
 
-            faults = fixed_faults(scenario, self.registry)
+            empty = empty_file(scenario, self.path)
+            faults = fixed_faults(scenario, self.registry) if empty is None else [empty]
             if faults:
                 return None, tuple(in_order([*found, *faults]))
         return scenario, tuple(found)

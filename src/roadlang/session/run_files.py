@@ -84,6 +84,7 @@ class RunFolder:
                 "record": record_of(drive),
                 "measures": _measures(drive),
                 "files": paths,
+                "contacts": drive.has_contacts_alone,
             }
             for row, drive, paths in zip(drives.rows(), drives, written, strict=True)
         ]
@@ -97,6 +98,10 @@ class RunFolder:
     def records(self, scenes: Iterable[int]) -> list[dict[str, Any]]:
         """The verdicts of scenes, in their order."""
         return [dict(self.finished[number]["record"]) for number in scenes]
+
+    def contacts(self, scenes: Iterable[int]) -> int:
+        """In how many of these scenes agents touch something, and no expectation is violated."""
+        return sum(bool(self.finished[number].get("contacts")) for number in scenes)
 
     def _has_files(self, entry: Mapping[str, Any]) -> bool:
         stem = file_stem(entry["row"]["scene"])

@@ -40,7 +40,12 @@ def counts(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[np.int64
         found = f"{float(value[(value < 0) | (value > MOST_COPIES)][0]):g}"
         raise DiagnosticError(
             diagnose(
-                Code.COUNT_OUT_OF_BOUNDS, actor.span, name=actor.name, count=found, most=MOST_COPIES
+                Code.COUNT_OUT_OF_BOUNDS,
+                actor.span_of("count"),
+                name=actor.name,
+                count=found,
+                most=MOST_COPIES,
+                help=f"keep it within, such as `max(0, min(COUNT, {MOST_COPIES}))`",
             )
         )
     return np.broadcast_to(np.rint(value).astype(np.int64), (candidates.count,))

@@ -21,7 +21,7 @@ from ..geometry.junctions.one_way import one_way
 from ..geometry.junctions.raised_roads import with_heights
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
-from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
+from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork, TextSource
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
@@ -188,7 +188,7 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     else:
         found = _extracted(network, candidates)
     if not found.network.edges:
-        raise _empty(network, found.remarks or ("try `extract with contour { threshold: ... }`",))
+        raise _empty(network, (*found.remarks, _without_roads(network, candidates)))
     found = _within(network, found, candidates)
     moved = moved_network(network, found.network, candidates)
     if moved is not found.network:  # the pixels are where they were
@@ -196,6 +196,19 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     found = replace(found, network=with_heights(found.network))
     plans = network_plans(network, found.network, candidates)
     return replace(found, junctions=plans)
+
+
+def _without_roads(network: ScenarioNetwork, candidates: CandidateBatch) -> str:
+    """What to do about a source in which there is none."""
+    if isinstance(network.source, FileSource):
+        return f"`roadlang view {network.source.path}` shows what the file holds"
+    image = candidates.scenario.source_of(network)
+    if isinstance(image, ScenarioImage) and isinstance(image.source, TextSource):
+        return "draw some with the character that the `legend` calls `road`"
+    return (
+        "say what the image is: `extract with contour` for a drawing, `extract with aerial` for a "
+        "photo; `roadlang extract IMAGE --overlay FILE` shows what is seen"
+    )
 
 
 def _empty(network: ScenarioNetwork, help: tuple[str, ...]) -> DiagnosticError:

@@ -88,6 +88,12 @@ class StreamMonitor:
         for name in self._names:
             if name not in values:
                 raise stl_error(Code.MISSING_SIGNAL, name=name)
+            if isinstance(values[name], str):
+                text = f"is {str(values[name])!r}"
+                what = f"`{name}`"
+                raise stl_error(
+                    Code.WRONG_SIGNAL_SHAPE, what=what, expected="be numbers", found=text
+                )
             if math.isnan(arguments.number(f"values[{name!r}]", values[name])):
                 where = f"position {position_text(position)}"
                 raise stl_error(Code.NON_FINITE_SIGNAL, name=name, value=values[name], place=where)

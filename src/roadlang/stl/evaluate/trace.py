@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -22,6 +23,7 @@ Positions: TypeAlias = ArrayLike
 Signals: TypeAlias = Mapping[str, ArrayLike]
 
 
+_UNIT = r"{}\s*[\[(][^\[\]()]*[\])]"
 _ORDER = "sort the samples by position, and drop those that repeat one or have none"
 _FILL = "drop the samples without a value (positions may be uneven), or fill them in"
 _OWN_GRID = "signals with grids of their own need `semantics`: `held` or `linear`"
@@ -193,14 +195,22 @@ def _shown(name: str) -> str:
 
 def _written(name: str) -> str:
     """A name as it has to be written: with the back quotes that it needs."""
-    text = name_text(name)
-    return f"`` {text} `` (in back quotes)" if text.startswith("`") else f"`{text}`"
+    if name_text(name).startswith("`") or "(" in name:
+        return f"`` `{name}` `` (in back quotes)"
+    return f"`{name}`"
+
+
+def _with_unit(name: str, signals: Signals) -> str | None:
+    """The signal whose name is this one and a unit in brackets: `x [m]`."""
+    return next(
+        (each for each in signals if re.fullmatch(_UNIT.format(re.escape(name)), each)), None
+    )
 
 
 def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArray[np.generic]:
     if name not in signals:
         known = ", ".join(map(_shown, sorted(signals))) or "none"
-        meant = nearest(name, signals)
+        meant = _with_unit(name, signals) or nearest(name, signals)
         hints = () if meant is None else (f"did you mean {_written(meant)}?",)
         help = (*hints, f"the signals given are: {known}")
         raise stl_error(Code.MISSING_SIGNAL, name=name, help=help)
@@ -216,7 +226,7 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
             Code.WRONG_SIGNAL_SHAPE,
             what=f"`{name}`",
             expected="be numbers",
-            found=f"is of type {array.dtype}",
+            found=_no_numbers(signals[name], array),
             help=_OWN_GRID if hasattr(signals[name], "positions") else (),
         )
     samples = stations.size
@@ -228,6 +238,15 @@ def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArra
     if array.ndim == 2 and array.shape[0] == 0:
         raise stl_error(Code.EMPTY_TRACE)
     return array
+
+
+def _no_numbers(values: ArrayLike, array: NDArray[np.generic]) -> str:
+    """What an array of another type than numbers is, with the first text in it."""
+    items = enumerate(values if isinstance(values, list) else array.reshape(-1))
+    sample, text = next(((n, item) for n, item in items if isinstance(item, str)), (0, None))
+    if text is None:
+        return f"is of type {array.dtype}"
+    return f"is {str(text)!r} {getattr(text, 'place', f'at sample {sample}')}"
 
 
 def _unmasked(values: ArrayLike) -> NDArray[np.generic]:

@@ -14,8 +14,11 @@ import re
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+
+from .text_cell import TextCell
 
 COMMENT = "#"
 _UNPACKED_BY_NUMPY = (".bz2", ".gz", ".lzma", ".xz")
@@ -102,12 +105,13 @@ class DelimitedText:
         is_row = len(cells) == len(self.names) and not any(map(_is_value, cells)) and any(cells)
         return tuple(cells) if is_row else None
 
-    def numbers(self, file: Path | None = None) -> list[list[float]]:
+    def columns(self, file: Path | None = None) -> list[list[Any]]:
         """The columns. Empty cells are NaN, true and false 1 and 0, time stamps of the first
         column seconds (since 1970 where they have a date). `file` is a file that holds the text as
         it is, in an encoding that has ASCII in it: numpy reads files faster than texts.
 
-        Raises DelimitedTextFault for a cell that is no number.
+        Other cells are texts, each with its place. Raises DelimitedTextFault for one in the first
+        column, which holds the positions.
         """
         quick = self._regular(file)
         if quick is not None:
@@ -115,11 +119,13 @@ class DelimitedText:
         rows = self.rows()
         if len(rows) > 1 and not any(map(_is_value, rows[0][1])):
             del rows[0]  # the units of the columns
-        columns: list[list[float]] = [[] for _ in self.names]
+        columns: list[list[Any]] = [[] for _ in self.names]
         for line, cells in rows:
             for index, (name, cell) in enumerate(zip(self.names, cells, strict=True)):
-                value = _value(cell, stamp=index == 0)
-                if value is None:
+                value: Any = _value(cell, stamp=index == 0)
+                if value is None and index:
+                    value = TextCell.at(cell.strip(), f"in line {line}")
+                elif value is None:
                     raise DelimitedTextFault(
                         f"{cell!r} in line {line}, column `{name}` is not a number"
                     )

@@ -12,6 +12,7 @@ from ...syntax.parsing.parser import parse_formula
 from ...syntax.recovery.operator_spelling import meant_temporal
 from ..formula import formulas as f
 from .from_syntax_tree import FormulaReader
+from .unit_factors import is_unit
 
 _ORIGINS = (
     (
@@ -48,7 +49,7 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
 def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
     """Says how formulas of other tools can be read, and how names of columns are written."""
     hints = [hint for pattern, hint in _ORIGINS if pattern.search(text)][:1]
-    name = _column(text, errors[0]) if errors else None
+    name = _column(text, errors[0]) if errors and not hints else None
     first = name.partition(" ")[0] if name is not None else ""
     meant = meant_temporal(first) if name is not None else None
     if first in BY_WORD:  # of the words that may be names too
@@ -69,6 +70,9 @@ def _column(text: str, error: Diagnostic) -> str | None:
     start, end = error.span.start, error.span.end
     if error.code == Code.NON_ASCII_NAME:
         return text[start:end]
+    for named in re.finditer(r"([A-Za-z_]\w*)\s*\[\s*([^\[\]]+?)\s*\]", text):
+        if named.start() < start < named.end() and is_unit(named[2]) and named[1] not in BY_WORD:
+            return named[0]
     before = re.search(r"([A-Za-z_]\w*) +$", text[:start])
     words = before is not None and re.fullmatch(r"[A-Za-z_]\w*", text[start:end])
     if error.code != Code.UNEXPECTED_TOKEN or before is None or not words:

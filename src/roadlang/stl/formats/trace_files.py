@@ -17,8 +17,10 @@ from .drive_traces import (
     is_document,
     is_table,
 )
+from .text_cell import TextCell
 
-Columns = tuple[str, list[float], dict[str, list[float]]]
+Columns = tuple[str, list[float], dict[str, list[Any]]]
+"""Name of the axis, positions, and signals by name; a signal may hold texts among its numbers."""
 
 
 def read_trace(path: str | Path, agent: str | None = None) -> Columns:
@@ -33,7 +35,7 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     Cells are parted by commas, tabs, semicolons (numbers may then have decimal commas) or spaces.
     Lines that begin with `#`, empty lines and a second line of units are skipped. Positions may
     be time stamps of ISO 8601 or `hh:mm:ss`. Empty cells become NaN, which a formula that reads
-    the signal refuses. Raises DiagnosticError RL340.
+    the signal refuses, as it refuses texts. Raises DiagnosticError RL340.
     """
     path = arguments.path("path", path)
     try:
@@ -72,7 +74,7 @@ def _from_csv(path: Path, text: str, agent: str | None, file: Path | None) -> Co
             listed = [cells for _, cells in table.rows()]
             return _checked(path, columns_of_rows(table.names, listed, agent))
         _refuse_agent(agent)
-        columns = table.numbers(None if table.delimiter == ";" else file)
+        columns = table.columns(None if table.delimiter == ";" else file)
     except DelimitedTextFault as fault:
         raise _unreadable(path, str(fault)) from None
     return table.names[0], columns[0], dict(zip(table.names[1:], columns[1:], strict=True))
@@ -102,13 +104,14 @@ def _checked(path: Path, columns: dict[str, Any]) -> Columns:
     """Columns as numbers; the first holds the positions."""
     if not columns:
         raise _unreadable(path, "it has no columns")
-    checked = {}
+    checked: dict[str, list[Any]] = {}
     for name, column in columns.items():
         if not isinstance(column, list):
             raise _unreadable(path, f"`{name}` is not a list of numbers")
         places = (f"`{name}`, sample {index}" for index in range(len(column)))
         checked[name] = [
-            _number(path, cell, place) for cell, place in zip(column, places, strict=True)
+            _number(path, cell, place, is_signal=bool(checked))
+            for cell, place in zip(column, places, strict=True)
         ]
     axis, *names = checked
     for name in names:
@@ -130,12 +133,14 @@ def _object(path: Path, value: Any) -> dict[str, Any]:
     return value
 
 
-def _number(path: Path, cell: Any, place: str) -> float:
+def _number(path: Path, cell: Any, place: str, *, is_signal: bool) -> float | TextCell:
     if cell is None or (isinstance(cell, str) and not cell.strip()):
         return math.nan
     try:
         return float(cell)
     except (TypeError, ValueError):
+        if is_signal and isinstance(cell, str):
+            return TextCell.at(cell, f"at {place.rpartition(', ')[2]}")
         raise _unreadable(path, f"{cell!r} in {place} is not a number") from None
 
 

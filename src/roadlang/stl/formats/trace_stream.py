@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from .delimited_text import COMMENT, DelimitedText, DelimitedTextFault
 
-StreamedSample = tuple[float, dict[str, float]]
+StreamedSample = tuple[float, dict[str, Any]]
 
 
 def samples_of_lines(lines: Iterable[str]) -> Iterator[StreamedSample]:
@@ -46,7 +47,7 @@ def _sample(
 ) -> StreamedSample:
     text = line.replace(",", ".") if delimiter == ";" else line
     table = DelimitedText(names, text, number, delimiter)
-    columns = table.numbers()
+    columns = table.columns()
     if any(len(column) != 1 for column in columns):
         raise DelimitedTextFault(f"line {number} is not one sample")
     position, *values = (column[0] for column in columns)
