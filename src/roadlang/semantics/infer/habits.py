@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 _FUNCTIONS = {
     "Range": "a uniform draw is written `low..high`",
+    "VerifaiRange": "a uniform draw is written `low..high`",
     "random": "a uniform draw is written `low..high`",
     "rand": "a uniform draw is written `low..high`",
     "range": "a uniform draw is written `low..high`; `count` makes copies",
@@ -30,6 +31,9 @@ _FUNCTIONS = {
     "randint": "write `integer(low, high)`",
     "TruncatedNormal": "write `normal(mean, sd, within: [low, high])`",
     "gauss": "write `normal(mean, sd)`",
+    "can_see": "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`",
+    "sees": "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`",
+    "visible": "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`",
     "sqrt": "a square root is written `x ^ 0.5`",
     "pow": "a power is written `x ^ y`",
     "len": "the length of a road is `length(main)`",
@@ -43,7 +47,7 @@ _FUNCTIONS = {
     "intersects": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "ttc": "write `time_to_collision(ego, lead) > 2s`",
 }
-_RANGES = ("Range", "random", "rand", "Uniform")
+_RANGES = ("Range", "VerifaiRange", "random", "rand", "range", "Uniform")
 _WEIGHTED = ("Discrete", "Options")
 _COUNTERS = ("index", "i", "j", "k", "n", "idx")
 _NAMES = {
@@ -111,6 +115,11 @@ def function_help(call: ast.CallExpression, name: str) -> tuple[str, tuple[Fix, 
     if name in _RANGES and len(plain) == len(call.arguments) == 2 and numbers:
         low, high = (argument.value.span.text for argument in plain)
         return f"write `{low}..{high}`", (Fix(call.span, f"{low}..{high}"),)
+    if name in _RANGES and len(call.arguments) == 1:
+        (argument,) = call.arguments
+        if isinstance(argument.value, ast.Draw):
+            low_to_high = argument.value.span.text
+            return f"write `{low_to_high}`", (Fix(call.span, low_to_high),)
     weights = [a.value for a in call.arguments if a.key is not None and a.key.text == "weights"]
     if name in _WEIGHTED and plain and weights and isinstance(weights[0], ast.ListValue):
         values = ", ".join(argument.value.span.text for argument in plain)

@@ -12,6 +12,7 @@ from ...plugins.options import schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
 from ..checker import Checker, ResolvedKind
 from ..suggestions import meant_name
+from .other_simulators import kind_help
 
 MOST_LISTED = 12
 """Names in one line of help"""
@@ -148,7 +149,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
     if not meant and (not help_ or verb == "lane"):  # a lane is no agent: which lanes there are
         help_ += _listing(verb, registry.names(verb))
     if not meant:
-        help_ += registry.hints
+        help_ += [*kind_help(verb, name), *registry.hints]
     noun = _NOUNS.get(verb, f"kind of `{verb}`")
     checker.report(Code.UNKNOWN_KIND, span, name=name, noun=noun, help=help_, meant=meant)
 

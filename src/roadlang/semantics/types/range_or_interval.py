@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Fix
+from ...ir.dimension import ANGLE
 from ...plugins import option_types as opt
 from . import expression_types as ty
 from .expression_types import TypedExpression
@@ -23,6 +24,9 @@ def other_form(
         return (f"`..` draws one value between the two; write `{meant}`",), (
             Fix(typed.span, meant),
         )
+    if isinstance(expected, opt.WordType) and isinstance(typed.type, ty.Quantity):
+        is_angle = typed.type.dimension == ANGLE  # of `facing`
+        return ((f"write `heading: {typed.span.text}`",) if is_angle else ()), ()
     is_point = isinstance(typed.type, ty.CoordinatesType)  # lists of points have several
     if isinstance(expected, opt.ListType) and not is_point and matches(typed, expected.item):
         meant = f"[{typed.span.text}]"

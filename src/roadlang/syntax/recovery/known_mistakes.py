@@ -31,6 +31,7 @@ from .expression_habits import (
 from .form_mistakes import actor_order, interval_form, list_operand, option_without_value
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .placement_habits import position_on_road
+from .scenic_habits import scenic_operator, scenic_placement
 from .sign_mistakes import (
     colon_before_monitor,
     extra_sign,
@@ -75,6 +76,8 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     options_in_parentheses,
     options_in_list,
     relative_position,
+    scenic_placement,
+    scenic_operator,
     override_with_role,
     json_document,
     method_call,

@@ -1,0 +1,69 @@
+"""Specifiers and operators of Scenic: what stands where, what sees what, how far it is."""
+
+from __future__ import annotations
+
+from ...diagnostics import Code, diagnose
+from .error_position import ErrorPosition, Mistake
+from .token_names import expectation, finding
+
+_BRACES = "options are written in braces: `at 5m { heading: 30deg, drive with pure_pursuit }`"
+_IN_BLOCK = "write an option as `start_speed: 10m/s`, a controller as `drive with KIND { ... }`"
+_SIGHT = (
+    "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`; what agents see "
+    "of others is up to their sensors, `sense with KIND`"
+)
+
+
+def scenic_placement(place: ErrorPosition) -> Mistake | None:
+    """`is car following ego for 10m`, `left of ego by 3m`, `offset by 2m`, `at 5m facing 30deg`."""
+    if place.first_kind not in ("AGENT", "OBJECT"):
+        return None
+    if place.kind() == "WITH" and place.in_block and not place.expects("COMMA"):
+        return _refused(place, _IN_BLOCK, hopeless=False)
+    if place.in_block or place.kind() != "NAME":
+        return None
+    word, after = place.word(), place.word(1)
+    if word == "following":
+        return _refused(place, _following(place))
+    if word == "facing":
+        return _refused(place, _BRACES)
+    if word in ("left", "right") and after == "of":
+        return _refused(place, f"write `at beside({place.word(2)}, {word})`")
+    if word == "offset" and after in ("by", "along"):
+        return _refused(place, f"an offset is an option: `{{ offset: {place.word(2)} }}`")
+    if word == "visible":
+        return _refused(place, "nothing is placed by what is seen: write a range, `at 20m..60m`")
+    return None
+
+
+def _following(place: ErrorPosition) -> str:
+    """`following ego for 10m`, `following main from ego for 10m`: along the road from something."""
+    other = place.word(3) if place.word(2) == "from" else place.word(1)
+    words = [place.word(offset) for offset in range(2, 6)]
+    gap = words[words.index("for") + 1] if "for" in words[:-1] else "10m"
+    return (
+        f"a position relative to another is written `at ahead_of({other}, {gap})` or "
+        f"`at behind({other}, {gap})`; who follows another is `drive with car_follow`"
+    )
+
+
+def scenic_operator(place: ErrorPosition) -> Mistake | None:
+    """`ego can see lead`, `distance from ego to lead`, `distance to lead`."""
+    if place.word() == "can" and place.word(1) == "see":
+        return _refused(place, _SIGHT)
+    is_measured = place.first_kind in ("REQUIRE", "EXPECT") and place.word() in ("from", "to")
+    if not is_measured or place.kind(-1) != "NAME" or place.kind(1) != "NAME":
+        return None
+    names = [place.word(1), place.word(3)] if place.word(2) == "to" else ["AGENT", place.word(1)]
+    return _refused(place, f"write `{place.word(-1)}({', '.join(names)})`")
+
+
+def _refused(place: ErrorPosition, help: str, hopeless: bool = True) -> Mistake:
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(),
+        expected=expectation(place),
+        found=finding(place),
+        help=help,
+    )
+    return Mistake(found, hopeless=hopeless)
