@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import io
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from tests.cli.command_lines import Done, roadlang
+
 LINES = "# a log\nt,x\n0,1\n1,2\n2,9\n3,1\n4,1\n5,1\n"
+
+
+def followed_here(formula: str, text: str, monkeypatch: pytest.MonkeyPatch) -> Done:
+    """In this process, which is started much sooner than another."""
+    stream = io.TextIOWrapper(io.BytesIO(text.encode()), encoding="utf-8")
+    monkeypatch.setattr(sys, "stdin", stream)
+    return roadlang("monitor", formula, "-", "--follow", cwd=Path())
 
 
 def follow(formula: str, text: str) -> subprocess.CompletedProcess[str]:
@@ -74,8 +84,10 @@ def test_lines_come_out_before_the_stream_ends(tmp_path: Path) -> None:
         ("once (x < 1)", "t,x\none,0\n", "RL340"),
     ],
 )
-def test_streams_and_formulas_that_do_not_fit(formula: str, text: str, code: str) -> None:
-    ended = follow(formula, text)
+def test_streams_and_formulas_that_do_not_fit(
+    formula: str, text: str, code: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ended = followed_here(formula, text, monkeypatch)
 
     assert ended.returncode == 1
     assert f"error[{code}]" in ended.stderr
@@ -83,10 +95,7 @@ def test_streams_and_formulas_that_do_not_fit(formula: str, text: str, code: str
 
 
 def test_follow_takes_one_trace() -> None:
-    ended = subprocess.run(
-        [sys.executable, "-m", "roadlang", "monitor", "x > 0", "a.csv", "b.csv", "--follow"],
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
+    ended = roadlang("monitor", "x > 0", "a.csv", "b.csv", "--follow", cwd=Path())
 
     assert ended.returncode == 2
     assert "--follow goes with one TRACE" in ended.stderr

@@ -48,7 +48,8 @@ def call_sites() -> list[tuple[str, str, str, set[str | None]]]:
 def _call_sites() -> Iterator[tuple[str, str, str, set[str | None]]]:
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*.py")):
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            text = path.read_text(encoding="utf-8")
+            for node in ast.walk(ast.parse(text)) if "Code." in text else ():
                 if isinstance(node, ast.Call) and node.args:
                     function = node.func
                     name = function.attr if isinstance(function, ast.Attribute) else ""

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
-import sys
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -20,6 +18,7 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extract_onnx import OnnxExtractor
 from roadlang_standard.extract_pixels import Pixel
+from tests.cli.command_lines import roadlang
 from training.rendering.aerial import render_aerial
 from training.rendering.drawings import draw_circuit, draw_filled
 
@@ -116,8 +115,7 @@ network town from plan
 require sure: confidence(town) > {share}
 """
     (tmp_path / "town.rl").write_text(scene)
-    command = [sys.executable, "-m", "roadlang", "compile", "town.rl", "-n", "1", "-o", "out"]
-    assert subprocess.run(command, cwd=tmp_path, capture_output=True).returncode == code
+    assert roadlang("compile", "town.rl", "-n", "1", "-o", "out", cwd=tmp_path).returncode == code
 
 
 def test_a_typed_road_has_the_width_that_is_asked_for() -> None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from roadlang import testing
 from roadlang.ir.trace import Trace
 
 from .driven_roads import drive
+from .routed_scenes import drive_scenes
 
 ROAD = """
 road main {
@@ -86,11 +88,13 @@ def test_it_never_passes_where_the_speed_limit_leaves_nothing_to_gain() -> None:
 
 def test_in_left_hand_traffic_it_passes_on_the_right() -> None:
     straight = ROAD.replace("arc(500m, 40deg)", "straight(100m)")
-    right, left = (
-        drive(straight + PASSES + ONCOMING + f"world {{ traffic: {side} }}", 2, duration=30)
+    scenes = [
+        one.record
         for side in ("right", "left")
-    )
-    for one, other in zip(right, left, strict=True):
+        for one in testing.sample(straight + PASSES + ONCOMING + f"world {{ traffic: {side} }}", 2)
+    ]
+    traces = drive_scenes(scenes, duration=30.0)
+    for one, other in zip(traces[:2], traces[2:], strict=True):
         assert one.agents["ego"].y == pytest.approx(-other.agents["ego"].y, abs=1e-9)
 
 
@@ -109,24 +113,23 @@ agent oncoming is car on street at 190m..295m { facing: back, drive with traffic
 """
 
 
-@pytest.mark.parametrize(
-    "things",
-    [
+def test_what_stands_in_the_lane_is_passed_when_the_road_is_free() -> None:
+    cases = [
         "object things is parked_car on street at 90m..130m { lane: -1, offset: -0.5m }",
         "object things is cone on street at 110m { count: 8, spacing: 5m, lane: -1 }",
         "agent things is bus on street at 100m { drive with stop_at { station: 120m } }",
-    ],
-)
-def test_what_stands_in_the_lane_is_passed_when_the_road_is_free(things: str) -> None:
-    for trace in drive(STANDING + things, 3, duration=45):
+    ]
+    drawn = [(case, one.record) for case in cases for one in testing.sample(STANDING + case, 3)]
+    traces = drive_scenes([scene for _, scene in drawn], duration=45.0)  # in one block
+    for (case, _), trace in zip(drawn, traces, strict=True):
         ego, oncoming = trace.agents["ego"], trace.agents["oncoming"]
-        assert trace.events == ()
-        assert ego.station.max() > 200.0
+        assert trace.events == (), case
+        assert ego.station.max() > 200.0, case
         last = ego.station > 200.0
-        assert np.abs(ego.y[last][0] + 1.75) < 0.3
+        assert np.abs(ego.y[last][0] + 1.75) < 0.3, case
         out = ego.y > 0.0
         meeting = np.abs(ego.x - oncoming.x) < 5.0
-        assert not (out & meeting).any()
+        assert not (out & meeting).any(), case
 
 
 @pytest.mark.parametrize("gap", [3, 7])

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
-from .driven_roads import drive
+from .driven_roads import drive, drive_together
 
 STREET = """
 road street {{ draw with segments {{ pieces: [straight(200m)] }}, lanes: {lanes}, width: {width}m }}
@@ -15,23 +14,22 @@ agent ego is car on street at 100m {{
 """
 
 
-@pytest.mark.parametrize(
-    ("lanes", "width", "lane", "moves"),
-    [(2, 7, -1, 5), (2, 7, 1, 5), (4, 14, -2, 1), (2, 16, -1, 1)],
-)
-def test_it_turns_in_as_many_moves_as_the_width_takes_and_goes_back_in_a_lane_of_the_other_side(
-    lanes: int, width: int, lane: int, moves: int
-) -> None:
-    text = STREET.format(lanes=lanes, width=width, lane=lane, options="when: time > 1s")
-    (trace,) = drive(text, duration=20.0)
-    ego = trace.agents["ego"]
-    backward = ego.speed < -0.1
-    assert 1 + 2 * int((np.diff(backward.astype(int)) == 1).sum()) == moves
-    assert ego.off_road.max() <= 0.0
-    assert abs(abs(np.degrees(ego.heading[-1] - ego.heading[0])) - 180.0) < 2.0
-    assert np.sign(ego.lane[-1]) == -np.sign(lane)
-    assert abs(ego.lane_offset[-1]) < 0.2
-    assert (ego.station[-1] - 100.0) * np.sign(lane) > 10.0
+def test_it_turns_in_as_many_moves_as_the_width_takes_and_goes_back_in_the_other_side() -> None:
+    cases = [(2, 7, -1, 5), (2, 7, 1, 5), (4, 14, -2, 1), (2, 16, -1, 1)]
+    texts = (
+        STREET.format(lanes=lanes, width=width, lane=lane, options="when: time > 1s")
+        for lanes, width, lane, _ in cases
+    )
+    for case, trace in zip(cases, drive_together(texts, duration=20.0), strict=True):
+        _, _, lane, moves = case
+        ego = trace.agents["ego"]
+        backward = ego.speed < -0.1
+        assert 1 + 2 * int((np.diff(backward.astype(int)) == 1).sum()) == moves, case
+        assert ego.off_road.max() <= 0.0, case
+        assert abs(abs(np.degrees(ego.heading[-1] - ego.heading[0])) - 180.0) < 2.0, case
+        assert np.sign(ego.lane[-1]) == -np.sign(lane), case
+        assert abs(ego.lane_offset[-1]) < 0.2, case
+        assert (ego.station[-1] - 100.0) * np.sign(lane) > 10.0, case
 
 
 def test_it_waits_for_a_gap_if_it_says_so() -> None:
