@@ -29,6 +29,20 @@ settings.load_profile("roadlang")
 pytest_plugins = ["roadlang.testing", "tests.scene_texts"]
 
 
+MOST_WORKERS = 8
+"""`-n auto` starts no more, however many cores there are: each has Godot engines of its own."""
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int | None:
+    """As many as cores, up to `MOST_WORKERS`; PYTEST_XDIST_AUTO_NUM_WORKERS says it otherwise."""
+    if "PYTEST_XDIST_AUTO_NUM_WORKERS" in os.environ:
+        return None
+    known = hasattr(os, "sched_getaffinity")
+    cores = len(os.sched_getaffinity(0)) if known else os.cpu_count() or 1
+    return min(cores, MOST_WORKERS)
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """With `-m slow`, most files have nothing to run: those are not imported."""
     if config.option.markexpr != "slow" or not collection_path.name.startswith("test_"):

@@ -16,7 +16,7 @@ road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (90m, 25m), (90m
 agent ego is car on main at 5m..9m { drive with pure_pursuit { speed: 6m/s..15m/s, lookahead: 5m..9m } }
 object oak is tree on main at 50m { side: right, offset: 2m..4m }
 expect slow: always (ego.speed < 11m/s)
-simulate with builtin { duration: 6s }
+simulate with builtin { duration: 6s, control_step: 0.1s }
 falsify with random { evaluations: 20, random: 0% }
 """  # noqa: E501
 DRAWS = ["ego/at", "ego/drive 1/speed", "ego/drive 1/lookahead", "oak/offset"]

@@ -19,7 +19,7 @@ TEXT = """
 road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (90m, 25m), (90m, 80m)] }, width: 7m }
 agent ego is car on main at 5m { drive with pure_pursuit { speed: 6m/s..16m/s } }
 expect slow: always (ego.speed < 11m/s)
-simulate with builtin { duration: 6s }
+simulate with builtin { duration: 6s, control_step: 0.1s }
 falsify with random { evaluations: 12, random: 0% }
 """  # noqa: E501
 

@@ -33,7 +33,7 @@ agent cars is choice(car, van) on town at random {
 }
 agent walker is pedestrian on town at random { side: right, offset: 1m, drive with walk }
 expect untouched: always (cars.contacts == 0)
-simulate with builtin { duration: 8s }
+simulate with builtin { duration: 8s, control_step: 0.1s }
 emit json
 """
 

@@ -13,6 +13,7 @@ TEXT = """road main {{ draw with waypoints {{ points: [(0m, 0m), (200m, 0m)] }} 
 agent ego is car on main at 10m {{ drive with lane_follow {{ speed: 10m/s }} }}
 agent lead is truck on main at 60m {{ drive with lane_follow {{ speed: 2m/s }} }}
 expect it: {0}
+simulate with builtin {{ control_step: 0.1s }}
 """
 
 

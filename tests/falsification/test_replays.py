@@ -11,9 +11,13 @@ import roadlang
 from benchmarks.falsification.bent_road import lane_keeper
 from benchmarks.falsification.rare import FAILS
 
+FEW_DECISIONS = "\nsimulate with builtin { control_step: 0.1s }\n"
+"""Deciding takes most of the time of a drive."""
+
 SLIPPERY = {
-    "hard": lane_keeper(0.54),
-    "rare": FAILS.replace("choice(0.55, 0.6, 0.65, 0.7, 0.75)", "choice(0.5, 0.52, 0.55)"),
+    "hard": lane_keeper(0.54) + FEW_DECISIONS,
+    "rare": FAILS.replace("choice(0.55, 0.6, 0.65, 0.7, 0.75)", "choice(0.5, 0.52, 0.55)")
+    + FEW_DECISIONS,
 }
 
 

@@ -14,7 +14,7 @@ agent lead is car on main at 30m { drive with pure_pursuit { speed: 5m/s..9m/s }
 object oak is tree on main at 50m { side: right, offset: 2m..4m }
 expect slow: always (ego.speed < 11m/s)
 expect apart: always (gap(ego, lead) > 1m)
-simulate with builtin { duration: 8s }
+simulate with builtin { duration: 8s, control_step: 0.1s }
 falsify with random { evaluations: 40, random: 0% }
 """  # noqa: E501
 

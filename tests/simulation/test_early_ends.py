@@ -21,6 +21,7 @@ agent ego is car on main at 5m {
   drive with stanley { speed: speed, lateral_acceleration: 9m/s^2 }
 }
 world { friction: 0.45 }
+simulate with builtin { control_step: 0.1s }
 """
 
 
