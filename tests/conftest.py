@@ -3,7 +3,9 @@
 Other examples: `pytest --hypothesis-profile=seeded --hypothesis-seed=1`.
 """
 
+import gc
 import os
+from collections.abc import Generator
 from pathlib import Path
 
 # OpenBLAS has kernels for each processor, whose last digits differ. What is stored in tests/golden
@@ -41,6 +43,16 @@ def pytest_xdist_auto_num_workers() -> int | None:
     known = hasattr(os, "sched_getaffinity")
     cores = len(os.sched_getaffinity(0)) if known else os.cpu_count() or 1
     return min(cores, MOST_WORKERS)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Thousands of tests are made and none is dropped: there is no garbage to look for."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

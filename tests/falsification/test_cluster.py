@@ -25,11 +25,10 @@ road bent from main { perturb with bump { height: 0m..8m, at: 50m..110m, length:
 require high: sup_distance(bent, main) > 2m
 """
 
-distributed = pytest.importorskip("distributed")
-
 
 @pytest.fixture(scope="module")
 def address() -> Iterator[str]:
+    distributed = pytest.importorskip("distributed")  # takes a second: not in every worker
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None
     ) as local:
