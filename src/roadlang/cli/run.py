@@ -167,7 +167,6 @@ class RunBatch:
         self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int
     ) -> None:
         """One run; that there is no scene ends only this one."""
-        from ..drive.written_places import WrittenPlaces
         from ..session.drive_outputs import drive_backends
         from ..session.results_record import record_of_run
         from ..session.scene_set import NoSceneError
@@ -189,7 +188,7 @@ class RunBatch:
             return
         report(scenes.diagnostics)
         origin = record_of_run(scenes, count, self._engine, self._options)
-        task = self._task(loaded.registry, WrittenPlaces.of(loaded.scenario))
+        task = self._task(loaded.registry, loaded.places)
         self._drive(scenes, task, (_key(scenes), origin), run, backends)
 
     def _task(self, registry: Any, places: WrittenPlaces) -> DriveTask:

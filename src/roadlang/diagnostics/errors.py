@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from .diagnostic import Diagnostic
+from .source import Span
 
 
 class DiagnosticError(Exception):
@@ -21,6 +24,10 @@ class DiagnosticError(Exception):
     def details(self) -> str:
         """What belongs below the diagnostics, such as a table; empty if nothing does."""
         return ""
+
+    def at(self, span: Span | None) -> DiagnosticError:
+        """The same, those without a place at this one."""
+        return DiagnosticError(*(replace(d, span=d.span or span) for d in self.diagnostics))
 
     def __str__(self) -> str:
         from .render import render_all

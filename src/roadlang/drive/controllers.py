@@ -53,7 +53,8 @@ def _driver(
     undriven = all(controller is None for controller in each.values())
     if (undriven and not sensors) or (steady and each[steady[-1]] is None):
         return None
-    return Driver(each, steady, {**expected, **_signals(actor, registry)}, sensors)
+    spans = {place: places.controllers.get((name, place)) for place in each}
+    return Driver(each, steady, {**expected, **_signals(actor, registry)}, sensors, spans)
 
 
 def _alters(controller: GuardedController | None) -> bool:

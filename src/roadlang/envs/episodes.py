@@ -202,5 +202,5 @@ def _drivers(world: World, pool: ScenePool, settings: EnvSettings) -> DriverGrou
     agents = [actor for scene in world.scenes for actor in scene.agents]
     if not any(actor.drive or actor.sensors for actor in agents):
         return None
-    controllers = [python_controllers(scene, pool.registry) for scene in world.scenes]
+    controllers = [python_controllers(scene, pool.registry, pool.places) for scene in world.scenes]
     return DriverGroup(world, controllers, settings.step)

@@ -11,6 +11,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
 from ..drive.controllers import sensor_arrays
 from ..drive.sensor_offers import refuse_sensors
 from ..drive.simulators import embedded_engine
+from ..drive.written_places import UNKNOWN, WrittenPlaces
 from ..ir.scene import Scene as SceneRecord
 from ..plugins.kinds import ReadingArray
 from ..plugins.registry import Registry
@@ -39,6 +40,8 @@ class ScenePool:
     """those of them whose least margin is the reward; none: the meters made"""
     sensors: Arrays
     """what the sensors of the driven agents read; the same in all scenes"""
+    places: WrittenPlaces = UNKNOWN
+    """where the scene file, if there is one, has what drives the other agents"""
 
 
 def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
@@ -47,7 +50,7 @@ def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
     Raises DiagnosticError: what loading and sampling raise, RL700 where a scene has no agent, RL731
     for an unknown agent, RL730 for a reward that cannot be evaluated step by step.
     """
-    records, registry, reward = _records(source, settings)
+    records, registry, places_in_file, reward = _records(source, settings)
     if not records:
         raise ValueError("an environment needs at least one scene")
     places = tuple(_place(scene, settings.agent) for scene in records)
@@ -60,7 +63,7 @@ def pool_of(source: Source, settings: EnvSettings) -> ScenePool:
         raise _no_reward(reward, verdicts)
     chosen = margins if reward is None else (reward,)
     sensors = _sensors(scenes, places, registry)
-    return ScenePool(scenes, places, registry, margins, chosen, sensors)
+    return ScenePool(scenes, places, registry, margins, chosen, sensors, places_in_file)
 
 
 def _sensors(scenes: Sequence[SceneRecord], places: Sequence[int], registry: Registry) -> Arrays:
@@ -95,8 +98,9 @@ def _widest(arrays: Sequence[ReadingArray]) -> ReadingArray:
 
 def _records(
     source: Source, settings: EnvSettings
-) -> tuple[tuple[SceneRecord, ...], Registry, str | None]:
-    """The scenes as sampled; the kinds; the name of the expectation that is the reward."""
+) -> tuple[tuple[SceneRecord, ...], Registry, WrittenPlaces, str | None]:
+    """The scenes as sampled; the kinds; where the file has what; the name of the expectation that
+    is the reward."""
     text = settings.reward if isinstance(settings.reward, str) else None
     if isinstance(source, str | Path):
         source = load(source)
@@ -107,15 +111,19 @@ def _records(
             loaded = loaded.with_text(f"{loaded.text}\nexpect {FORMULA}: {text}\n")
             text = FORMULA
         found = loaded.sample(settings.scenes, seed=settings.scene_seed)
-        return tuple(scene.record for scene in found), loaded.registry, text
+        return tuple(scene.record for scene in found), loaded.registry, loaded.places, text
     every: Iterable[Any] = [source] if isinstance(source, Scene) else source
     records: list[SceneRecord] = []
     registry: Registry | None = None
+    places: list[WrittenPlaces] = []
     for scene in every:
         is_facade = isinstance(scene, Scene)
         records.append(scene.record if is_facade else scene)
         registry = scene.registry if is_facade and registry is None else registry
-    return tuple(records), registry or installed(), text
+        places.append(scene.places if is_facade else UNKNOWN)
+    is_one_file = all(found is places[0] for found in places)
+    written = places[0] if places and is_one_file else UNKNOWN
+    return tuple(records), registry or installed(), written, text
 
 
 def _place(scene: SceneRecord, name: str | None) -> int:

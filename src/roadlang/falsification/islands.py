@@ -29,7 +29,7 @@ class Islands:
         self._screen = screen
         self._searches: list[Search] = []
         for island in range(plan.islands):
-            with plugin_guard(plan.entry, None):
+            with plugin_guard(plan.entry, plan.span):
                 search = plan.searcher.start(self._axes, _seed(plan.seed, island))
                 search.screen_with(called_by_plugins(self._screened))
             self._searches.append(search)
@@ -64,23 +64,23 @@ class Islands:
             for row, number in enumerate(rows):
                 found = outcomes[number].descriptor
                 descriptors[row, : len(found)] = found
-            with plugin_guard(self._plan.entry, None):
+            with plugin_guard(self._plan.entry, self._plan.span):
                 search.tell(read_only(points), read_only(values[rows]), read_only(descriptors))
 
     def _batch_size(self, search: Search) -> int:
         """How many candidates a search has in the next round. Raises RL474."""
         most = self._plan.batch
-        with plugin_guard(self._plan.entry, None):
+        with plugin_guard(self._plan.entry, self._plan.span):
             count = search.batch_size(most)
         if not isinstance(count, int) or not 1 <= count <= most:
             fault = f"gave the batch size {count!r}, which is no whole number from 1 to {most}"
-            raise wrong_result(self._plan.entry, None, fault)
+            raise wrong_result(self._plan.entry, self._plan.span, fault)
         return count
 
     def _points(self, search: Search, count: int) -> Floats:
         if count <= 0:
             return np.empty((0, len(self._axes)))
-        with plugin_guard(self._plan.entry, None):
+        with plugin_guard(self._plan.entry, self._plan.span):
             result = search.ask(count)
         return self._checked(result, count)
 
@@ -89,17 +89,17 @@ class Islands:
 
     def _checked(self, found: Any, count: int | None = None) -> Floats:
         """Points (n, axes) that a search gave, at most `count`. Raises RL474."""
-        points = real_numbers(found, "points", self._plan.entry, None)
+        points = real_numbers(found, "points", self._plan.entry, self._plan.span)
         if count is None:
             count = len(points) if points.ndim else 1
         fits = points.ndim == 2 and points.shape[1] == len(self._axes) and len(points) <= count
         if not fits:
             fault = f"gave points of shape {points.shape}, not {(count, len(self._axes))}"
-            raise wrong_result(self._plan.entry, None, fault)
+            raise wrong_result(self._plan.entry, self._plan.span, fault)
         beyond = points[~((points >= 0.0) & (points < 1.0))]
         if len(beyond):
             fault = f"gave the coordinate {beyond[0]:g}, which is not within [0, 1)"
-            raise wrong_result(self._plan.entry, None, fault)
+            raise wrong_result(self._plan.entry, self._plan.span, fault)
         return points
 
     def _proposal(self, index: int, point: Sequence[float] | None) -> Proposal:

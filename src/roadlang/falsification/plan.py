@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..diagnostics import Span
 from ..plugins.kinds import Searcher
 from ..plugins.registry import KindEntry
 
@@ -25,6 +26,8 @@ class Plan:
     """share of the candidates that are drawn at random"""
     after_violation: float = 2.0
     """seconds that a drive goes on after all that is expected of it is violated"""
+    span: Span | None = None
+    """where the searcher is written"""
 
     def __post_init__(self) -> None:
         if not self.searcher.is_adaptive:

@@ -21,7 +21,7 @@ def search_key(task: Task, plan: Plan) -> str:
     settings = {
         field.name: getattr(plan, field.name)
         for field in dataclasses.fields(plan)
-        if field.name not in (*_STOP_RULES, "searcher", "entry")
+        if field.name not in (*_STOP_RULES, "searcher", "entry", "span")
     }
     searcher = {"kind": plan.entry.qualified, "options": dataclasses.asdict(plan.searcher)}  # type: ignore[call-overload]
     return digest(

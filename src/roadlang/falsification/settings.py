@@ -49,11 +49,11 @@ def plan_of(
         searcher is None or entry_of(registry, "falsify", searcher).qualified == call.kind
     ):
         built = build(call, fixed_candidate(scenario), single=True)
-        entry, kind = built.entry, built.kind
+        entry, kind, span = built.entry, built.kind, call.span
     else:
         assert searcher is not None
-        entry, kind = configured(registry, "falsify", searcher, {})
-    return Plan(kind, entry, seed, **settings), expects
+        (entry, kind), span = configured(registry, "falsify", searcher, {}), None
+    return Plan(kind, entry, seed, span=span, **settings), expects
 
 
 def _settings(scenario: IndexedScenario) -> dict[str, Any]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from types import TracebackType
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
@@ -48,7 +47,7 @@ class plugin_guard(attributed):
     def _diagnosed(self, fault: PluginFault) -> DiagnosticError:
         entry, cause = self._entry, fault.__cause__
         if isinstance(cause, DiagnosticError):
-            return DiagnosticError(*(_at(d, self._span) for d in cause.diagnostics))
+            return cause.at(self._span)
         if isinstance(cause, OptionError) and cause.option in _names_of_options(entry):
             span = self._option_spans.get(cause.option, self._span)
             return DiagnosticError(_invalid_option(entry, span, cause))
@@ -108,7 +107,3 @@ def wrong_result(entry: KindEntry, span: Span | None, fault: str) -> DiagnosticE
             fault=fault,
         )
     )
-
-
-def _at(diagnostic: Diagnostic, span: Span | None) -> Diagnostic:
-    return diagnostic if diagnostic.span is not None else replace(diagnostic, span=span)

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
-from ..drive.written_places import WrittenPlaces
 from ..falsification.axes import axes_of
 from ..falsification.deadline import deadline
 from ..falsification.evaluator import Evaluator, Proposal, Task
@@ -202,7 +201,7 @@ class Falsification:
         from .drives import drive
 
         drives = self.drives
-        places = WrittenPlaces.of(self.loaded.scenario)
+        places = self.loaded.places
         return drive(scenes, self.loaded.registry, drives.engine, drives.options, places)
 
     @property

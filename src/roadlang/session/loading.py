@@ -18,6 +18,7 @@ from .params import ParamValue, param_texts
 from .scene_files import read_scene_file
 
 if TYPE_CHECKING:
+    from ..drive.written_places import WrittenPlaces
     from ..ir.scenario import Scenario
     from ..plugins.registry import Registry
     from ..scenes.sampling import SceneObserver
@@ -152,6 +153,13 @@ class LoadedScenario:
         if scenario is None:
             raise DiagnosticError(*found)
         return scenario
+
+    @cached_property
+    def places(self) -> WrittenPlaces:
+        """Where the file has what a drive may find faults with. Raises as `scenario`."""
+        from ..drive.written_places import WrittenPlaces
+
+        return WrittenPlaces.of(self.scenario)
 
     def sample(
         self,

@@ -15,6 +15,7 @@ from ..diagnostics import Code, DiagnosticError, arguments, diagnose
 from .profiles import Profiles, read_only
 
 if TYPE_CHECKING:
+    from ..drive.written_places import WrittenPlaces
     from ..geometry.arrays import Floats
     from ..ir.scene import Provenance, SceneActor, SceneNetwork, SceneRoad, Verdict
     from ..ir.scene import Scene as SceneRecord
@@ -259,11 +260,16 @@ class Scene:
         installed. `options` are those of the kind in SI units: `duration=10.0`. Raises
         `DiagnosticError` where the engine fails.
         """
-        from ..drive.written_places import UNKNOWN, WrittenPlaces
         from .drives import drive
 
-        places = UNKNOWN if self._loaded is None else WrittenPlaces.of(self._loaded.scenario)
-        return drive([self], self.registry, engine, options, places)[0]
+        return drive([self], self.registry, engine, options, self.places)[0]
+
+    @property
+    def places(self) -> WrittenPlaces:
+        """Where its file has what a drive may find faults with; nothing of a scene from JSON."""
+        from ..drive.written_places import UNKNOWN
+
+        return UNKNOWN if self._loaded is None else self._loaded.places
 
     def save(self, path: str | Path) -> Path:
         """Write the scene as JSON, whole or not at all. Raises `DiagnosticError` RL460."""

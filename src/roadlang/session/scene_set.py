@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
-from ..drive.written_places import WrittenPlaces
 from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
 from .expectations import Expectation, expectations_of
 from .scene import Scene
@@ -165,8 +164,7 @@ class SceneSet(Sequence[Scene]):
         """Drive every scene in a simulator, all with one engine; see `Scene.run`."""
         from .drives import drive
 
-        places = WrittenPlaces.of(self.loaded.scenario)
-        return drive(self, self.loaded.registry, engine, options, places)
+        return drive(self, self.loaded.registry, engine, options, self.loaded.places)
 
     def _repr_svg_(self) -> str:
         from ..plugins.configured import configured

@@ -158,7 +158,7 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
     scenes = loaded.sample(options["index"] + 1, seed=options["seed"])
     report(scenes.diagnostics)
     scene, road, time = scenes[-1].record, options["road"], options["time"]
-    controllers = python_controllers(scene, loaded.registry)
+    controllers = python_controllers(scene, loaded.registry, loaded.places)
     if suffix in EXPORTS:
         write_file(path, export_scene(scene, EXPORTS[suffix], road, time or 0.0, controllers))
         return

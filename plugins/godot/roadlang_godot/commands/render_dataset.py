@@ -55,7 +55,7 @@ def _driven_scenes(loaded: Any, first: int, seed: int, most: int) -> Iterator[tu
         if len(scenes) <= made:
             return
         for scene in scenes[made:]:
-            yield scene.record, python_controllers(scene.record, loaded.registry)
+            yield scene.record, python_controllers(scene.record, loaded.registry, loaded.places)
         made = len(scenes)
 
 

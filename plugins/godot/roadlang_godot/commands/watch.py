@@ -132,7 +132,7 @@ class Watcher:
         from roadlang.commands import handles_of, python_controllers
         from roadlang_godot.editing.live import LiveScene
 
-        controllers = python_controllers(scene, self._loaded.registry)
+        controllers = python_controllers(scene, self._loaded.registry, self._loaded.places)
         handles = handles_of(self._loaded.text, scene)
         return LiveScene(session, scene, controllers, self._road, handles)
 
@@ -207,7 +207,7 @@ class Watcher:
         scene = self._edited.preview(live.scene)
         if scene is None:
             return False
-        controllers = python_controllers(scene, self._loaded.registry)
+        controllers = python_controllers(scene, self._loaded.registry, self._loaded.places)
         handles, moved = handles_of(self._edited.shown, scene), self._edited.dragged_agent
         poses = self._held.poses_in(self._edited.shown)
         live.change(scene, controllers, moved, handles, poses, waits=False)

@@ -31,6 +31,6 @@ def compiled(loaded: LoadedScenario, seed: int) -> CompiledEdit:
 
     began = time.monotonic()
     (scene,) = loaded.sample(1, seed=seed)
-    controllers = python_controllers(scene.record, loaded.registry)
+    controllers = python_controllers(scene.record, loaded.registry, loaded.places)
     handles = handles_of(loaded.text, scene.record)
     return CompiledEdit(loaded, scene.record, controllers, handles, time.monotonic() - began)

@@ -207,7 +207,7 @@ class Driver(Controller):
     """What drives one agent: its controllers by their place in `SceneActor.drive`, None for those
     that are not written in Python; `steady` are the places of those without a condition;
     `signals`: the kinds of drive signals that their conditions name; `sensors`: those of the
-    agent."""
+    agent; `spans`: where they are written, by place."""
 
     def __init__(
         self,
@@ -215,7 +215,9 @@ class Driver(Controller):
         steady: Sequence[int],
         signals: Mapping[str, KindEntry] | None = None,
         sensors: Sequence[GuardedSensor] = (),
+        spans: Mapping[int, Span | None] | None = None,
     ) -> None:
+        self.spans = dict(spans or {})
         self.sensors = tuple(sensors)
         self.each = each
         self.signals = dict(signals or {})

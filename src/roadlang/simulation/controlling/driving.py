@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...diagnostics import Span
 from ...geometry.arrays import Booleans, Integers, inverse_index
 from ...ir.control import ControlBatch
 from ...plugins.kinds import Controller
@@ -20,7 +21,7 @@ from ..calling.option_columns import options_of
 from ..observing.observing import Surroundings, View
 from ..observing.sensing import Sensing
 from ..observing.single_agents import OthersSeen, observations
-from ..signals.triggers import Triggers
+from ..signals.triggers import PlacedCall, Triggers
 from ..state.world import World
 from ..vehicles.line_steering import line_steering
 from ..vehicles.poses import Poses
@@ -46,7 +47,8 @@ class DriverGroup:
         faults = [group for group in self._groups if group.controller.alters]
         self._actuators = Actuators(faults, step)
         placed = [(group.place, group.rows) for group in faults]
-        self._triggers = Triggers(world, calls, signals_of(controllers), placed)
+        spans = _spans_of(world, controllers, calls)
+        self._triggers = Triggers(world, calls, signals_of(controllers), placed, spans)
         self._in_charge = np.zeros(0, dtype=np.int64)
         self._chosen: list[tuple[Group, Integers, Integers]] = []
         """groups, and who of each is in charge, in its order and in that of the world, by the last
@@ -177,6 +179,20 @@ def _keep_to_lines(world: World, view: View, out: Decision) -> None:
     rows = np.flatnonzero(np.isnan(out.steering) & world.has_road & ~world.bodies.walks)
     if len(rows):
         out.steering[rows] = line_steering(view.of(rows))
+
+
+def _spans_of(
+    world: World, controllers: Sequence[Mapping[str, Controller]], calls: Sequence[PlacedCall]
+) -> dict[tuple[int, int], Span]:
+    """Where controllers are written, by their places and the columns of their agents."""
+    found = {}
+    for place, row, _ in calls:
+        scene, agent = divmod(row, world.slots)
+        driver = controllers[scene].get(world.scenes[scene].agents[agent].name)
+        span = driver.spans.get(place) if isinstance(driver, Driver) else None
+        if span is not None:
+            found[place, row] = span
+    return found
 
 
 def signals_of(controllers: Sequence[Mapping[str, Controller]]) -> dict[str, KindEntry]:

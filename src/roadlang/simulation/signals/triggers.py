@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from ...diagnostics import DiagnosticError
+from ...diagnostics import DiagnosticError, Span
 from ...geometry.arrays import Booleans, Integers
 from ...ir.scene import Call
 from ...plugins.registry import KindEntry
@@ -20,6 +21,7 @@ from .pending_samples import PendingSamples
 from .samples import Samples
 from .signals import SignalCall
 
+NO_SPANS: Mapping[tuple[int, int], Span] = MappingProxyType({})
 PlacedCall = tuple[int, int, Call]
 """The place in the list of an agent, the column of the agent, and the call"""
 PlacedCondition = tuple[int, int, Mapping[str, Any] | None]
@@ -36,6 +38,8 @@ class Trigger:
     signals: dict[str, SignalCall]
     latched: Booleans | None
     """of `when:`, which stays true once it is; None of `while:`"""
+    span: Span | None = None
+    """where their controller is written, if it is the same"""
 
     @classmethod
     def of(
@@ -118,7 +122,8 @@ class Trigger:
 
 class Triggers:
     """Which controller of each agent is in charge: the last whose conditions all hold. `faults`:
-    places and agents of what decides nothing, but has conditions too."""
+    places and agents of what decides nothing, but has conditions too; `spans`: where
+    controllers are written, by place and agent."""
 
     def __init__(
         self,
@@ -126,6 +131,7 @@ class Triggers:
         calls: Sequence[PlacedCall],
         signals: Mapping[str, KindEntry],
         faults: Sequence[tuple[int, Integers]] = (),
+        spans: Mapping[tuple[int, int], Span] = NO_SPANS,
     ) -> None:
         places = 1 + max((place for place, _, _ in calls), default=0)
         self._exists = np.zeros((places, len(world.present)), dtype=bool)
@@ -140,6 +146,9 @@ class Triggers:
             *_triggers(world, starts, signals, latched=True),
             *_triggers(world, limits, signals, latched=False),
         ]
+        for trigger in self._triggers:
+            written = {spans.get((trigger.place, row)) for row in trigger.rows.tolist()}
+            trigger.span = written.pop() if len(written) == 1 else None
         self._number = np.arange(places)[:, None]
         self._always: Integers | None = None
         """what `in_charge` gives, where no condition changes it"""
@@ -157,7 +166,10 @@ class Triggers:
         active = self._exists.copy()
         self._samples.add(world, poses)
         for trigger in self._triggers:
-            holds = trigger.holds(self._samples, world.time)
+            try:
+                holds = trigger.holds(self._samples, world.time)
+            except DiagnosticError as error:
+                raise error.at(trigger.span) from error.__cause__
             active[trigger.place, trigger.rows] &= holds
         self.active = active
         return self._last(active)
