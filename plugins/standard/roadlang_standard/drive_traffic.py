@@ -6,11 +6,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import STANDING_GAP, Controller, Duration, InitialSpeed, Speed, option
+from roadlang.api import STANDING_GAP, Controller, Duration, Flag, InitialSpeed, Speed, option
 
+from .going_around import going_around
 from .steering import SPEED_GAIN, along_line, bend_speed, pursuit
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from roadlang.api import ControlBatch, ObservationBatch
     from roadlang.geometry import Floats
 
@@ -64,10 +68,20 @@ class Traffic(Controller):
         help="how hard it accelerates, brakes and corners, and how small a gap it accepts",
     )  # fmt: skip
 
+    go_around: Flag = option(
+        True, help="go around objects in its lane, on the lane beside it where that is free"
+    )
+
+    def start(self, count: int) -> NDArray[np.float64]:
+        """(count, 5) what agents do about objects in their lanes."""
+        import numpy as np
+
+        return np.zeros((count, 5))
+
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed, stops_at_junctions=True, limit_factor=self.speed_factor)
 
-    def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
+    def controls(self, observations: ObservationBatch, state: NDArray[np.float64]) -> ControlBatch:
         import numpy as np
 
         from roadlang.api import ControlBatch
@@ -77,10 +91,14 @@ class Traffic(Controller):
         length = np.minimum(1.0, CAR_BASE / seen.wheelbase)
         most, braking = np.maximum((1.6 + 2.0 * boldness) * length, LEAST), 2.0 + 2.0 * boldness
         target = self._target(seen, braking)
+        around = going_around(seen, state, target) if self.go_around else None
+        target = target if around is None else np.minimum(target, around.speed)
         follow = Following(seen.speed, target, most, braking, self.headway)
         gap, pace = seen.vehicle_ahead()
         leading = seen.acceleration_ahead()
-        stop, merging, speed = seen.right_of_way(self.politeness, self.aggression)
+        stop, merging, speed = seen.right_of_way(
+            self.politeness, self.aggression, around and around.passing
+        )
         gaps = np.stack((gap, merging, stop + STANDING_GAP))
         ahead, merges, gentle = follow.behind(gaps, np.stack((pace, speed, np.zeros_like(stop))))
         ahead = follow.calmly(ahead, gap, pace, leading)
@@ -89,7 +107,15 @@ class Traffic(Controller):
         bends = bend_speed(seen, target, (2.0 + 3.0 * boldness) * length, braking)
         slower = np.maximum(SPEED_GAIN * (bends - seen.speed), -braking)
         acceleration = np.minimum(ahead, np.where(bends < target, slower, most))
-        return ControlBatch(_steering(seen), np.maximum(acceleration, -HARDEST))
+        steering = _steering(seen)
+        if around is None:
+            return ControlBatch(steering, np.maximum(acceleration, -HARDEST))
+        acceleration = np.minimum(acceleration, around.most)
+        steering = np.where(around.creeps, around.steering, steering)
+        return ControlBatch(
+            steering, np.maximum(acceleration, -HARDEST),
+            line_offset=around.line, line_time=around.time,
+        )  # fmt: skip
 
     def _target(self, seen: ObservationBatch, braking: Floats) -> Floats:
         """(N,) target speeds: as said, or by the limits from here on."""

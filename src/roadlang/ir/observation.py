@@ -122,6 +122,11 @@ class Observation(Frozen):
         return self.lane_place().speed_limit
 
 
+def _no_row(line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
+    nothing = line * math.nan
+    return nothing, nothing, nothing
+
+
 @dataclass(frozen=True, slots=True)
 class ObservationBatch:
     """The states of N agents: columns (N,) of what `Observation` says of one, during the call."""
@@ -160,13 +165,18 @@ class ObservationBatch:
     direction_of_lane: Callable[[LaneChoice | Floats], Floats]
     speed_limit_ahead: Callable[[Floats | float, Floats | float], Floats]
     stop_ahead: Callable[[], Floats]
-    right_of_way: Callable[[Floats | float, Floats | float], tuple[Floats, Floats, Floats]]
+    right_of_way: Callable[..., tuple[Floats, Floats, Floats]]
+    """`right_of_way(p, a, passing)`: who is `passing` objects (N,) does not stop for them"""
     junction_ahead: Callable[[], tuple[Floats, Floats, Floats]]
     nearby: Callable[[float], Neighbors]
     path_ahead: Callable[[Floats], tuple[Floats, Floats]]
     """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
     nearest: Callable[[int], tuple[Floats, Floats, Floats, Floats]]
     """`nearest(n)`: (N, n) x, y, heading and speed of the nearest others; NaN: no more of them"""
+    row_ahead: Callable[[Floats, float], tuple[Floats, Floats, Floats]] = _no_row
+    """`row_ahead(l, s)`: of the next object in the way of lines `l` (N,) left of the reference
+    line, and of those behind it with no room for the agent and `s` meters between: how far from the
+    front they end, and how far left of the reference line their sides are; NaN for none"""
     sensors: Mapping[str, Reading] = field(default_factory=dict)
     """the readings of sensors that all N agents have, by name; arrays have a leading axis N"""
     of_one = OldName("of_single")
@@ -229,10 +239,11 @@ class ObservationBatch:
             direction_of_lane=lambda which: column(seen.direction_of_lane(lane(which))),
             speed_limit_ahead=lambda *at: column(seen.speed_limit_ahead(*map(first, at))),
             stop_ahead=lambda: column(seen.stop_ahead()),
-            right_of_way=lambda *temper: columns(seen.right_of_way(*map(first, temper))),
+            right_of_way=lambda *temper: columns(seen.right_of_way(*map(first, temper[:2]))),
             junction_ahead=lambda: columns(seen.junction_ahead()),
             nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
+            row_ahead=_no_row,
             sensors=Readings({name: batch_of_one(one) for name, one in seen.sensors.items()}),
         )

@@ -69,7 +69,7 @@ def _shift(line: RouteLine, actor: SceneActor, things: Outlines) -> Floats:
     swept = swept_beside(lines, 0, actor.length, actor.width, half_base)
     if swept is None:
         return out
-    begin, left, half = things_beside(lines, 0, things)
+    begin, left, half, _ = things_beside(lines, 0, things)
     spacing = float(lines.spacing[0])
     cell = np.clip(((begin - lines.origin[0]) / spacing).astype(np.int64), 0, int(lines.last[0]))
     beside = np.where(left > 0.0, swept[0, cell], swept[1, cell])

@@ -108,7 +108,7 @@ def _stop_ahead(seen: LazyObservations) -> Callable[[], Floats]:
 
 def _right_of_way(seen: LazyObservations) -> Callable[..., tuple[Floats, ...]]:
     view, chosen = seen.view, seen.chosen
-    return lambda *temper: view.right_of_way(chosen, temper)
+    return lambda p, a, passing=None: view.right_of_way(chosen, (p, a), passing)
 
 
 _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
@@ -123,6 +123,7 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     "vehicle_ahead": lambda seen: partial(seen.view.vehicle_ahead, seen.rows),
     "acceleration_ahead": lambda seen: partial(seen.view.acceleration_ahead, seen.rows),
     "obstacle_ahead": lambda seen: partial(seen.view.obstacle_ahead, seen.rows),
+    "row_ahead": lambda seen: partial(seen.view.row_ahead, seen.rows),
     "lane_end": lambda seen: partial(seen.view.lane_end, seen.chosen),
     "lane_place": lambda seen: partial(seen.view.lane_place, seen.chosen),
     "offset_of_lane": _lane("middles"),

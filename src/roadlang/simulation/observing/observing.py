@@ -209,6 +209,13 @@ class View:
         gap: Floats = self._obstacle[rows]
         return gap
 
+    def row_ahead(self, rows: Any, line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
+        """(N,) of the objects in the way of lines (N,): see `Obstacles`."""
+        every = self.world.followed.lateral.offset.copy()
+        every[rows] = line
+        found = self.surroundings.obstacles(self.world).row_ahead(self.world, every, space)
+        return found[0][rows], found[1][rows], found[2][rows]
+
     def lines_moved(self) -> None:
         """Agents follow other lines from now on."""
         self._obstacle = None
@@ -218,10 +225,11 @@ class View:
         return np.asarray(self._current_lanes().ends[rows])
 
     def right_of_way(
-        self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None
-    ) -> tuple[Floats, Floats, Floats]:
+        self, rows: Integers, temper: tuple[Floats | float, Floats | float] | None = None,
+        passing: Booleans | None = None,
+    ) -> tuple[Floats, Floats, Floats]:  # fmt: skip
         """(N,) where agents have to stop, and the gap to whom they follow where lanes merge, and
-        its speed."""
+        its speed. Those that are `passing` objects do not stop for them."""
         world, surroundings = self.world, self.surroundings
         right_of_way = surroundings.right_of_way(world)
         stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, temper)
@@ -235,7 +243,9 @@ class View:
             lanes, ahead = self._current_lanes().here, self._leaders()
             merging, pace = lets_in(world, lanes, ahead, rows, temper[0])
             gap, speed = np.minimum(gap, merging), np.where(merging < gap, pace, speed)
-        stop = np.minimum(stop, self.obstacle_ahead(rows))
+        standing = self.obstacle_ahead(rows)
+        standing = standing if passing is None else np.where(passing, math.inf, standing)
+        stop = np.minimum(stop, standing)
         return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed
 
     def junction_ahead(self, rows: Integers) -> tuple[Floats, Floats, Floats]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...geometry.arrays import Floats, Integers
+from ...geometry.arrays import Booleans, Floats, Integers
 from ..lines.lines import Lines
 from ..state.world import World
 from .levels import on_level_of_line
@@ -20,8 +20,12 @@ BENT, PIECE = 0.1, 1.0
 many meters."""
 LATE = 2.5
 """m/s^2: who would have to brake harder before an object sees that it is off its line."""
+_MOST_IN_A_ROW = 20
 MARGIN = 0.1
 """Meters to each side between an agent and an object that it passes."""
+
+Places = tuple[Floats, Floats, Floats, Floats]
+"""Begin, middle, half of the width and end of objects."""
 
 
 @dataclass(frozen=True)
@@ -35,12 +39,14 @@ class Obstacles:
     """of its middle from the reference line"""
     half: Floats
     """half of what it takes across the line"""
+    end: Floats
+    """arc length of the line where it ends"""
 
     @classmethod
     def of(cls, world: World) -> Obstacles:
         """Of all agents with a road."""
         found = []
-        known: dict[int, tuple[Floats, Floats, Floats]] = {}
+        known: dict[int, Places] = {}
         for agent in np.flatnonzero(world.has_road & world.filled):
             row, objects = int(world.track.row[agent]), world.scenes[agent // world.slots].objects
             if not objects:
@@ -53,36 +59,68 @@ class Obstacles:
             found.append((np.full(len(known[row][0]), agent), *known[row]))
         if not found:
             none = np.zeros(0)
-            return cls(none.astype(np.int64), none, none, none)
-        agents, begin, left, half = (np.concatenate(part) for part in zip(*found, strict=True))
-        return cls(agents.astype(np.int64), begin, left, half)
+            return cls(none.astype(np.int64), none, none, none, none)
+        agents, *places = (np.concatenate(part) for part in zip(*found, strict=True))
+        return cls(agents.astype(np.int64), *places)
 
     def take(self, agents: Integers, count: int) -> Obstacles:
         """Those of some of `count` agents."""
         place = np.full(count, -1)
         place[agents] = np.arange(len(agents))
         remaining = place[self.agent] >= 0
-        columns = (self.begin[remaining], self.left[remaining], self.half[remaining])
-        return Obstacles(place[self.agent[remaining]], *columns)
+        columns = (self.begin, self.left, self.half, self.end)
+        return Obstacles(place[self.agent[remaining]], *(column[remaining] for column in columns))
 
     def ahead(self, world: World) -> Floats:
         """(N,) meters from the front of each agent to the next object in its way, infinite for
         none."""
         out = np.full(len(world.present), math.inf)
         if len(self.agent):
-            agent, half_width = self.agent, 0.5 * world.bodies.width
-            gap = self.begin - world.motion.along[agent]
-            if world.track.has_closed:
-                lap = world.length[agent]
-                gap = np.where(world.closed[agent], gap - np.floor(gap / lap) * lap, gap)
-            gap = gap - 0.5 * world.bodies.length[agent]
-            aside = np.abs(self.left - self._line(world))
-            room = self.half + half_width[agent] + MARGIN
-            if not world.sweeps.is_empty:
-                room = room + np.maximum(self._swept(world), self._drift(world, gap))
-            meets = (gap > -MARGIN) & (aside < room)
-            np.minimum.at(out, agent[meets], gap[meets])
+            gap, meets = self._in_the_way(world, self._line(world))
+            np.minimum.at(out, self.agent[meets], gap[meets])
         return out
+
+    def row_ahead(self, world: World, line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
+        """(N,) of the next object in the way of lines that are `line` (N,) left of the reference
+        lines, and of those behind it with less than an agent and `space` meters between: how far
+        from the front of the agent they end, and how far left of the reference line their left and
+        right sides are; NaN for none."""
+        count, agent = len(world.present), self.agent
+        end, left, right = (np.full(count, value) for value in (-math.inf, -math.inf, math.inf))
+        if len(agent):
+            gap, meets = self._in_the_way(world, line[agent])
+            last = gap + self.end - self.begin
+            first = np.full(count, math.inf)
+            np.minimum.at(first, agent[meets], gap[meets])
+            between = world.bodies.length[agent] + space
+            row = meets & (gap == first[agent])
+            for _ in range(_MOST_IN_A_ROW):
+                np.maximum.at(end, agent[row], last[row])
+                more = meets & ~row & (gap < end[agent] + between)
+                if not more.any():
+                    break
+                row |= more
+            np.maximum.at(left, agent[row], (self.left + self.half)[row])
+            np.minimum.at(right, agent[row], (self.left - self.half)[row])
+        known = np.isfinite(end)
+        nothing = np.full(count, math.nan)
+        end, left, right = (np.where(known, part, nothing) for part in (end, left, right))
+        return end, left, right
+
+    def _in_the_way(self, world: World, line: Floats) -> tuple[Floats, Booleans]:
+        """(P,) gaps from the fronts of agents, and which objects are in the way ahead of who
+        follows lines (P,)."""
+        agent, half_width = self.agent, 0.5 * world.bodies.width
+        gap = self.begin - world.motion.along[agent]
+        if world.track.has_closed:
+            lap = world.length[agent]
+            gap = np.where(world.closed[agent], gap - np.floor(gap / lap) * lap, gap)
+        gap = gap - 0.5 * world.bodies.length[agent]
+        aside = np.abs(self.left - line)
+        room = self.half + half_width[agent] + MARGIN
+        if not world.sweeps.is_empty:
+            room = room + np.maximum(self._swept(world), self._drift(world, gap))
+        return gap, (gap > -MARGIN) & (aside < room)
 
     def _line(self, world: World) -> Floats:
         """(P,) the lines of the agents beside the objects, left of the reference lines."""
@@ -105,9 +143,9 @@ class Obstacles:
         return np.where(self.left > self._line(world), left, right)
 
 
-def things_beside(lines: Lines, row: int, objects: Outlines) -> tuple[Floats, Floats, Floats]:
-    """Begin, middle and half of the width of the objects near one line, each time that it passes
-    them. Where it bends there, those of their pieces."""
+def things_beside(lines: Lines, row: int, objects: Outlines) -> Places:
+    """Begin, middle, half of the width and end of the objects near one line, each time that it
+    passes them. Where it bends there, those of their pieces."""
     number, cell = _passes(lines, row, objects)
     places, turned = _at(lines, row, objects.take(number), cell)
     bent = np.unique(number[turned > BENT])
@@ -117,10 +155,10 @@ def things_beside(lines: Lines, row: int, objects: Outlines) -> tuple[Floats, Fl
     which, there = _passes(lines, row, pieces)
     parts, _ = _at(lines, row, pieces.take(which), there)
     whole = ~np.isin(number, bent)
-    begin, left, half = (
+    begin, left, half, end = (
         np.concatenate([one[whole], two]) for one, two in zip(places, parts, strict=True)
     )
-    return begin, left, half
+    return begin, left, half, end
 
 
 def _passes(lines: Lines, row: int, objects: Outlines) -> tuple[Integers, Integers]:
@@ -138,11 +176,9 @@ def _passes(lines: Lines, row: int, objects: Outlines) -> tuple[Integers, Intege
     return number, cell
 
 
-def _at(
-    lines: Lines, row: int, objects: Outlines, cell: Integers
-) -> tuple[tuple[Floats, Floats, Floats], Floats]:
-    """Begin, middle and half of the width of objects (P,), seen from cells of one line, and by how
-    much that turns beside each, in radians."""
+def _at(lines: Lines, row: int, objects: Outlines, cell: Integers) -> tuple[Places, Floats]:
+    """Begin, middle, half of the width and end of objects (P,), seen from cells of one line, and by
+    how much that turns beside each, in radians."""
     first, last = row * lines.cells, int(lines.last[row])
     off_x, off_y = objects.x - lines.x[first + cell], objects.y - lines.y[first + cell]
     heading = lines.heading[first + cell]
@@ -157,4 +193,4 @@ def _at(
     around = np.ceil(deep / spacing).astype(np.int64)
     ends = (np.clip(cell + side * around, 0, last) for side in (-1, 1))
     low, high = (lines.heading[first + end] for end in ends)
-    return (begin, left, half), np.abs(high - low)
+    return (begin, left, half, begin + 2.0 * deep), np.abs(high - low)

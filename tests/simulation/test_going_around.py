@@ -1,0 +1,96 @@
+"""Traffic goes around what stands in its lane, where others leave it room and time."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang import testing
+from roadlang.ir.trace import AgentTrace, Trace
+
+STREET = """
+road street {
+  draw with segments { pieces: [straight(260m)] }
+  lanes: 2, width: 7m, speed_limit: 50km/h
+}
+"""
+FOUR_LANES = STREET.replace("lanes: 2, width: 7m", "lanes: 4, width: 14m")
+PARKED = "object parked is parked_car on street at 120m { lane: -1 }\n"
+
+
+def driven(text: str, seconds: float = 60.0) -> Trace:
+    (drive,) = testing.sample(text).run("builtin", duration=seconds)
+    assert not drive.trace.events, "nobody touches anything"
+    return drive.trace
+
+
+def agent(name: str, at: str, options: str) -> str:
+    return f"agent {name} is car on street at {at} {{ {options} }}\n"
+
+
+def arrived(car: AgentTrace) -> bool:
+    return bool(car.present[-1] == 0.0)
+
+
+def farthest_left(car: AgentTrace) -> float:
+    return float(car.y.max())
+
+
+@pytest.mark.parametrize(("offset", "left"), [(-3.2, -1.0), (-1.75, 1.0)])
+def test_it_moves_over_by_as_much_as_it_takes(offset: float, left: float) -> None:
+    """The middle of the lane is at -1.75 m. Who is partly in it leaves room within the lane or
+    nearly so; around a car in the middle it drives on the other side."""
+    parked = f"object parked is parked_car on street at 120m {{ lane: none, offset: {offset}m }}\n"
+    ego = driven(STREET + agent("ego", "10m", "lane: -1, drive with traffic") + parked).agents[
+        "ego"
+    ]
+    assert arrived(ego)
+    assert left - 0.6 < farthest_left(ego) < left + 0.6
+    assert ego.y[-1] == pytest.approx(-1.75, abs=0.1), "it is back in its lane"
+
+
+def test_it_waits_for_oncoming_traffic() -> None:
+    others = agent("others", "205m", "lane: 1, facing: back, count: 4, spacing: 12m, "
+                   "drive with traffic")  # fmt: skip
+    trace = driven(STREET + agent("ego", "50m", "lane: -1, drive with traffic") + PARKED + others)
+    ego = trace.agents["ego"]
+    last = trace.agents["others[3]"]
+    assert arrived(ego)
+    assert ego.speed[ego.station < 120.0].min() < 0.5, "it stands before the parked car"
+    beside = np.flatnonzero(ego.y > 0.0)[0]
+    assert last.x[beside] < ego.x[beside], "the last of them has passed"
+
+
+def test_with_a_lane_beside_in_its_direction_it_changes_lanes() -> None:
+    parked = PARKED.replace("-1", "-2")
+    text = FOUR_LANES + agent("ego", "10m", "lane: -2, drive with traffic") + parked
+    ego = driven(text).agents["ego"]
+    assert arrived(ego)
+    assert farthest_left(ego) == pytest.approx(-1.75, abs=0.3), "the middle of lane -1"
+    assert ego.speed[ego.station > 20.0].min() > 7.0
+
+
+def test_a_row_of_parked_cars_is_passed_at_once() -> None:
+    parked = PARKED.replace("lane: -1", "lane: -1, count: 3, spacing: 7m")
+    ego = driven(STREET + agent("ego", "10m", "lane: -1, drive with traffic") + parked).agents[
+        "ego"
+    ]
+    assert arrived(ego)
+    beside = ego.y > 0.0
+    assert np.diff(beside.astype(int)).tolist().count(1) == 1
+
+
+@pytest.mark.parametrize("standing", ["go_around: false", "headway: 1s"])
+def test_it_stands_where_it_may_not_or_cannot_go_around(standing: str) -> None:
+    """With the option off; or where the only lane is full."""
+    narrow = STREET.replace("lanes: 2, width: 7m", "oneway: true, lanes: 1, width: 3.5m")
+    road = STREET if "go_around" in standing else narrow
+    text = road + agent("ego", "80m", f"lane: -1, drive with traffic {{ {standing} }}") + PARKED
+    ego = driven(text, 20.0).agents["ego"]
+    assert ego.speed[-1] < 0.1
+    assert 110.0 < ego.station[-1] < 120.0
+
+
+def test_from_a_standstill_close_behind_it_pulls_out() -> None:
+    close = agent("ego", "112m", "lane: -1, start_speed: 0m/s, drive with traffic")
+    assert arrived(driven(STREET + close + PARKED, 40.0).agents["ego"])
