@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
 from .cli.finite_range import FiniteRange
+from .cli.output_files import OutputFile
 from .cli.quantities import pixel_size, seconds
 
 if TYPE_CHECKING:
@@ -62,6 +63,7 @@ __all__ = [
     "DiagnosticError",
     "FiniteRange",
     "Handle",
+    "OutputFile",
     "ProgressBar",
     "diagnose",
     "dragged",

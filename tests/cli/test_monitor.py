@@ -159,6 +159,6 @@ def test_a_plot_is_svg(
 ) -> None:
     plot = tmp_path / name
     assert run(["monitor", "always (e < 9)", trace, "--plot", str(plot)]) == 2
-    assert "--plot writes SVG: name a file that ends in `.svg`" in capsys.readouterr().err
+    assert "this writes SVG: name a file that ends in `.svg`" in capsys.readouterr().err
     assert not plot.exists()
     assert run(["monitor", "always (e < 9)", trace, "--plot", str(tmp_path / "out.SVG")]) == 0

@@ -11,6 +11,7 @@ import click
 from . import exit_codes
 from .console import echo, report
 from .finite_range import FiniteNumber
+from .output_files import OutputFile
 from .short_numbers import short_numbers
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 @click.option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 @click.option(
     "--plot",
-    type=click.Path(),
+    type=OutputFile("SVG", ".svg"),
     metavar="OUT.svg",
     help="SVG file for a plot of the signals and the robustness.",
 )
@@ -123,8 +124,6 @@ def _refuse_combinations(
     dense, measure = how["semantics"], how["measure"]
     if "-" in traces and not following:
         raise click.UsageError("`-`, the standard input, goes with --follow")
-    if plot and Path(plot).suffix.lower() != ".svg":
-        raise click.UsageError("--plot writes SVG: name a file that ends in `.svg`")
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
     if dense != "sampled" and (plot or following or how["wrap"]):

@@ -7,12 +7,18 @@ from pathlib import Path
 import click
 
 from .console import echo, shown
+from .output_files import OutputFile
 
 
 @click.command("report")
 @click.argument("folder", metavar="DIR")
 @click.option(
-    "-o", "--output", "file", metavar="FILE", help="The page; by default DIR/report.html."
+    "-o",
+    "--output",
+    "file",
+    type=OutputFile("HTML", ".html", ".htm"),
+    metavar="FILE",
+    help="The page; by default DIR/report.html.",
 )
 def command(folder: str, file: str | None) -> None:
     """Write an HTML page with the results of `roadlang run` or `roadlang falsify` in DIR.

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import echo, note
+from roadlang.commands import OutputFile, echo, note
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -15,7 +15,11 @@ if TYPE_CHECKING:
 @click.command("view")
 @click.argument("file")
 @click.option(
-    "-o", "--output", metavar="FILE", help="Output file; by default FILE with the extension .svg."
+    "-o",
+    "--output",
+    type=OutputFile("SVG", ".svg"),
+    metavar="FILE",
+    help="Output file; by default FILE with the extension .svg.",
 )
 @click.option(
     "--size",

@@ -1,0 +1,25 @@
+"""Files that commands write, whose names say what is in them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+
+class OutputFile(click.Path):
+    """The path of a file in a format (`SVG`); names that end as those of other formats do are
+    refused. `-` stands for standard output, where a command has it."""
+
+    def __init__(self, format_name: str, *endings: str) -> None:
+        super().__init__(dir_okay=False)
+        self.format_name = format_name
+        self.endings = endings
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path. Raises `click.BadParameter`."""
+        if str(value) != "-" and Path(str(value)).suffix.lower() not in self.endings:
+            ending = f"name a file that ends in `{self.endings[0]}`"
+            self.fail(f"this writes {self.format_name}: {ending}, not {value!r}.", param, ctx)
+        return super().convert(value, param, ctx)

@@ -1,0 +1,39 @@
+"""Files that commands write have names that say what is in them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+import pytest
+
+from roadlang.cli.main import run
+from roadlang.cli.output_files import OutputFile
+
+
+@pytest.mark.parametrize("name", ["a.svg", "A.SVG", "folder.png/a.svg", "-"])
+def test_a_name_that_fits_is_taken(name: str) -> None:
+    assert OutputFile("SVG", ".svg").convert(name, None, None) == name
+
+
+@pytest.mark.parametrize("name", ["a.png", "a", "a.svg.png", "svg"])
+def test_a_name_of_another_format_is_refused(name: str) -> None:
+    with pytest.raises(click.BadParameter, match="this writes SVG: name a file that ends in"):
+        OutputFile("SVG", ".svg").convert(name, None, None)
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["extract", "a.png", "--overlay", "o.png"],
+        ["extract", "a.png", "--mask", "o.jpg"],
+        ["view", "a.xodr", "-o", "o.png"],
+        ["report", "out", "-o", "o.pdf"],
+    ],
+)
+def test_commands_refuse_such_names_before_they_read(
+    command: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(command) == 2
+    assert not list(tmp_path.iterdir())
