@@ -25,8 +25,6 @@ _FLATTEST, _EVENEST = 1e-5, 2e-6
 _INSIDE, _BEYOND = 0.012, 4.0
 """Weights of squares of pixels within the tolerance, and beyond it."""
 _ROUNDS, _EASING = 32, 0.7
-_SETTLED = 0.005
-"""Pixels: no further round once what counts as none is eased and no point moves more than this."""
 _PINNED = 1e5
 _ZEROS = np.zeros(3)
 _SECOND = tuple(np.array(row) for row in ((1.0, 4.0, 1.0), (-2.0, -2.0), (1.0,)))
@@ -122,10 +120,7 @@ def _solved(seen: SeenOffsets, bend: Floats, step: float) -> Floats:
         right = pulled - _spread(turning * bend, 2)
         right += _spread(changing * change, 3)
         system = _system(pull, turning / step**2, changing / step**3)
-        before, found = found, banded_solution(system, right)
-        eased = flattest == _FLATTEST and evenest == _EVENEST
-        if eased and np.abs(found - before).max() <= _SETTLED:
-            break
+        found = banded_solution(system, right)
     return found
 
 
