@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
 from .cli.finite_range import FiniteRange
-from .cli.output_files import OutputFile
+from .cli.output_files import FormatFile
 from .cli.quantities import pixel_size, seconds
 
 if TYPE_CHECKING:
@@ -62,8 +62,8 @@ __all__ = [
     "Diagnostic",
     "DiagnosticError",
     "FiniteRange",
+    "FormatFile",
     "Handle",
-    "OutputFile",
     "ProgressBar",
     "diagnose",
     "dragged",

@@ -16,7 +16,7 @@ DRIVE = "time,agent,speed,station,progress,cross_track_error\n0,ego,8,1,.1,.2\n1
 
 
 def test_every_column_of_a_trace_has_a_unit() -> None:
-    assert tuple(COLUMN_UNITS) == ("time", *COLUMNS)
+    assert tuple(COLUMN_UNITS) == ("time", *COLUMNS, "elevation")
 
 
 @pytest.mark.parametrize(

@@ -125,8 +125,8 @@ def test_a_single_reason_is_taken_and_anything_else_is_a_fault_of_the_plugin(
 @pytest.mark.parametrize(
     ("emit", "reason"),
     [
-        ("emit sbft", "it has no road"),
-        ('emit sbft { road: "mian" }', "it has no road"),
+        ("param far = 9m\nemit sbft", "it has no road"),
+        ('param far = 9m\nemit sbft { road: "mian" }', "it has no road"),
         (
             f'{TEXT.splitlines()[0]}\nemit sbft {{ road: "mian" }}',
             "it has no road `mian`; did you mean `main`?",

@@ -24,7 +24,7 @@ class Noting:
 
     def __init__(self, text: str) -> None:
         self.loaded = roadlang.loads(text)
-        self.registry = self.loaded.registry
+        self.registry, self.places = self.loaded.registry, self.loaded.places
         self.asked: list[int] = []
 
     def sample(self, n: int, seed: int) -> Any:

@@ -226,7 +226,8 @@ def test_an_object_in_the_lane_stops_cars_and_one_beside_it_does_not() -> None:
     scene = scene_with("right_first")
     road, lane = entries(scene)[0]
     path = route(scene, road, lane, before_junction(scene, road, lane, 80.0), [turn_of(scene)])
-    ego = car(scene, "ego", path, drive=call("traffic"), speed=8.0)
+    waits = call("traffic", go_around=False)
+    ego = car(scene, "ego", path, drive=waits, speed=8.0)
     for aside, stops in ((0.0, True), (2.6, False)):
         thing = car(scene, "thing", replace(path, steps=(path.steps[0],)))
         heading = thing.heading

@@ -87,7 +87,7 @@ def test_strictness_matters_to_satisfaction_only() -> None:
         ([0, 1], {"x": [1, float("nan")]}, "RL302", "`x` is nan at position 1"),
         ([0, 1], {"x": [[1, 1], [1, float("nan")]]}, "RL302", "position 1 of variant 1"),
         ([0, 1], {"x": [1, 2, 3]}, "RL303", "has (3,)"),
-        ([0, 1], {"x": ["a", "b"]}, "RL303", "type"),
+        ([0, 1], {"x": ["a", "b"]}, "RL303", "must be numbers"),
         ([0, 1], {"x": np.zeros((2, 2)), "y": np.zeros((3, 2))}, "RL303", "agree"),
         ([0, 1], {"xx": [1, 2]}, "RL304", "no signal `x`"),
     ],

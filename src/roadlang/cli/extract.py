@@ -11,7 +11,7 @@ from ..diagnostics import Code
 from . import exit_codes
 from .console import echo, report
 from .finite_range import FiniteRange
-from .output_files import OutputFile
+from .output_files import FormatFile
 from .quantities import pixel_size, pixels
 
 if TYPE_CHECKING:
@@ -62,10 +62,10 @@ _SAY_MORE = (
 )
 @click.option(
     "--overlay",
-    type=OutputFile("SVG", ".svg"),
+    type=FormatFile("SVG", ".svg"),
     help="SVG file that shows the roads over the image.",
 )
-@click.option("--mask", type=OutputFile("PNG", ".png"), help="PNG file for the road mask.")
+@click.option("--mask", type=FormatFile("PNG", ".png"), help="PNG file for the road mask.")
 @click.option(
     "--with", "kind", default="auto", metavar="KIND", help="Extractor: a kind of `extract`."
 )

@@ -11,7 +11,7 @@ import click
 from . import exit_codes
 from .console import echo, report
 from .finite_range import FiniteNumber
-from .output_files import OutputFile
+from .output_files import FormatFile
 from .short_numbers import short_numbers
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 @click.option("--json", "as_json", is_flag=True, help="Print the results as JSON.")
 @click.option(
     "--plot",
-    type=OutputFile("SVG", ".svg"),
+    type=FormatFile("SVG", ".svg"),
     metavar="OUT.svg",
     help="SVG file for a plot of the signals and the robustness.",
 )

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 
-class OutputFile(click.Path):
+class FormatFile(click.Path):
     """The path of a file in a format (`SVG`); names that end as those of other formats do are
     refused. `-` stands for standard output, where a command has it."""
 

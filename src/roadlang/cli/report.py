@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from .console import echo, shown
-from .output_files import OutputFile
+from .output_files import FormatFile
 
 
 @click.command("report")
@@ -16,7 +16,7 @@ from .output_files import OutputFile
     "-o",
     "--output",
     "file",
-    type=OutputFile("HTML", ".html", ".htm"),
+    type=FormatFile("HTML", ".html", ".htm"),
     metavar="FILE",
     help="The page; by default DIR/report.html.",
 )

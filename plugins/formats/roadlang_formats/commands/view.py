@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import OutputFile, echo, note
+from roadlang.commands import FormatFile, echo, note
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 @click.option(
     "-o",
     "--output",
-    type=OutputFile("SVG", ".svg"),
+    type=FormatFile("SVG", ".svg"),
     metavar="FILE",
     help="Output file; by default FILE with the extension .svg.",
 )
