@@ -25,25 +25,25 @@ SLOWLY = 8.3
 MOVING = 3.0
 """Seconds of each of the two moves to the side."""
 GAINING = 2.6
-"""m/s^2, of who begins to go around."""
+"""m/s^2, the acceleration of an agent that begins to go around."""
 CLOSEST = 3.0
-"""Meters to what it passes that remain when it is beside its old line."""
+"""Meters that remain to what it passes once it is clear of its old line."""
 BEYOND = 1.2
-"""Meters beyond the line beside at which it aims as it pulls out from close behind."""
+"""Meters past the line beside the obstacle that it aims for when it pulls out from close behind."""
 NEARLY = 0.35
-"""Share of the way to the side at which pulling out from close behind ends."""
+"""Share of the move to the side that is left when pulling out from close behind ends."""
 AHEAD = 4.0
 """Meters between the agent and what it has passed before it comes back."""
 MEETING = 3.0
-"""Seconds, and meters more, that remain before it meets oncoming traffic."""
+"""Seconds, and also meters, to spare before it would meet oncoming traffic."""
 STARTING = 4.0
 """Seconds that pulling out from a standstill takes longer."""
 INSIDE = 0.1
-"""Meters by which it may stick out of its lane, in which nobody has to be looked for."""
+"""Meters by which it may stick out of its lane without looking for others."""
 BACK = 0.3
 """Meters from its line at which it is back."""
 NEXT = 25.0
-"""Meters to the next thing that stands there, for which it does not come back between."""
+"""Meters to the next obstacle within which it does not come back in between."""
 HOME, AROUND, RETURNING = 0.0, 1.0, 2.0
 PHASE, LINE, TARGET, END, CLOSE = range(5)
 """Columns of the state: what it is doing, the line that it left and the one beside, where along its

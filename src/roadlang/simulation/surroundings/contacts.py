@@ -37,9 +37,9 @@ class Contact:
 class ContactDetector:
     """Watches the agents of a world, from one sample to the next.
 
-    Who touches something stands still from then on. On foot one touches nothing but vehicles. Who
-    has left touches nothing, and nobody what is on another level. Two that overlap where the scene
-    puts them (`overlap: true`) never touch.
+    An agent that touches something stands still from then on. Pedestrians touch only vehicles. An
+    agent that has left touches nothing, and none touches what is on another level. Two that overlap
+    where the scene puts them (`overlap: true`) never touch.
     """
 
     def __init__(self, world: World) -> None:

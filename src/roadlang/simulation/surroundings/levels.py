@@ -1,4 +1,4 @@
-"""Who and what is on one level: on different ones nobody touches, sees or lets pass another.
+"""Who and what is on the same level: agents on different levels do not touch, see or yield.
 
 The one rule is `are_apart`. Here it is asked of agents where they are, and of places along their
 lines. On level ground (`World.heights` is None) all are on one level, and nothing is computed.
