@@ -35,7 +35,7 @@ def print_drive(drive: Drive, run: str, in_full: bool) -> None:
 def _print_contacts(drive: Drive) -> None:
     """Who touched whom, if no expectation says that something went wrong: they stand still from
     then on, which the expectations may not be about."""
-    if not drive.has_contacts_alone:
+    if not drive.has_unjudged_contacts:
         return
     pairs: dict[frozenset[str], str] = {}
     for event in drive.trace.events:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import Any, NoReturn
+from typing import Any
 
 import click
 
-from ..syntax.units import UNITS
 from .finite_range import FiniteRange
 
-_WRITTEN = re.compile(r"\s*(?P<digits>[-+.0-9eE]*[.0-9])\s*(?P<unit>[A-Za-z%]+(?:/[A-Za-z]+)?)\s*")
+_WRITTEN = re.compile(r"\s*([-+.0-9eE]*[.0-9])\s*([A-Za-z%][A-Za-z%/]*)?\s*")
 
 
 class QuantityRange(FiniteRange):
@@ -27,19 +26,29 @@ class QuantityRange(FiniteRange):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
         """The number, in SI units. Raises `click.BadParameter`."""
-        written = _WRITTEN.fullmatch(value) if isinstance(value, str) else None
-        if written is None:
-            if isinstance(value, str) and not _is_number(value):
-                self._refuse(value, param, ctx)
-            return super().convert(value, param, ctx)
-        factor = _factor(written["unit"], self.unit)
-        if factor is None or not _is_number(written["digits"]):
-            self._refuse(value, param, ctx)
-        return super().convert(float(written["digits"]) * factor, param, ctx)
+        if isinstance(value, str):
+            number = self._in_si_units(value)
+            if number is None:
+                instead = f"write a number and a unit, such as {self.example}"
+                self.fail(
+                    f"{value!r} is not a {self.name}: {instead}. Without a unit it is in "
+                    f"{self.unit}.", param, ctx,
+                )  # fmt: skip
+            value = number
+        return super().convert(value, param, ctx)
 
-    def _refuse(self, value: str, param: Any, ctx: Any) -> NoReturn:
-        fault = f"{value!r} is not a {self.name}: write a number and a unit, such as {self.example}"
-        self.fail(f"{fault}. Without a unit it is in {self.unit}.", param, ctx)
+    def _in_si_units(self, written: str) -> float | None:
+        from ..ir.units import TwoSlashes, UnknownUnit, parse_unit
+
+        match = _WRITTEN.fullmatch(written)
+        if match is None:
+            return None
+        try:
+            unit, understood = parse_unit(match[2] or self.unit), parse_unit(self.unit)
+            number = float(match[1]) * unit.factor
+        except (UnknownUnit, TwoSlashes, ValueError):
+            return None
+        return number if unit.dimension == understood.dimension else None
 
 
 def seconds(**bounds: Any) -> QuantityRange:
@@ -55,23 +64,3 @@ def pixel_size(**bounds: Any) -> QuantityRange:
 def pixels(**bounds: Any) -> QuantityRange:
     """A length in a picture."""
     return QuantityRange("length in pixels", "px", "8px", **bounds)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-def _factor(unit: str, understood: str) -> float | None:
-    """From one unit to the other; None where they measure different things."""
-    parts, wanted = unit.split("/"), understood.split("/")
-    if len(parts) != len(wanted) or not all(part in UNITS for part in parts):
-        return None
-    for part, want in zip(parts, wanted, strict=True):
-        if UNITS[part].quantity != UNITS[want].quantity:
-            return None
-    above, *below = (UNITS[part].factor for part in parts)
-    return above / below[0] if below else above

@@ -154,8 +154,8 @@ class Drive:
         return frame_of(self.to_dict(), "time")
 
     @property
-    def has_contacts_alone(self) -> bool:
-        """Whether agents touch something, which no expectation says to be wrong."""
+    def has_unjudged_contacts(self) -> bool:
+        """Whether agents touch something, but no expectation is violated."""
         touched = any(event["event"] == "contact" for event in self.trace.events)
         return touched and self.verdict != "violated"
 

@@ -84,7 +84,7 @@ class RunFolder:
                 "record": record_of(drive),
                 "measures": _measures(drive),
                 "files": paths,
-                "contacts": drive.has_contacts_alone,
+                "contacts": drive.has_unjudged_contacts,
             }
             for row, drive, paths in zip(drives.rows(), drives, written, strict=True)
         ]
