@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -59,7 +58,8 @@ MOST_SECONDS = 3600.0
 @click.option(
     "--view",
     type=click.Choice(["chase", "top", "free"]),
-    help="Camera; by default `chase`, or `top` if there is no agent.",
+    help="Camera; by default that of --agent (chase), --scale (top) or --camera (free), else "
+    "`chase`, or `top` if there is no agent.",
 )
 @click.option(
     "--size",
@@ -83,7 +83,11 @@ MOST_SECONDS = 3600.0
     help="Duration of a clip in seconds.",
 )
 @click.option(
-    "--fps", type=click.IntRange(1, 60), default=12, show_default=True, help="Frames per second."
+    "--fps",
+    type=click.IntRange(1, 60),
+    default=12,
+    show_default=True,
+    help="Frames per second of a clip.",
 )
 @click.option("--agent", help="Agent that the chase view follows; by default the first.")
 @click.option(
@@ -121,14 +125,15 @@ def command(
     from roadlang import load
     from roadlang.commands import parse_overrides
 
-    if output is not None and dataset is None:
-        _suffix(output)
-    elif output is not None or dataset is None:
+    from .render_options import refuse_unused
+
+    if bool(output) == bool(dataset):
         raise click.UsageError("give either an output file with `-o`, or a folder with `--dataset`")
+    refuse_unused(_written(_suffix(output)) if output else "dataset")
     loaded = load(file).with_params(parse_overrides(settings))
-    if output is not None:
+    if output:
         _render_file(loaded, output, options)
-    elif dataset is not None:
+    elif dataset:
         _render_dataset(loaded, dataset, options)
 
 
@@ -138,7 +143,11 @@ def _render_dataset(loaded: LoadedScenario, folder: str, options: Mapping[str, A
     from roadlang_godot.commands.render_dataset import write_labeled
     from roadlang_godot.rendering.labeled_frames import Sampling
 
-    size = _size(options["size"] or "640x360")
+    from .render_options import image_size
+
+    if options["scenes"] > options["count"]:
+        raise click.UsageError(f"--scenes {options['scenes']} needs as many moments: -n is too low")
+    size = image_size(options["size"], "640x360")
     sampling = Sampling(options["time"] or 0.0, options["every"], size, options["road"])
     moments, pictures = write_labeled(
         loaded, Path(folder).absolute(), sampling, options["count"], options["scenes"],
@@ -154,6 +163,8 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
     from roadlang_godot.rendering.exported_scenes import export_scene
     from roadlang_godot.rendering.pictures import Shot, render_clip, render_picture
 
+    from .render_options import camera_pose, chosen_view, image_size
+
     path, suffix = Path(output).absolute(), _suffix(output)
     scenes = loaded.sample(options["index"] + 1, seed=options["seed"])
     report(scenes.diagnostics)
@@ -161,11 +172,12 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
     controllers = python_controllers(scene, loaded.registry, loaded.places)
     if suffix in EXPORTS:
         write_file(path, export_scene(scene, EXPORTS[suffix], road, time or 0.0, controllers))
+        echo(output)
         return
-    pose = _numbers(options["camera"]) if options["camera"] else None
-    view = options["view"] or ("chase" if scene.agents else "top")
+    pose = None if options["camera"] is None else camera_pose(options["camera"])
+    view = chosen_view(options, bool(scene.agents))
     _expect_agent(view, options["agent"], [one.name for one in scene.agents])
-    shot = Shot(view, *_size(options["size"] or "1280x720"), options["scale"], options["agent"],
+    shot = Shot(view, *image_size(options["size"], "1280x720"), options["scale"], options["agent"],
                 pose, PICTURES.get(suffix, "jpg"), road)  # fmt: skip
     if suffix in CLIPS:
         frames = render_clip(
@@ -176,6 +188,10 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
     moment = (0.0 if view == "top" else 4.0) if time is None else time
     write_file(path, render_picture(scene, shot, moment, controllers))
     echo(f"{output}: {shot.width} x {shot.height}")
+
+
+def _written(suffix: str) -> str:
+    return "3D file" if suffix in EXPORTS else "clip" if suffix in CLIPS else "picture"
 
 
 def _suffix(output: str) -> str:
@@ -204,20 +220,3 @@ def _expect_agent(view: str, wanted: str | None, names: list[str]) -> None:
     if wanted is not None and wanted not in names:
         help = f"agents of this scene: {', '.join(names[:12])}"
         raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what="agent", name=wanted, help=help))
-
-
-def _size(text: str) -> tuple[int, int]:
-    width, _, height = text.partition("x")
-    if not (width.isdigit() and height.isdigit() and 16 <= int(width) <= 8192 >= int(height) >= 16):
-        raise click.BadParameter(f"`{text}` is no size such as 1280x720", param_hint="--size")
-    return int(width), int(height)
-
-
-def _numbers(text: str) -> tuple[float, ...]:
-    try:
-        numbers = tuple(float(part) for part in text.split(","))
-    except ValueError:
-        numbers = ()
-    if len(numbers) != 5 or not all(map(math.isfinite, numbers)):
-        raise click.BadParameter("five numbers: x,y,z,yaw,pitch", param_hint="--camera")
-    return numbers
