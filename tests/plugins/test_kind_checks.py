@@ -241,6 +241,11 @@ FAULTS = {
         kind("Controller", 'lane_options: ClassVar = ("to",)', "def control(self, seen): return 0"),
         "`lane_options` has 'to', which is not an option", 9,
     ),
+    "a sensor that no option holds": (
+        kind("Controller", 'sensor_options: ClassVar = ("eye",)',
+             "def control(self, seen): return 0"),
+        "`sensor_options` has 'eye', which is not an option", 9,
+    ),
     "no name": (
         kind("Perturber", METHOD).replace('name: ClassVar[str] = "bad"', "pass"),
         "Bad has no `name`", 6,

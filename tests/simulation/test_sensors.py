@@ -239,10 +239,14 @@ def test_a_vehicle_steers_by_the_noise() -> None:
 
 
 def test_who_looks_for_a_sensor_hears_which_there_are() -> None:
-    with pytest.raises(DiagnosticError, match=r"there is no sensor `ranges`; the agent has none"):
-        runs(agent("drive with emergency_brake"))
-    with pytest.raises(DiagnosticError, match=r"there is no sensor `ranges`; the agent has gps"):
-        runs(agent("drive with emergency_brake\n sense with gps"))
+    (none,) = testing.check(agent("drive with emergency_brake"))
+    assert "is `ranges`, but `ego` has no sensor" in none.message
+    assert none.help == ("add it to the agent: `sense with ranges`",)
+    front = 'drive with emergency_brake { sensor: "front" }\n sense with gps'
+    (other,) = testing.check(agent(front))
+    assert "is `front`, but the sensors of `ego` are `gps`" in other.message
+    assert other.help == ("add it to the agent: `sense with ... as front`",)
+    assert not testing.check(agent(front.replace("gps", "ranges as front")))
     with pytest.raises(DiagnosticError, match=r"has several channels; it needs rays in one row"):
         runs(agent("drive with emergency_brake\n sense with ranges { channels: 2 }"))
 

@@ -282,9 +282,44 @@ def test_signals_of_a_drive_are_of_one_copy() -> None:
          "`wall` is in the way of `ego`"),
         ("object wall is box at (0m..0.1m, 0m) { count: 2 }",
          "copies of `wall` are in the way of each other"),
+        ("agent ego is car on main at 20m..30m { lane: choice(-1, 1) }\n"
+         "agent b is car on main at 50m { lane: ego.start_lane + choice(5, 6) }",
+         "has no lane"),
     ],
 )  # fmt: skip
 def test_what_is_in_the_way_of_what_is_said_where_there_is_no_scene(things: str, says: str) -> None:
     with pytest.raises(DiagnosticError) as caught:
         testing.sample(f"{STRAIGHT.replace(', width: 8m', '')}\n{things}\n")
     assert says in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "beside",
+    ["at beside(ego, right)", "at 80m { lane: ego.start_lane - 1 }", "at 80m { lane: next_one }"],
+)
+def test_a_lane_next_to_a_random_one_is_drawn_again_where_the_road_ends(beside: str) -> None:
+    text = f"""
+road main {{ draw with segments {{ pieces: [straight(200m)] }}, lanes: 4 }}
+agent ego is car on main at 50m {{ lane: choice(-1, -2) }}
+let next_one = ego.start_lane - 1
+agent b is car on main {beside}
+"""
+    scenes = testing.sample(text, n=5)
+    lanes = {tuple(agent.lane for agent in scene.agents.values()) for scene in scenes}
+    assert lanes == {(-1, -2)}
+    with pytest.raises(DiagnosticError, match=r"RL613.*`main` has no lane -3"):
+        testing.sample(text.replace("choice(-1, -2)", "-2"))
+
+
+def test_turns_that_can_be_made_from_nowhere_are_named() -> None:
+    text = '''
+image plan from """
+....#....
+....#....
+#########
+""" { scale: 12m/px, legend: { "#": road } }
+network town from plan
+agent ego is car on town { route: [choice(left, right), left, left], drive with traffic }
+'''
+    with pytest.raises(DiagnosticError, match="from no lane of `town` can `ego` go"):
+        testing.sample(text)

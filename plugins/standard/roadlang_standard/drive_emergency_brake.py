@@ -21,6 +21,7 @@ class EmergencyBrake(Controller):
 
     name: ClassVar[str] = "emergency_brake"
     leaves_open: ClassVar[str] = "steering and, while the way is free, acceleration"
+    sensor_options: ClassVar[tuple[str, ...]] = ("sensor",)
 
     sensor: String = option("ranges", help="name of the sensor", example='"front"')
     deceleration: Acceleration = option(8.0, above=0, maximum=50, help="deceleration")

@@ -22,6 +22,7 @@ from ..world.placement import (
     room_among_others,
     room_on_road,
 )
+from ..world.placement_causes import beyond_road, cause_of_place, lane_fault
 from ..world.roads import road_batch, road_root
 from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
@@ -50,10 +51,12 @@ def begins_on_road(actor: ScenarioActor, scenario: IndexedScenario) -> Requireme
 
 
 def _on_road(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> Floats:
-    """(V,) as `room_on_road`. Raises RL617 and RL618 where no draw has a say."""
+    """(V,) as `room_on_road`. Raises RL613, RL617 and RL618 where no draw has a say."""
     room = room_on_road(actor, candidates)
-    if is_fixed and actor.on in candidates.scenario.networks and (room < 0.0).any():
-        fault = route_fault(actor, candidates)
+    if is_fixed and (room < 0.0).any():
+        fault = lane_fault(actor, candidates)
+        if fault is None and actor.on in candidates.scenario.networks:
+            fault = route_fault(actor, candidates)
         if fault is not None:
             raise DiagnosticError(fault)
     return room
@@ -62,7 +65,7 @@ def _on_road(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -
 def _beyond_the_end(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     lacking = lacking_road(actor, candidates)
     if lacking is None:
-        return None
+        return cause_of_place(actor, candidates)
     copy, meters = lacking
     name = f"{actor.name}[{copy}]" if "count" in actor.options else actor.name
     return f"`{name}` would stand {meters:.3g}m beyond the end of its road"
@@ -70,9 +73,11 @@ def _beyond_the_end(actor: ScenarioActor, candidates: CandidateBatch) -> str | N
 
 def _in_the_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     other = blocker_of(actor, candidates)
+    if other is None:
+        return cause_of_place(actor, candidates) or beyond_road(actor, candidates)
     if other == actor.name:
         return f"copies of `{other}` are in the way of each other"
-    return f"`{other}` is in the way of `{actor.name}`" if other is not None else None
+    return f"`{other}` is in the way of `{actor.name}`"
 
 
 def has_room(actor: ScenarioActor, scenario: IndexedScenario) -> Requirement:

@@ -122,10 +122,11 @@ def _check_attributes(cls: type[Kind]) -> None:
     options = {option.name for option in schema_of(cls)}
     if cls.rest and cls.rest not in options:
         raise KindFault(f"`rest` is {cls.rest!r}, which is not an option", cls, "rest")
-    for name in getattr(cls, "lane_options", ()):
-        if name not in options:
-            reason = f"`lane_options` has {name!r}, which is not an option"
-            raise KindFault(reason, cls, "lane_options")
+    for attribute in ("lane_options", "sensor_options"):
+        for name in getattr(cls, attribute, ()):
+            if name not in options:
+                reason = f"`{attribute}` has {name!r}, which is not an option"
+                raise KindFault(reason, cls, attribute)
     for role in getattr(cls, "reads", ()):
         if role not in ("image", "network", "road"):
             raise KindFault(f'`reads` has {role!r}: "image", "network" or "road"', cls, "reads")

@@ -29,15 +29,16 @@ from .fixed_positions import intervals_off_road, position_fault
 from .fixed_roads import fixed_roads
 from .fixed_runs import equal_outputs, large_grids
 from .fixed_surfaces import road_lane_ids, surface_faults
+from .missing_sensors import missing_sensors
 from .refused_options import refused_options
 from .unsupported import unsupported_parts
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
-    """Kinds that refuse their options, images without scale, lanes that are not there,
-    positions, intervals and patches of surfaces beyond their roads, things in one place, formulas
-    that cannot be evaluated on closed roads, equal outputs, and what backends and the simulator do
-    not support.
+    """Kinds that refuse their options, images without scale, lanes and sensors that are
+    not there, positions, intervals and patches of surfaces beyond their roads, things in one place,
+    formulas that cannot be evaluated on closed roads, equal outputs, and what backends and the
+    simulator do not support.
     Where there are none: roads that cannot be made, parts of maps that are not there, and grids
     that are too large.
 
@@ -49,6 +50,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
         *_missing_scales(scenario),
         *intervals_off_road(scenario),
         *surface_faults(scenario),
+        *missing_sensors(scenario),
     ]
     for actor in (*source.agents, *source.objects):
         if actor.on in scenario.roads:

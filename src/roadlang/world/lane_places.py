@@ -16,6 +16,7 @@ from ..ir.scenario import ScenarioActor
 from .cross_sections import LaneBatch
 from .named_roads import named_lanes
 from .placement_faults import unknown_lane
+from .relative_lanes import is_by_another
 from .road_places import RoadPlaces
 from .usual_lanes import ON_FOOT, lanes_on_foot
 
@@ -36,6 +37,8 @@ class LaneOffsets:
     """the middle of the roadway"""
     width: Floats
     """of the lane of each copy; for lane 0 of the roadway, from curb to curb"""
+    missing: NDArray[np.bool_]
+    """whether the road lacks the lane of a copy, which another decides; it counts as lane 0"""
 
 
 def lane_places(
@@ -47,10 +50,11 @@ def lane_places(
     lane: Integers,
 ) -> LaneOffsets:
     """The lanes of a road at the places (R,) of copies of the candidates at `which` (R,) that are
-    in `lane` (R,), 0 of none. Raises RL613."""
+    in `lane` (R,), 0 of none. Raises RL613 for one that the file itself names."""
     count = len(which)
     left, right, middle, roadway_middle, across = np.zeros((5, count))
-    backward = np.zeros(count, dtype=bool)
+    backward, missing = np.zeros((2, count), dtype=bool)
+    may_lack = is_by_another(actor, candidates.scenario)
     for rows, lanes in named_lanes(name, candidates):
         chosen = np.flatnonzero(np.isin(which, rows))
         part = lanes.take(np.searchsorted(rows, which[chosen]))
@@ -61,13 +65,15 @@ def lane_places(
         roadway_middle[chosen] = (borders[first] + borders[last]) / 2.0
         across[chosen] = borders[first] - borders[last]
         for id in np.unique(lane[chosen]).tolist():
-            if id != 0:
-                within = lane[chosen] == id
+            within = lane[chosen] == id
+            if id != 0 and may_lack and id not in lanes.pattern.ids:
+                missing[chosen[within]] = True
+            elif id != 0:
                 index = _place_of(actor, lanes, id)
                 middle[chosen[within]] = (borders[index] + borders[index + 1])[within] / 2.0
                 across[chosen[within]] = (borders[index] - borders[index + 1])[within]
                 backward[chosen[within]] = lanes.pattern.runs_backward(id)
-    return LaneOffsets(left, right, middle, backward, roadway_middle, across)
+    return LaneOffsets(left, right, middle, backward, roadway_middle, across, missing)
 
 
 def lanes_by_word(

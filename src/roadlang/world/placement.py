@@ -13,9 +13,11 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import counts, is_group, most_copies
+from .named_roads import name_of_road
 from .placement_order import can_be_placed_again
 from .placement_without_overlap import Arrangement
 from .positions import starts_of
+from .relative_lanes import is_by_another
 from .roads import road_batch
 from .room_between import COPY
 from .routes import routes_of
@@ -68,10 +70,14 @@ def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
     if most == 0 or can_be_placed_again(actor, candidates):
         return np.full(candidates.count, FAR)
     if actor.on in candidates.scenario.networks:
-        return _room_in_network(actor, candidates)
+        return _room_of_lanes(actor, candidates)
+    # Arc lengths alone take much less work than whole places.
+    room = np.full(candidates.count, FAR)
+    if is_by_another(actor, candidates.scenario):
+        room = _room_of_lanes(actor, candidates)
     if road_batch(actor.on, candidates).closed:
-        return np.full(candidates.count, FAR)
-    return np.asarray(_inside_road(actor, candidates).min(axis=1))
+        return room
+    return np.asarray(np.minimum(_inside_road(actor, candidates).min(axis=1), room))
 
 
 def _inside_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
@@ -93,7 +99,7 @@ def lacking_road(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[int,
     """The copy of a group that is farthest beyond the end of its road in the first candidate, and
     by how many meters; None where all are on their roads, or no way leads there."""
     if actor.on in candidates.scenario.networks:
-        beyond = _lacking_in_network(actor, candidates)[0]
+        beyond = _lacking_of_lanes(actor, candidates)[0]
     else:
         beyond = -_inside_road(actor, candidates)[0]
     copy = int(beyond.argmax())
@@ -101,13 +107,25 @@ def lacking_road(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[int,
     return (copy, float(beyond[copy])) if is_known else None
 
 
-def _room_in_network(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
-    lacking = _lacking_in_network(actor, candidates).max(axis=1)
+def missing_lane(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[str, int] | None:
+    """The road of a copy in the first candidate that does not have the lane that another decides
+    for it, and the number of that lane; None where there is none."""
+    found = _arrangement(candidates).placed(actor)
+    lanes = np.where(found["present"].astype(bool), found["missing_lane"], 0)[0]
+    lacking = np.flatnonzero(lanes)
+    if not len(lacking):
+        return None
+    copy = int(lacking[0])
+    return str(name_of_road(actor, int(found["road"][0, copy]))), int(lanes[copy])
+
+
+def _room_of_lanes(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
+    lacking = _lacking_of_lanes(actor, candidates).max(axis=1)
     return np.where(lacking > 0.0, -lacking, FAR)
 
 
-def _lacking_in_network(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
-    """(V, N) meters that each copy is beyond the lanes."""
+def _lacking_of_lanes(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
+    """(V, N) meters that each copy is beyond the lanes: see `RoadPoses.lacking`."""
     found = _arrangement(candidates).placed(actor)
     return np.where(found["present"].astype(bool), found["lacking"], 0.0)
 

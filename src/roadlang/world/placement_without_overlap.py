@@ -230,19 +230,19 @@ class _Turn:
 
     def _beyond_road(self, index: Integers, poses: RoadPoses) -> Floats:
         """(n,) meters that copies stand beyond the ends of their road: agents in a lane with their
-        bumpers, others with their middles. In a network they are found on its roads."""
+        bumpers, others with their middles. In a network they are found on its roads. Or what they
+        lack where a road does not have their lane."""
         name, start = str(self.actor.on), poses.start
-        if name in self.candidates.scenario.networks:
+        is_network = name in self.candidates.scenario.networks
+        if is_network or named_road(name, self.candidates).closed:
             return poses.lacking
-        if named_road(name, self.candidates).closed:
-            return np.zeros(len(index))
         length = length_of_rows(name, self.candidates, index // self._most)
         half = np.zeros(len(index))
         is_agent = self.actor.name in self.candidates.scenario.agents
         if is_agent and not self.actor.is_beside_road:
             half = np.minimum(self.kinds.lengths[index], length) / 2
         beyond = np.maximum(half - start, start + half - length)
-        return np.where(beyond > 1e-9 * length, beyond, 0.0)
+        return np.maximum(np.where(beyond > 1e-9 * length, beyond, 0.0), poses.lacking)
 
     def _in_lanes(self, boxes: Footprints, rows: Integers, poses: RoadPoses) -> Floats:
         names = [name_of_road(self.actor, number) for number in poses.road.tolist()]

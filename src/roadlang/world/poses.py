@@ -9,14 +9,14 @@ import numpy as np
 from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import evaluate
 from ..geometry.arrays import Floats, Integers
-from ..ir.contained_values import values_in
 from ..ir.scenario import ScenarioActor
-from ..ir.values import Measure, PassCall, Value
+from ..ir.values import PassCall
 from ..plugins.kinds import Standing
 from .copies import element_of
 from .lane_places import lanes_by_word
 from .network_places import begins_in_network
 from .positions import Others, column, standing_of, starts_of
+from .relative_lanes import over_the_middle
 from .road_poses import (
     NO_ROAD,
     LaneStart,
@@ -26,6 +26,7 @@ from .road_poses import (
     option_value,
     poses_on_road,
 )
+from .spots import UNREACHED
 from .usual_lanes import ON_FOOT, walk_at_side
 
 WIDTH_WITHOUT_ROAD = 7.0
@@ -55,7 +56,7 @@ def _in_the_world(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> Ro
     no = none.astype(bool)
     width = np.where(np.isnan(widths), WIDTH_WITHOUT_ROAD, widths)
     lacking = np.zeros(copies.count)
-    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, lacking, width)
+    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, lacking, width, none)
 
 
 def _in_network(
@@ -69,7 +70,8 @@ def _in_network(
     road, begin, lacking = begins_in_network(actor, copies, written, sizes[0], others)
     found = [np.zeros(copies.count) for _ in range(6)]
     lane, backward = np.zeros(copies.count, np.int64), np.zeros(copies.count, dtype=bool)
-    columns = [*found, lane, backward]
+    missing_lane = lane.copy()
+    columns = [*found, lane, backward, missing_lane]
     for edge in np.unique(road).tolist():
         index = np.flatnonzero(road == edge)
         part = poses_on_road(
@@ -81,11 +83,14 @@ def _in_network(
             written.take(index),
             (sizes[0][index], sizes[1][index]),
         )
-        names = ("x", "y", "heading", "start", "offset", "width", "lane", "backward")
+        names = ("x", "y", "heading", "start", "offset", "width", "lane", "backward",
+                 "missing_lane")  # fmt: skip
         for into, name in zip(columns, names, strict=True):
             into[index] = getattr(part, name)
     x, y, heading, start, offset, width = found
-    return RoadPoses(x, y, heading, start, offset, lane, backward, road, lacking, width)
+    lacking = np.maximum(lacking, np.where(missing_lane != 0, UNREACHED, 0.0))
+    return RoadPoses(x, y, heading, start, offset, lane, backward, road, lacking, width,
+        missing_lane)  # fmt: skip
 
 
 def _begin(
@@ -118,7 +123,7 @@ def _lanes(
     words = [_word(item) for item in _items(value)]
     if not any(isinstance(word, str) for word in words):
         lane = np.rint(column(value, copies)).astype(np.int64)
-        return _over_the_middle(actor, copies, lane)
+        return over_the_middle(actor, copies, lane)
     numbers = [0 if isinstance(word, str) else word for word in words]
     found = np.rint(column(numbers, copies)).astype(np.int64)
     for word in sorted({word for word in words if isinstance(word, str)} - {"none"}):
@@ -126,26 +131,6 @@ def _lanes(
         against, sides = written.facing == "back", written.side
         ids = lanes_by_word(str(actor.on), actor, copies, word, against, sides)
         found[chosen] = ids[chosen]
-    return found
-
-
-def _over_the_middle(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> Integers:
-    """Lanes counted from that of another (`ego.start_lane + 1`) go on over the middle, which has no
-    number."""
-    inside = values_inside(actor.options.get("lane"))
-    measured = [value for value in inside if isinstance(value, Measure)]
-    if len(inside) < 2 or len(measured) != 1:
-        return lane
-    base = column(evaluate(measured[0], copies, element_of(actor)), copies)
-    lane = np.where((base < 0) & (lane >= 0), lane + 1, lane)
-    return np.where((base > 0) & (lane <= 0), lane - 1, lane)
-
-
-def values_inside(value: Value | None) -> list[Value]:
-    """A value and all parts of it."""
-    found: list[Value] = [] if value is None else [value]
-    for part in found:
-        found += values_in(part)
     return found
 
 

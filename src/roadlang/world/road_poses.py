@@ -19,6 +19,7 @@ from .copies import element_of
 from .lane_places import LaneOffsets, lane_places
 from .positions import column
 from .road_places import places_along
+from .spots import UNREACHED
 
 NO_ROAD = -1
 """The number of the road of what is on none, or on a declared one"""
@@ -38,9 +39,12 @@ class RoadPoses:
     road: Integers
     """number of the road in its network, or `NO_ROAD`"""
     lacking: Floats
-    """of an agent in a network: meters, 0 where a lane is near and a way leads on"""
+    """in a network: meters, 0 where a lane is near and a way leads on; anywhere `UNREACHED` where
+    there is a `missing_lane`"""
     width: Floats
     """meters across its heading"""
+    missing_lane: Integers
+    """the number of the lane that its road lacks, as another decides it; 0 where there is one"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +66,8 @@ class LaneStart:
 
     def in_no_lane(self, which: Booleans) -> LaneStart:
         """With some of them (R,) in no lane, on the center line."""
+        if not which.any():
+            return self
         lane, offset = np.where(which, 0, self.lane), np.where(which, 0.0, self.offset)
         return replace(self, lane=lane, offset=offset)
 
@@ -130,10 +136,11 @@ def poses_on_road(
     lengths, widths = sizes
     spans = np.isnan(widths)
     in_middle = spans & (written.side == "") & ("lane" not in actor.options)
-    if in_middle.any():
-        begin = begin.in_no_lane(in_middle)
+    begin = begin.in_no_lane(in_middle)
     place = places_along(name, candidates, rows, begin.start)
     lanes = lane_places(name, actor, candidates, rows, place, begin.lane)
+    missing_lane = np.where(lanes.missing, begin.lane, 0)
+    begin = begin.in_no_lane(lanes.missing)
     if spans.any():
         widths = np.where(spans, lanes.width, widths)
         lanes = replace(lanes, middle=np.where(in_middle, lanes.roadway_middle, lanes.middle))
@@ -154,8 +161,9 @@ def poses_on_road(
         begin.lane,
         backward,
         np.full(len(rows), NO_ROAD),
-        np.zeros(len(rows)),
+        np.where(lanes.missing, UNREACHED, 0.0),
         widths,
+        missing_lane,
     )
 
 

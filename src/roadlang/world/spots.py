@@ -12,7 +12,8 @@ from ..geometry.arrays import Floats, Integers
 FAR_AWAY = 1e6
 """Meters that lack to what is placed by something that is not there"""
 UNREACHED = 1.0
-"""What is lacking where no way leads through the points of a route, as if in meters"""
+"""What is lacking where no way leads through the points of a route, or the road does not have the
+lane, as if in meters"""
 
 
 @dataclass(frozen=True, eq=False)

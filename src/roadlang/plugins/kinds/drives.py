@@ -68,6 +68,10 @@ class Controller(Kind):
     lane_options: ClassVar[tuple[str, ...]] = ()
     """options that hold the id of a lane: one that the road does not have is an error (RL613)"""
 
+    sensor_options: ClassVar[tuple[str, ...]] = ()
+    """options that hold the name of a sensor of the agent: one that it does not have is an error
+    (RL480)"""
+
     def control(self, observation: Observation) -> Control:
         """What to do until the next step, from what is seen now.
 

@@ -120,8 +120,9 @@ class GridSignals:
             index = int(np.argmax(np.isinf(values)))
             place = f"position {position_text(float(trace.positions[index]))}"
             raise stl_error(
-                Code.NON_FINITE_SIGNAL, name=name, value=float(values[index]), place=place
-            )
+                Code.NON_FINITE_SIGNAL, name=name, value=float(values[index]), place=place,
+                help="no line leads to an infinite value: use the semantics `held` or `sampled`",
+            )  # fmt: skip
         values = np.asarray(values, dtype=np.float64)
         whole = PiecewiseLinear(
             self.span if name in trace.constants else trace.positions - self.origin,
