@@ -10,7 +10,8 @@ from benchmarks.drawings.strokes import Pen, drawn, strokes_of
 from roadlang.geometry import Curve
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.fairing import SeenOffsets, even_points, faired
+from roadlang_standard.extraction.fair_lines import SeenOffsets
+from roadlang_standard.extraction.fairing import Rough, even_points, faired
 from roadlang_standard.extraction.graph import trace
 from roadlang_standard.extraction.junction_points import Passing, meeting_point
 from tests.extraction.graph_drawings import dense
@@ -96,7 +97,7 @@ def test_within_the_tolerance_a_staircase_is_nearly_a_line() -> None:
     points = dense((0, 0), (300, 0))
     steps = np.floor(np.arange(301) / 75) - np.arange(301) / 75 + 0.5
     seen = SeenOffsets(steps, np.ones(301), np.full(301, 0.5))
-    line = faired(points, seen)
+    (line,) = faired([Rough(points, seen)])
     slope = np.polyfit(line[:, 0], line[:, 1], 1)
     assert np.abs(line[:, 1] - np.polyval(slope, line[:, 0])).max() < 1 / 4
 
@@ -106,7 +107,26 @@ def test_a_curve_passes_through_its_pins() -> None:
     seen = SeenOffsets(
         np.zeros(201), np.ones(201), np.full(201, 0.5), ((0, 0.0), (100, 0.8), (200, 0.0))
     )
-    assert faired(points, seen)[100, 1] == pytest.approx(0.8, abs=1e-3)
+    (line,) = faired([Rough(points, seen)])
+    assert line[100, 1] == pytest.approx(0.8, abs=1e-3)
+
+
+def test_a_line_becomes_the_same_whatever_lines_it_is_solved_with() -> None:
+    """They are solved in one system, and more of them than go into one."""
+    rng = np.random.default_rng(4)
+    lines = []
+    for count in (5, 40, 300, 9, 2000, 3000):
+        points = dense((0, 0), (count, 0.2 * count))
+        size = len(points)
+        seen = SeenOffsets(rng.normal(0, 0.6, size), rng.random(size), np.full(size, 0.5))
+        lines.append(Rough(points, seen))
+    turn = np.linspace(0, 2 * np.pi, 201)
+    ring = 32 * np.column_stack([np.cos(turn), np.sin(turn)])
+    seen = SeenOffsets(rng.normal(0, 0.6, 201), np.ones(201), np.full(201, 0.5), ((0, 0.3),))
+    lines.insert(3, Rough(ring, seen, closed=True))
+    alone = [faired([line])[0] for line in lines]
+    for one, together in zip(alone, faired(lines), strict=True):
+        assert np.array_equal(one, together)
 
 
 def test_what_is_not_seen_between_two_lines_is_one_arc() -> None:
@@ -120,7 +140,8 @@ def test_what_is_not_seen_between_two_lines_is_one_arc() -> None:
         normal = line.normal(line.stations(count=len(smooth)))
         offset = ((corner[near] - smooth) * normal).sum(axis=1)
         seen = SeenOffsets(offset, np.where(unseen[near], 1e-6, 1.0), np.full(len(smooth), 0.5))
-        smooth = even_points(faired(smooth, seen))
+        (fair,) = faired([Rough(smooth, seen)])
+        smooth = even_points(fair)
     tightest = np.abs(Curve.through(smooth[::3]).curvature(np.arange(5, 280, 1.0))).max()
     assert 20 < 1 / tightest < 40
 

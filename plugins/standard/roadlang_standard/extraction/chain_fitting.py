@@ -2,66 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.ndimage import maximum_filter1d
-from scipy.spatial import cKDTree
 
-from roadlang.geometry import Booleans, Floats
+from roadlang.geometry import Floats
 
-from .centers import centers
 from .chains import LineChain
 from .edges import normals
-from .fairing import SeenOffsets, even_points, faired
+from .fair_fitting import COVERED, Fit, Layer, Traced, Unfitted, fitted_fairly
+from .fairing import even_points
 from .junction_points import at_stations, extended, foot_station
-from .smoothing import curvature, resample, smooth, stations
+from .smoothing import resample, smooth, stations
 
-Layer = NDArray[np.float32]
-_FITS, _EASINGS = 2, 7
-_UNSEEN, _HARDLY = 1.0, 1e-3
-"""Weights of the traced line where the road's edges do not say where its middle is; and where it
-says little itself, near junctions."""
+_FITS = 2
 _FADE = 12.0
-_COVERED, _MOSTLY = 0.02, 0.7
-"""Weight of the traced line where something covers the picture, unless it covers most of it."""
-
-
-@dataclass(frozen=True)
-class Fit:
-    """How a curve is fitted, in pixels: to the middle of a road of `width` on a surface whose edge
-    is at `level`, within `tolerance`, radii not below `tightest`, from a line rid of waves below
-    `waves`. Without `fair` the line alone counts. What is seen says little where the picture is
-    `covered` (h, w)."""
-
-    width: float
-    level: float
-    tolerance: float
-    tightest: float
-    waves: float
-    fair: bool = True
-    covered: Booleans | None = None
-
-    def is_covered(self, points: Floats) -> Booleans:
-        """Which points (n, 2) lie where something covers the picture."""
-        if self.covered is None:
-            return np.zeros(len(points), bool)
-        x, y = np.round(points).astype(int).T
-        inside = (x >= 0) & (y >= 0) & (x < self.covered.shape[1]) & (y < self.covered.shape[0])
-        result = np.zeros(len(points), bool)
-        result[inside] = self.covered[y[inside], x[inside]]
-        return result if result.mean() < _MOSTLY else np.zeros(len(points), bool)
-
-
-@dataclass(frozen=True)
-class Traced:
-    """A traced line (m, 2), and the junctions (k, 2) on it."""
-
-    line: Floats
-    junctions: Floats
+"""Pixels over which a curve that is not fair leaves the line to meet a node."""
 
 
 @dataclass(frozen=True)
@@ -86,34 +44,51 @@ class Run:
         """Whether the run ends at its node of this index."""
         return not self.chain.closed and place in (0, len(self.nodes) - 1)
 
+    def is_fair(self, fit: Fit) -> bool:
+        """Whether lines and arcs are sought for its curve."""
+        return fit.fair and not _is_tiny(self.traced.line, self.chain.closed, fit)
+
 
 def fitted(
-    chain: LineChain,
+    chains: Sequence[LineChain],
     nodes: Mapping[int, Floats],
-    free: tuple[bool, bool],
+    free: Sequence[tuple[bool, bool]],
     surface: Layer,
     fit: Fit,
-) -> Run:
-    """The fair curve of a chain between `nodes`, its ends wherever they fall; `free` ones are dead
-    ends."""
+) -> list[Run]:
+    """The fair curve of each chain between `nodes`, its ends wherever they fall; `free` ones are
+    dead ends."""
+    runs = [_rough(*each, nodes, fit) for each in zip(chains, free, strict=True)]
+    curves = [run.curve for run in runs]
+    fair = [index for index, run in enumerate(runs) if run.is_fair(fit)]
+    for _ in range(_FITS):
+        lines = [Unfitted(curves[i], runs[i].traced, runs[i].chain.closed) for i in fair]
+        for index, curve in zip(fair, fitted_fairly(lines, surface, fit), strict=True):
+            curves[index] = even_points(curve, runs[index].chain.closed)
+    return [_with_curve(*each) for each in zip(runs, curves, strict=True)]
+
+
+def _rough(chain: LineChain, free: tuple[bool, bool], nodes: Mapping[int, Floats], fit: Fit) -> Run:
+    """The chain as it was traced, rid of waves."""
     pieces = [line.points if forward else line.points[::-1] for line, forward in chain.parts]
     traced = resample(np.vstack([pieces[0], *[piece[1:] for piece in pieces[1:]]]))
     inner = [piece[0] for piece in pieces[1:]]
-    shares = np.cumsum([0.0, *[line.length for line, _ in chain.parts]])
-    tiny = _is_tiny(traced, chain.closed, fit)
-    curve = traced if tiny else _without_waves(traced, inner, chain.closed, free, fit)
-    if fit.fair and not tiny:
-        curve = even_points(curve, chain.closed)
-        ends = [free[0] and not chain.closed, *[False] * len(inner), free[1] or chain.closed]
-        places = [nodes[node] for node, end in zip(chain.nodes, ends, strict=True) if not end]
-        seen = Traced(traced, np.array(places).reshape(-1, 2))
-        for _ in range(_FITS):
-            curve = _fitted_again(curve, seen, (), surface, fit, chain.closed)
-            curve = even_points(curve, chain.closed)
-    else:
-        seen = Traced(traced, np.zeros((0, 2)))
+    if _is_tiny(traced, chain.closed, fit):
+        return Run(chain, traced, Traced(traced, np.zeros((0, 2))), ())
+    curve = _without_waves(traced, inner, chain.closed, free, fit)
+    if not fit.fair:
+        return Run(chain, curve, Traced(traced, np.zeros((0, 2))), ())
+    ends = [free[0] and not chain.closed, *[False] * len(inner), free[1] or chain.closed]
+    places = [nodes[node] for node, end in zip(chain.nodes, ends, strict=True) if not end]
+    junctions = np.array(places).reshape(-1, 2)
+    return Run(chain, even_points(curve, chain.closed), Traced(traced, junctions), ())
+
+
+def _with_curve(run: Run, curve: Floats) -> Run:
+    """The run with another curve, and how far along it the nodes are reached."""
+    shares = np.cumsum([0.0, *[line.length for line, _ in run.chain.parts]])
     reached = shares / shares[-1] * stations(curve)[-1]
-    return Run(chain, curve, seen, tuple(reached[:-1] if chain.closed else reached))
+    return replace(run, curve=curve, reached=tuple(reached[:-1] if run.chain.closed else reached))
 
 
 def _is_tiny(traced: Floats, closed: bool, fit: Fit) -> bool:
@@ -129,7 +104,7 @@ def _without_waves(
     if closed:
         ring = smooth(traced[:-1], fit.waves, tolerance, fit.tightest, closed=True)
         return np.vstack([ring, ring[:1]])
-    weights = np.where(fit.is_covered(traced), _COVERED, 1.0)
+    weights = np.where(fit.is_covered(traced), COVERED, 1.0)
     for place in [traced[0], traced[-1], *inner]:
         near = np.hypot(*(traced - place).T) < 0.6 * fit.width
         if near.sum() < 0.5 * len(traced):
@@ -137,49 +112,26 @@ def _without_waves(
     return smooth(traced, fit.waves, tolerance, fit.tightest, weights, free=free)
 
 
-def _fitted_again(
-    curve: Floats,
-    traced: Traced,
-    pins: tuple[tuple[int, float], ...],
+def through(
+    runs: Sequence[Run],
+    placed: dict[int, Floats],
+    free: Sequence[tuple[bool, bool]],
     surface: Layer,
     fit: Fit,
-    closed: bool,
-) -> Floats:
-    """The fair curve near a curve of even points, as many points of it.
-
-    What was seen is let go, little by little, where the curve would be too tight.
-    """
-    offset, even = centers(curve, surface, fit.width, fit.level, closed)
-    _, nearest = cKDTree(traced.line).query(curve)
-    aside = ((traced.line[nearest] - curve) * normals(curve, closed)).sum(axis=1)
-    offset = np.where(even, offset, aside)
-    covered = fit.is_covered(curve)
-    even = even & ~covered
-    vague = _near(curve, traced.junctions, 2.0 * fit.width + 3) & ~even
-    weight = np.where(vague, _HARDLY, np.where(even, 1.0, np.where(covered, _COVERED, _UNSEEN)))
-    loose = np.where(vague, max(1.0, 0.25 * fit.width), max(0.6, fit.tolerance))
-    loose = np.where(covered, np.maximum(loose, fit.width), loose)
-    tolerance = np.where(even, fit.tolerance, loose)
-    for _ in range(_EASINGS):
-        found = faired(curve, SeenOffsets(offset, weight, tolerance, pins), closed)
-        sharp = curvature(found) > 1.02 / fit.tightest
-        if not sharp.any():
-            break
-        near = maximum_filter1d(sharp, 2 * int(fit.tightest) + 3)
-        weight = np.where(near, np.maximum(_HARDLY, weight / 3), weight)
-    return found
+) -> list[list[Floats]]:
+    """The curve of each run through its nodes where they were `placed`, cut there: a piece each
+    part."""
+    pinned = [_pinned(*each, placed, fit) for each in zip(runs, free, strict=True)]
+    curves = [_faded(line) for line in pinned]
+    fair = [index for index, run in enumerate(runs) if run.is_fair(fit)]
+    again = fitted_fairly([pinned[index] for index in fair], surface, fit)
+    for index, curve in zip(fair, again, strict=True):
+        curves[index] = curve
+    return [_cut(*each, placed) for each in zip(runs, pinned, curves, strict=True)]
 
 
-def _near(curve: Floats, places: Floats, distance: float) -> Booleans:
-    """Which points (n,) of the curve lie near one of the places (k, 2)."""
-    if not len(places):
-        return np.zeros(len(curve), bool)
-    return np.asarray(cKDTree(places).query(curve)[0] < distance)
-
-
-def through(run: Run, placed: dict[int, Floats], free: tuple[bool, bool], surface: Layer,
-            fit: Fit) -> list[Floats]:  # fmt: skip
-    """The run's curve through its nodes where they were `placed`, cut there: a piece each part."""
+def _pinned(run: Run, free: tuple[bool, bool], placed: dict[int, Floats], fit: Fit) -> Unfitted:
+    """The run's curve from its first node to its last, with pins at all of them."""
     places = [placed[node] for node in run.nodes]
     curve, at = _between_ends(run, places, free, fit)
     along = stations(curve)
@@ -189,12 +141,14 @@ def through(run: Run, placed: dict[int, Floats], free: tuple[bool, bool], surfac
     pins = tuple(
         (i, float((place - curve[i]) @ normal[i])) for i, place in zip(index, places, strict=True)
     )
-    if fit.fair and not _is_tiny(run.traced.line, run.chain.closed, fit):
-        curve = _fitted_again(curve, run.traced, pins, surface, fit, run.chain.closed)
-    else:
-        curve = curve + _faded(pins, len(curve))[:, None] * normal
+    return Unfitted(curve, run.traced, run.chain.closed, pins)
+
+
+def _cut(run: Run, pinned: Unfitted, curve: Floats, placed: dict[int, Floats]) -> list[Floats]:
+    """The pieces of a curve between its pins, which are moved to where the nodes were placed."""
+    index = [i for i, _ in pinned.pins]
     curve = curve.copy()
-    curve[index] = places
+    curve[index] = [placed[node] for node in run.nodes]
     if run.chain.closed:
         curve[-1] = curve[0]
         index = [*index, len(curve) - 1]
@@ -244,9 +198,10 @@ def _increasing(index: list[int], count: int, closed: bool) -> list[int]:
     return [0, *inner] if closed else [0, *inner, count - 1]
 
 
-def _faded(pins: tuple[tuple[int, float], ...], count: int) -> Floats:
-    """Offsets (n,) that meet the pins and fade away from each."""
-    offset = np.zeros(count)
-    for index, value in pins:
-        offset += value * np.clip(1 - np.abs(np.arange(count) - index) / _FADE, 0.0, 1.0)
-    return offset
+def _faded(line: Unfitted) -> Floats:
+    """The curve moved so that it meets its pins, less and less away from each."""
+    offset = np.zeros(len(line.curve))
+    for index, value in line.pins:
+        fade = np.clip(1 - np.abs(np.arange(len(offset)) - index) / _FADE, 0.0, 1.0)
+        offset += value * fade
+    return line.curve + offset[:, None] * normals(line.curve, line.closed)

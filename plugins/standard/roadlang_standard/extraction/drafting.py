@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
-from .chain_fitting import Fit, Run, fitted, through
+from .chain_fitting import Run, fitted, through
 from .chains import chains
 from .edges import sides, typical_width, widths
+from .fair_fitting import Fit
 from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
 from .graph import Graph, Line
@@ -84,15 +85,12 @@ def _drawn(
     degree = graph.degree()
     found = chains(graph, 1.5 * options.width + 4)
     ends = [(degree[chain.nodes[0]] == 1, degree[chain.nodes[-1]] == 1) for chain in found]
-    runs = [
-        fitted(chain, graph.nodes, free, surface, options.fit)
-        for chain, free in zip(found, ends, strict=True)
-    ]
+    runs = fitted(found, graph.nodes, ends, surface, options.fit)
     placed = _nodes(graph, runs, options)
     curves: dict[int, Floats] = {}
-    for run, free in zip(runs, ends, strict=True):
-        pieces = through(run, placed, free, surface, options.fit)
-        for (line, forward), piece in zip(run.chain.parts, pieces, strict=True):
+    pieces = through(runs, placed, ends, surface, options.fit)
+    for run, parts in zip(runs, pieces, strict=True):
+        for (line, forward), piece in zip(run.chain.parts, parts, strict=True):
             curves[id(line)] = piece if forward else piece[::-1]
     return placed, curves
 

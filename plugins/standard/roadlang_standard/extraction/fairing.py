@@ -8,6 +8,7 @@ change of curvature is an arc, no curvature a line. Solved by iteratively reweig
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,8 @@ from scipy.interpolate import CubicSpline
 from roadlang.geometry import Floats
 
 from .edges import normals
+from .fair_lines import FairLine, FairLines, SeenOffsets, in_a_row
+from .fair_system import differences, spread, system
 from .smoothing import banded_solution, stations
 
 _TURNING, _CHANGING = 1.0, 3.0
@@ -26,25 +29,20 @@ _INSIDE, _BEYOND = 0.012, 4.0
 """Weights of squares of pixels within the tolerance, and beyond it."""
 _ROUNDS, _EASING = 32, 0.7
 _PINNED = 1e5
-_ZEROS = np.zeros(3)
-_SECOND = tuple(np.array(row) for row in ((1.0, 4.0, 1.0), (-2.0, -2.0), (1.0,)))
-_THIRD = tuple(
-    np.array(row) for row in ((1.0, 9.0, 9.0, 1.0), (-3.0, -9.0, -3.0), (3.0, 3.0), (-1.0,))
-)
-"""Products of the second and the third difference's factors (1, -2, 1) and (-1, 3, -3, 1) that are
-0, 1, 2 and 3 points apart."""
+_SHORTEST = 8
+"""Lines of fewer points are left as they are."""
+_TOGETHER = 4096
+"""So many points are solved at a time: more do not stay in a processor's cache."""
 
 
 @dataclass(frozen=True)
-class SeenOffsets:
-    """What was seen along a curve of n points: `offset` (n,), pixels to the left of each point,
-    how much it weighs (n,), 0 to 1, and the `tolerance` (n,) in pixels within which it is as good
-    as met. `pins` are offsets that are met exactly, by the index of their point."""
+class Rough:
+    """A line of evenly spaced points (n, 2), and what was seen along it; a `closed` one repeats its
+    first point."""
 
-    offset: Floats
-    weight: Floats
-    tolerance: Floats
-    pins: tuple[tuple[int, float], ...] = ()
+    points: Floats
+    seen: SeenOffsets
+    closed: bool = False
 
 
 def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floats:
@@ -66,22 +64,50 @@ def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floa
     return np.asarray(spline(at))
 
 
-def faired(points: Floats, seen: SeenOffsets, closed: bool = False) -> Floats:
-    """The fair curve near `points` (n, 2), which are evenly spaced; so many points of it.
+def faired(lines: Sequence[Rough]) -> list[Floats]:
+    """The fair curve near each of the lines, in order; so many points of it, and closed as it is.
 
-    A closed line repeats its first point, and so does the result.
+    What becomes of a line does not depend on those that are given with it.
     """
-    if len(points) < 8:
-        return points
-    step = float(stations(points)[-1]) / (len(points) - 1)
-    normal = normals(points, closed)
-    if not closed:
-        offsets = _solved(seen, _bends(points, step), step)
-        return np.asarray(points + offsets[:, None] * normal)
-    count = len(points) - 1  # three times round: the middle one has neighbors on both sides
-    around = np.vstack([points[:-1]] * 3)
-    offsets = _solved(_repeated(seen, count), _bends(around, step), step)[count : 2 * count]
-    return np.asarray(points + np.append(offsets, offsets[0])[:, None] * normal)
+    curves = [line.points for line in lines]
+    for group in _groups(lines):
+        row = in_a_row([_fair_line(lines[index]) for index in group], _TURNING, _CHANGING)
+        for index, offsets in zip(group, row.parts(_solved(row)), strict=True):
+            curves[index] = _moved(lines[index], offsets)
+    return curves
+
+
+def _groups(lines: Sequence[Rough]) -> Iterator[list[int]]:
+    """Indices of the lines that are solved together."""
+    group: list[int] = []
+    total = 0
+    for index, line in enumerate(lines):
+        if len(line.points) < _SHORTEST:
+            continue
+        if group and total + len(line.points) > _TOGETHER:
+            yield group
+            group, total = [], 0
+        group.append(index)
+        total += len(line.points)
+    if group:
+        yield group
+
+
+def _fair_line(line: Rough) -> FairLine:
+    step = float(stations(line.points)[-1]) / (len(line.points) - 1)
+    if not line.closed:
+        return FairLine(line.seen, _bends(line.points, step), step)
+    around = np.vstack([line.points[:-1]] * 3)  # so that the middle one has neighbors on both sides
+    return FairLine(_repeated(line.seen, len(line.points) - 1), _bends(around, step), step)
+
+
+def _moved(line: Rough, offsets: Floats) -> Floats:
+    """The line with its points moved to the left by so much; of a closed line three times round,
+    the middle one counts."""
+    if line.closed:
+        count = len(line.points) - 1
+        offsets = np.append(offsets[count : 2 * count], offsets[count])
+    return np.asarray(line.points + offsets[:, None] * normals(line.points, line.closed))
 
 
 def _repeated(seen: SeenOffsets, count: int) -> SeenOffsets:
@@ -98,51 +124,26 @@ def _bends(points: Floats, step: float) -> Floats:
     return np.asarray((np.diff(points, 2, axis=0) * normals(points)[1:-1]).sum(axis=1) / step**2)
 
 
-def _solved(seen: SeenOffsets, bend: Floats, step: float) -> Floats:
-    """The offsets (n,) for which the curve is fair, of a line that bends by so much (n - 2,)."""
-    goal, weight, change = seen.offset, step * seen.weight, np.diff(bend) / step
+def _solved(row: FairLines) -> Floats:
+    """The offsets (N,) for which the curves are fair."""
+    goal, weight, tolerance = row.seen.offset, row.seen.weight, row.seen.tolerance
+    pinned = np.array([index for index, _ in row.seen.pins], int)
+    pins = np.array([offset for _, offset in row.seen.pins])
     found, outside = np.zeros(len(goal)), np.zeros(len(goal))
     flattest, evenest = 1e-2, 1e-3
     for _ in range(_ROUNDS):
         flattest, evenest = max(_FLATTEST, flattest * _EASING), max(_EVENEST, evenest * _EASING)
         off = found - goal
-        outside = (outside + (np.abs(off) > seen.tolerance)) / 2  # halves: or points go in and out
+        outside = (outside + (np.abs(off) > tolerance)) / 2  # halves: or points go in and out
         pull = weight * (_INSIDE + _BEYOND * outside) + 1e-9
-        edge = goal + np.sign(off) * seen.tolerance
+        edge = goal + np.sign(off) * tolerance
         pulled = weight * (_INSIDE * goal + _BEYOND * outside * edge)
-        for index, offset in seen.pins:
-            pull[index], pulled[index] = _PINNED, _PINNED * offset
-        second = _differences(found, 2)
-        curvature = bend + second / step**2
-        changed = change + (second[1:] - second[:-1]) / step**3
-        turning = _TURNING / step / np.maximum(np.abs(curvature), flattest)
-        changing = _CHANGING / step**2 / np.maximum(np.abs(changed), evenest)
-        right = pulled - _spread(turning * bend, 2)
-        right += _spread(changing * change, 3)
-        system = _system(pull, turning / step**2, changing / step**3)
-        found = banded_solution(system, right)
+        pull[pinned], pulled[pinned] = _PINNED, _PINNED * pins
+        second = differences(found, 2)
+        curvature = row.bend + second / row.square
+        changed = row.change + differences(second, 1) / row.cube
+        turning = row.turning / np.maximum(np.abs(curvature), flattest)
+        changing = row.changing / np.maximum(np.abs(changed), evenest)
+        right = pulled - spread(turning * row.bend, 2) + spread(changing * row.change, 3)
+        found = banded_solution(system(pull, turning / row.square, changing / row.cube), right)
     return found
-
-
-def _differences(values: Floats, order: int) -> Floats:
-    """As `numpy.diff`, which takes longer for short lines."""
-    for _ in range(order):
-        values = values[1:] - values[:-1]
-    return values
-
-
-def _spread(weighted: Floats, order: int) -> Floats:
-    """The differences' transpose: (n,) of values (n - order,)."""
-    return _differences(np.concatenate([_ZEROS[:order], weighted, _ZEROS[:order]]), order)
-
-
-def _system(pull: Floats, turning: Floats, changing: Floats) -> Floats:
-    """Of sums of weighted squares of values (n,) and of their second and third differences, the
-    matrix, by its diagonals (4, n) from the main one down."""
-    count = len(pull)
-    banded = np.zeros((4, count))
-    banded[0] = pull
-    for weights, stencils in ((turning, _SECOND), (changing, _THIRD)):
-        for below, stencil in enumerate(stencils):
-            banded[below, : count - below] += np.convolve(weights, stencil)
-    return banded
