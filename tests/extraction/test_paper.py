@@ -9,6 +9,7 @@ import pytest
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.edges import normals
+from roadlang_standard.extraction.even_ground import has_even_ground
 from roadlang_standard.extraction.open_edges import with_closed_ends
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.ruling import without_ruling
@@ -83,6 +84,22 @@ def test_photos_from_above_and_drawings_made_on_a_screen_are_no_sheets() -> None
     assert sheet_outline(photo) is None
     assert sheet_of(photo) is None
     assert sheet_of(drawn(sheet(), wave())) is None
+
+
+def test_paper_has_even_ground_and_a_photo_from_above_has_none() -> None:
+    """So most photos are not searched for a sheet."""
+    squared = photographed(drawn(ruled(sheet(), squared=True), wave(), 12))
+    assert has_even_ground(squared)
+    assert has_even_ground(on_desk(squared, (85, 135, 185))[0])
+    assert not has_even_ground(cv2.imread("examples/village.jpg"))
+
+
+def test_a_small_sheet_on_a_textured_desk_has_even_ground() -> None:
+    """A sixth of the picture."""
+    desk = np.random.default_rng(5).normal(110, 40, (360, 480, 3)).clip(0, 255).astype(np.uint8)
+    assert not has_even_ground(desk)
+    desk[90:230, 120:310] = photographed(drawn(sheet(), wave()))[90:230, 120:310]
+    assert has_even_ground(desk)
 
 
 def test_only_what_is_darker_than_a_printed_line_stays_upon_it() -> None:

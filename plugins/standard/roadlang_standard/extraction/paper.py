@@ -10,6 +10,7 @@ import numpy as np
 from roadlang.geometry import Booleans
 
 from .drawing import between_lines
+from .even_ground import has_even_ground
 from .found_network import FoundNetwork
 from .hysteresis import hysteresis
 from .masks import roads_of_surface
@@ -92,6 +93,8 @@ def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | N
     The sheet fills the picture or lies on a darker desk. A line is a road; two lines side by side
     are the edges of one. There may be none.
     """
+    if not has_even_ground(image):
+        return None
     outline = sheet_outline(image)
     sheet = None if outline is None else sheet_of(image, outline)
     sheet = sheet or sheet_of(image)
