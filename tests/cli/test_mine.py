@@ -65,3 +65,26 @@ def test_a_parameter_is_given_once(tmp_path: Path, capsys: pytest.CaptureFixture
     twice = ["--param", "a=0..2", "--param", "a=0..5"]
     assert run(["mine", "always (e < a)", *twice, str(tmp_path / "drive.csv")]) == 2
     assert "--param a is given twice" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ([], "always (e < 3.00001)  holds on every trace"),
+        (["--margin", "0"], "always (e < 3)  has a robustness of 0 or more on every trace"),
+        (["--unknown-holds"], "holds, or can still hold, on every trace"),
+    ],
+)
+def test_what_is_said_of_the_formula_is_what_was_asked_for(
+    trace: Any, capsys: pytest.CaptureFixture[str], options: list[str], told: str
+) -> None:
+    assert run(["mine", "always (e < limit)", "--param", "limit=0..9", *options, trace]) == 0
+    assert told in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", [["monitor"], ["mine", "--param", "limit=0..9"]])
+def test_a_trace_in_place_of_the_formula_is_told(
+    trace: Any, capsys: pytest.CaptureFixture[str], command: list[str]
+) -> None:
+    assert run([*command, trace, "always (e < limit)"]) == 2
+    assert "drive.csv is a file: FORMULA comes first" in capsys.readouterr().err

@@ -44,6 +44,39 @@ def test_the_first_parameter_is_tightest() -> None:
     assert mined.values["high"] == pytest.approx(WORST, rel=1e-4)
 
 
+def test_of_alternatives_each_is_tightened_from_its_loose_side() -> None:
+    """With `c` at its loosest, robustness does not depend on `d`: both bounds of `d` are alike."""
+    recording = ([0.0, 1.0, 2.0], {"x": [0.1, -0.4, 0.9], "e": [1.0, 2.0, 3.0]})
+    parameters = [Parameter("c", 0, 5), Parameter("d", 0, 5)]
+    mined = mine("always (x < c or e < d)", parameters, [recording])
+    assert mined.values == {"c": 0.0, "d": pytest.approx(3.0, abs=1e-4)}
+    assert mined.at_bound == ("c",)
+    front = mine_front("always (x < c or e < d)", parameters, [recording], points=6)
+    assert [point.values["c"] for point in front] == [0.0, 1.0]
+    assert [point.values["d"] for point in front] == [pytest.approx(3.0, abs=1e-4), 0.0]
+
+
+@pytest.mark.parametrize(
+    ("parameter", "told"),
+    [
+        (Parameter("limit", 5, 0), "the lower one comes first: `limit=0..5`"),
+        (Parameter("limit", 2, 2), "two finite numbers, the lower one first"),
+        (Parameter("limit", 0, float("inf")), "two finite numbers, the lower one first"),
+        (Parameter("limit", -1e308, 1e308), "they are too far apart"),
+        (Parameter("", 0, 1), "it is no name"),
+        (Parameter("e", 0, 1), "it is a signal of the trace"),
+    ],
+)
+def test_a_parameter_that_makes_no_sense_is_refused(parameter: Parameter, told: str) -> None:
+    with pytest.raises(DiagnosticError, match=r"RL342(.|\n)*" + told):
+        mine("always (e <= limit)", [parameter], RECORDINGS)
+
+
+def test_bounds_may_be_as_far_apart_as_numbers_go() -> None:
+    mined = mine("always (e <= limit)", [Parameter("limit", -8e307, 9e307)], RECORDINGS)
+    assert WORST <= mined.values["limit"] <= 1e297
+
+
 def test_margins() -> None:
     mined = mine("always (e < limit)", [Parameter("limit", 0, 20)], RECORDINGS, margin=0.5)
     assert mined.values["limit"] == pytest.approx(WORST + 0.5, rel=1e-5)
@@ -100,7 +133,7 @@ def test_windows_cut_off_by_the_end_can_count_as_holding() -> None:
     assert "`--unknown-holds`" in cut_off.value.diagnostics[0].help[0]
     with pytest.raises(DiagnosticError, match="RL341") as violated:
         mine(text, [Parameter("tau", 0, 2)], recordings)
-    assert violated.value.diagnostics[0].help == ()
+    assert violated.value.diagnostics[0].help[0].startswith("widen the bounds")
     mined = mine(text, [Parameter("tau", 0, 20)], recordings, unknown_holds=True)
     margin = mine(text, [Parameter("tau", 0, 20)], recordings, unknown_holds=True, margin=0.4)
 

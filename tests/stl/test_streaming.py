@@ -12,6 +12,20 @@ from roadlang.stl.formula.horizon import horizon
 from tests.stl_draws import FormulaDraw, draw_trace
 
 
+@pytest.mark.parametrize(
+    ("text", "instead"),
+    [
+        ("always (x < 1)", "to be told when it fails, leave `always` out: `x < 1`"),
+        ("eventually (x < 1)", "give the operator an interval with an end"),
+        ("always eventually (x < 1)", "give the operator an interval with an end"),
+    ],
+)
+def test_what_to_watch_in_place_of_a_formula_without_bounds(text: str, instead: str) -> None:
+    with pytest.raises(DiagnosticError, match="RL309") as caught:
+        stl.StreamMonitor(stl.parse(text))
+    assert caught.value.diagnostics[0].help[0].startswith(instead)
+
+
 @pytest.mark.parametrize("origin", [0.0, 1_700_000_000.0])
 @pytest.mark.parametrize("seed", range(44))
 def test_every_sample_has_the_robustness_of_the_whole_trace(seed: int, origin: float) -> None:

@@ -173,3 +173,20 @@ def test_numbers_and_intervals_that_make_no_sense_are_explained(
     (diagnostic,) = raised.value.diagnostics
     assert diagnostic.code == code
     assert any(line in said for said in (diagnostic.message, *diagnostic.help))
+
+
+@pytest.mark.parametrize("text", ["out = always (x > 0)", "out = always (x > 0)\n", "a.b = x > 0"])
+def test_the_name_that_a_specification_of_rtamt_has_is_told(text: str) -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        stl.parse(text)
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL001"
+    assert found.help == (f"a formula has no name: write `{text.partition('= ')[2].strip()}`",)
+
+
+def test_one_equals_sign_between_numbers_is_still_that_of_a_comparison() -> None:
+    with pytest.raises(DiagnosticError) as caught:
+        stl.parse("x = 3")
+    assert [(found.code, found.help) for found in caught.value.diagnostics] == [
+        ("RL010", ("write `==`",))
+    ]

@@ -121,11 +121,12 @@ def command(
 
     Several images are tiles of one picture; each must be georeferenced (GeoTIFF or world file).
     Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
-    down. Without `-o` the JSON goes to standard output.
+    down. Without `-o`, or with `-o -`, the JSON goes to standard output.
     """
     if edit is not None:
         _edit(images, edit, settings["scale"], not no_browser)
         return
+    output = None if output == "-" else output
 
     from ..ir.picture import Picture
     from .chosen_extractor import extracted

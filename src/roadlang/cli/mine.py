@@ -11,6 +11,7 @@ import click
 from ..diagnostics import DiagnosticError
 from .console import echo, report
 from .finite_range import FiniteNumber
+from .read_traces import refuse_swapped
 
 if TYPE_CHECKING:
     from ..stl.explain.mining import Mined
@@ -34,7 +35,10 @@ if TYPE_CHECKING:
     help="Minimum robustness; by default the formula only has to hold.",
 )
 @click.option(
-    "--digits", type=click.IntRange(1, 12), default=6, help="Significant digits of the result."
+    "--digits",
+    type=click.IntRange(1, 12),
+    default=6,
+    help="Significant digits of the result, no finer than 1e-12 of the bounds.",
 )
 @click.option(
     "--agent", help="Agent of a trace of `roadlang run` whose signals need no prefix: `speed`."
@@ -66,6 +70,7 @@ def command(
     For example `roadlang mine "always (e < limit)" --param limit=0..20 drive.csv`, or for an
     interval `roadlang mine "eventually[0, tau] (e < 1)" --param tau=0..60 drive.csv`.
     """
+    refuse_swapped(formula)
     parameters = [_parameter(text) for text in bounds]
     names = [parameter.name for parameter in parameters]
     if twice := {name for name in names if names.count(name) > 1}:
@@ -84,7 +89,15 @@ def command(
         for name, value in mined[0].values.items():
             note = "  (the end of its bounds)" if name in mined[0].at_bound else ""
             echo(f"{name} = {value:.{digits}g}{note}")
-        echo(f"{mined[0].formula}  holds on every trace")
+        echo(f"{mined[0].formula}  {_found(how)} on every trace")
+
+
+def _found(how: Mapping[str, Any]) -> str:
+    """What is known of the formula: with a margin of 0 or less it need not hold."""
+    has, holds = "has", "holds"
+    if how["unknown_holds"]:
+        has, holds = "has, or can still get,", "holds, or can still hold,"
+    return holds if how["margin"] is None else f"{has} a robustness of {how['margin']:g} or more"
 
 
 def _mined(
@@ -138,4 +151,6 @@ def _parameter(text: str) -> Parameter:
     try:
         return Parameter(name.strip(), float(low), float(high))
     except ValueError:
-        raise click.UsageError(f"--param {text}: write NAME=LOW..HIGH with two numbers") from None
+        raise click.UsageError(
+            f"--param {text}: write NAME=LOW..HIGH with two numbers without units"
+        ) from None

@@ -10,8 +10,9 @@ import click
 
 from . import exit_codes
 from .console import echo, report
-from .finite_range import FiniteNumber
 from .output_files import FormatFile
+from .quantities import meters
+from .read_traces import judging, read_samples, refuse_swapped
 from .short_numbers import short_numbers
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--wrap",
-    type=FiniteNumber(),
+    type=meters(min=0, min_open=True),
     metavar="LENGTH",
     help="Length of the closed road that the traces go around.",
 )
@@ -94,10 +95,10 @@ def command(
     positions, trace (the robustness at each position) and explanation; of several it is a list of
     these. Infinities are the strings "inf" and "-inf".
     """
+    refuse_swapped(formula)
     _refuse_combinations(traces, following, plot, as_json, how)
     from ..stl import parse
     from ..stl.formats.column_units import check_units
-    from .read_traces import read_samples
     from .trace_dimensions import check_dimensions
 
     parsed, files = parse(formula), [path for path in traces if path != "-"]
@@ -139,8 +140,6 @@ def _refuse_combinations(
 def _judged(
     formula: Formula, columns: Columns, path: str, plot: str | None, how: dict[str, Any]
 ) -> dict[str, Any]:
-    from .read_traces import judging
-
     with judging(path):
         if how["semantics"] != "sampled":
             return _dense_finding(formula, columns, path, how)

@@ -10,7 +10,7 @@ import click
 
 class FormatFile(click.Path):
     """The path of a file in a format (`SVG`); names that end as those of other formats do are
-    refused. `-` stands for standard output, where a command has it."""
+    refused, and so is `-`: no command writes such a file to standard output."""
 
     def __init__(self, format_name: str, *endings: str) -> None:
         super().__init__(dir_okay=False)
@@ -19,7 +19,7 @@ class FormatFile(click.Path):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """The path. Raises `click.BadParameter`."""
-        if str(value) != "-" and Path(str(value)).suffix.lower() not in self.endings:
+        if Path(str(value)).suffix.lower() not in self.endings:
             ending = f"name a file that ends in `{self.endings[0]}`"
             self.fail(f"this writes {self.format_name}: {ending}, not {value!r}.", param, ctx)
         return super().convert(value, param, ctx)

@@ -56,6 +56,11 @@ def seconds(**bounds: Any) -> QuantityRange:
     return QuantityRange("time", "s", "60s", **bounds)
 
 
+def meters(**bounds: Any) -> QuantityRange:
+    """A length."""
+    return QuantityRange("length", "m", "120m", **bounds)
+
+
 def pixel_size(**bounds: Any) -> QuantityRange:
     """How much ground a pixel shows."""
     return QuantityRange("scale", "m/px", "0.5m/px", **bounds)

@@ -8,6 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
+
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 
 if TYPE_CHECKING:
@@ -31,6 +33,12 @@ def read_samples(path: str, agent: str | None) -> Columns:
         help_ = f"{Path(path).name} has no {lacks}"
         raise DiagnosticError(diagnose(Code.EMPTY_TRACE, path=path, help=help_))
     return columns
+
+
+def refuse_swapped(formula: str) -> None:
+    """`click.UsageError` where the formula is the name of a file."""
+    if Path(formula).suffix.lower() in (".csv", ".json") and Path(formula).exists():
+        raise click.UsageError(f"{formula} is a file: FORMULA comes first, then TRACE...")
 
 
 @contextmanager

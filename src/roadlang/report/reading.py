@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
@@ -59,7 +60,7 @@ def read_journal(folder: Path) -> list[bytes]:
     try:
         return read_lines(path)
     except (OSError, ValueError) as error:
-        raise broken(path, str(error)) from error
+        raise broken(path, reason_of(error)) from error
 
 
 def read_typed(path: Path, kind: type[T]) -> T:
@@ -74,13 +75,25 @@ def parsed(path: Path, parse: Callable[[str], T]) -> T:
     except UnreadableFile as error:
         raise broken(path, error.reason) from error
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        reason = f"`{error}` is missing" if isinstance(error, KeyError) else str(error)
-        raise broken(path, reason) from error
+        raise broken(path, reason_of(error)) from error
+
+
+def reason_of(error: Exception) -> str:
+    """What is wrong with the text, not what a parser says when it stumbles over that."""
+    if isinstance(error, KeyError):
+        return f"{str(error).replace(chr(39), '`')} is missing"
+    if isinstance(error, json.JSONDecodeError):
+        return f"it is no JSON from line {error.lineno}, column {error.colno} on"
+    if isinstance(error, (TypeError, AttributeError, RecursionError)):
+        return "its JSON has another form than what roadlang writes"
+    return str(error)
 
 
 def broken(path: Path, reason: str) -> DiagnosticError:
     """RL721, to be raised."""
-    return DiagnosticError(diagnose(Code.BROKEN_RESULTS, path=str(path), reason=reason))
+    has_command = any((folder / RESULTS_FILE).is_file() for folder in path.parents[:2])
+    help = f"make it again with the command that is in {RESULTS_FILE}" if has_command else ()
+    return DiagnosticError(diagnose(Code.BROKEN_RESULTS, path=str(path), reason=reason, help=help))
 
 
 def _record(text: str) -> ResultsRecord:

@@ -14,7 +14,7 @@ from ..ir.results_record import RESULTS_FILE, ResultsRecord
 from ..ir.scene import file_stem
 from ..judging.badness import badness
 from ..plugins.registry import Registry
-from .reading import broken, read_journal, read_record
+from .reading import broken, read_journal, read_record, reason_of
 from .results import ResultRow, Results, ShownDrive
 from .shown_drives import MOST_FAILING, MOST_SAFE, shown_drive
 
@@ -95,7 +95,7 @@ def _entries(folder: Path, run: str) -> Iterator[_Entry]:
             measures = found.get("measures", {})
             latest[scene] = _Entry(run, found["row"], found["record"]["expectations"], measures)
         except (KeyError, TypeError, ValueError, AttributeError) as error:
-            reason = f"{type(error).__name__}: {error}"
+            reason = f"in one of its lines, {reason_of(error)}"
             raise broken(folder / "journal.jsonl", reason) from error
     return iter([latest[scene] for scene in sorted(latest)])
 

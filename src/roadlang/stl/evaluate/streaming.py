@@ -48,6 +48,17 @@ class DecidedSample(NamedTuple):
     rho: float
 
 
+def _bounded(formula: f.Formula) -> tuple[str, ...]:
+    """What can be watched in place of a formula that looks ahead without bound."""
+    operand = formula.operand if isinstance(formula, f.Always) else None
+    alone = operand is not None and not math.isinf(horizon(operand))
+    return (
+        *((f"to be told when it fails, leave `always` out: `{operand}`",) if alone else ()),
+        "give the operator an interval with an end, such as `always[0, 5]`, or look back with "
+        "`historically`, `once` or `since`",
+    )
+
+
 class StreamMonitor:
     """Gives the robustness of a formula at every sample of a stream.
 
@@ -66,7 +77,7 @@ class StreamMonitor:
         self._names = sorted(variables_of(formula))
         self.delay = horizon(formula)
         if math.isinf(self.delay):
-            raise stl_error(Code.UNBOUNDED_FUTURE, formula=str(formula))
+            raise stl_error(Code.UNBOUNDED_FUTURE, formula=str(formula), help=_bounded(formula))
         self._clock = Clock()
         graph = FormulaGraph.of(formula, op.BOOLEAN if boolean else op.ROBUST)
         self._steps = [

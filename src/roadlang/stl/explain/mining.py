@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 from typing import TypeVar
 
 import numpy as np
 
-from ...diagnostics import Code, DiagnosticError, arguments, did_you_mean
+from ...diagnostics import Code, DiagnosticError, arguments
 from ..errors import stl_error
 from ..formats.text import parse
 from ..formula import formulas as f
 from ..formula.terms import number_text
-from .parameters import Parameter, Recording, checked
+from .loosest_corner import corners, loosest_corner
+from .parameters import Parameter, Recording, checked, word_pattern
 
 _Found = TypeVar("_Found")
 
-_WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])")
 _STEPS, _PROBES = 60, 15
 _FINEST = 1e-12
 """The least difference of values that is looked at, as a share of the bounds of a parameter."""
+_WIDEN = "widen the bounds; `roadlang monitor` shows where a trace violates the formula"
 _CUT_OFF = (
     "only the end of a trace is in the way: `--unknown-holds` (`unknown_holds=True`) counts as "
     "holding what a longer trace could still make hold"
@@ -61,10 +60,12 @@ def mine(
     with `unknown_holds`, also where a recording that goes on could still satisfy it, so that
     windows cut off by the end of a recording do not count against it. Values that make an
     interval end before it starts do not hold. The formula should be monotone in each parameter:
-    then its boundary is found by bisection to `digits` significant digits, and the value returned
-    is on the side that holds. Of several parameters the first is made tightest, then the second
-    given the first, and so on. Raises DiagnosticError RL341 where no corner of the box of
-    parameters holds, RL342 for wrong parameters.
+    then its boundary is found by bisection to `digits` significant digits, but no finer than 1e-12
+    of the distance of its bounds, and the value returned is on the side that holds. Of several
+    parameters the first is made tightest, then the second given the first, and so on.
+
+    Raises DiagnosticError RL341 where no corner of the box of parameters holds, RL342 for wrong
+    parameters.
     """
     search = _search(text, parameters, recordings, margin, unknown_holds)
     digits = arguments.whole_number("digits", digits, least=1)
@@ -114,9 +115,7 @@ def _search(
     pairs = checked(text, parameters, recordings)
     if margin is not None:
         margin = arguments.number("margin", margin)
-    search = _ParameterSearch(text, tuple(parameters), pairs, margin, unknown_holds)
-    search.check()
-    return search
+    return _ParameterSearch(text, tuple(parameters), pairs, margin, unknown_holds)
 
 
 def _tightened(
@@ -162,33 +161,11 @@ class _ParameterSearch:
     margin: float | None
     unknown_holds: bool
 
-    def check(self) -> None:
-        """Each parameter has finite bounds in order and occurs in the text."""
-        if not self.recordings:
-            raise stl_error(Code.EMPTY_TRACE)
-        names = [parameter.name for parameter in self.parameters]
-        for parameter in self.parameters:
-            name, low, high = parameter.name, parameter.low, parameter.high
-            if not (math.isfinite(low) and math.isfinite(high) and low < high):
-                problem = f"its bounds are {number_text(low)} and {number_text(high)}"
-                raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
-            if names.count(name) > 1:
-                raise stl_error(Code.INVALID_PARAMETER, name=name, problem="it is given twice")
-            if not _word(name).search(self.text):
-                help_ = did_you_mean(name, self._words())
-                problem = "the formula does not contain it"
-                raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem, help=help_)
-
-    def _words(self) -> set[str]:
-        """Those of the text that are no signals."""
-        signals = {name for _, columns in self.recordings for name in columns}
-        return {*_WORD.findall(self.text)} - signals
-
     def formula(self, values: Mapping[str, float]) -> f.Formula:
         text = self.text
         for name, value in values.items():
             shown = number_text(value)
-            text = _word(name).sub(f"({shown})" if value < 0 else shown, text)
+            text = word_pattern(name).sub(f"({shown})" if value < 0 else shown, text)
         return parse(text)
 
     def rho(self, values: Mapping[str, float]) -> float:
@@ -200,7 +177,7 @@ class _ParameterSearch:
         try:
             formula = self.formula(values)
         except DiagnosticError as error:
-            if {diagnostic.code for diagnostic in error.diagnostics} == {Code.INVALID_INTERVAL}:
+            if _is_of_interval(error):
                 return False
             raise
         return all(self._on_each(lambda recording: self._holds_on(formula, recording)))
@@ -230,15 +207,21 @@ class _ParameterSearch:
         if not holding:
             forgiving = replace(self, unknown_holds=True)
             is_cut_off = not self.unknown_holds and bool(forgiving._holding_corners())
-            help = _CUT_OFF if is_cut_off else ()
+            help = _CUT_OFF if is_cut_off else _WIDEN
             raise stl_error(Code.UNSATISFIABLE_TEMPLATE, formula=self.text, help=help)
-        return max(holding, key=self.rho)
+        return loosest_corner(self.parameters, holding, self._rho_if_any)
 
     def _holding_corners(self) -> list[Mapping[str, float]]:
-        names = [parameter.name for parameter in self.parameters]
-        corners = product(*((parameter.low, parameter.high) for parameter in self.parameters))
-        boxes = [dict(zip(names, corner, strict=True)) for corner in corners]
-        return [values for values in boxes if self.holds(values)]
+        return [values for values in corners(self.parameters) if self.holds(values)]
+
+    def _rho_if_any(self, values: Mapping[str, float]) -> float:
+        """-inf where an interval ends before it starts."""
+        try:
+            return self.rho(values)
+        except DiagnosticError as error:
+            if _is_of_interval(error):
+                return -math.inf
+            raise
 
     def is_monotone(
         self, values: Mapping[str, float], name: str, loose: float, failing: float, tight: float
@@ -258,7 +241,7 @@ class _ParameterSearch:
         """The last value that holds, and the one next to it that does not."""
         holding, finest = values[name], _FINEST * abs(values[name] - failing)
         for _ in range(_STEPS):
-            middle = (holding + failing) / 2
+            middle = holding / 2 + failing / 2
             if holding * failing < 0:  # else a boundary at 0 would be met by no bisection
                 middle = 0.0
             middle = _rounded(middle, abs(holding - failing), digits, finest)
@@ -280,5 +263,5 @@ def _rounded(value: float, width: float, digits: int, finest: float) -> float:
     return round(value, min(places, math.ceil(-math.log10(finest))))
 
 
-def _word(name: str) -> re.Pattern[str]:
-    return re.compile(rf"(?<![\w.]){re.escape(name)}(?![\w.])")
+def _is_of_interval(error: DiagnosticError) -> bool:
+    return {diagnostic.code for diagnostic in error.diagnostics} == {Code.INVALID_INTERVAL}

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...diagnostics import Code, Diagnostic, DiagnosticError, Source, arguments
+from ...diagnostics import Code, Diagnostic, DiagnosticError, Source, arguments, diagnose
 from ...syntax.operators import BY_WORD
 from ...syntax.parsing.parser import parse_formula
 from ...syntax.recovery.operator_spelling import meant_temporal
@@ -14,6 +14,7 @@ from ..formula import formulas as f
 from .from_syntax_tree import FormulaReader
 from .unit_factors import is_unit
 
+_ASSIGNED = re.compile(r"\s*([A-Za-z_][\w.]*)\s*(=)(?!=)([^\n]+)")
 _ORIGINS = (
     (
         re.compile(r"\[\s*\]|<\s*>|/\\|\\/"),
@@ -38,12 +39,27 @@ def parse(text: str, *, path: str = "<formula>") -> f.Formula:
     expression, diagnostics = parse_formula(source)
     errors = [diagnostic for diagnostic in diagnostics if diagnostic.is_error]
     if expression is None or errors:
-        raise DiagnosticError(*_with_origin(text, errors))
+        raise DiagnosticError(*(_assigned(source) or _with_origin(text, errors)))
     reader = FormulaReader()
     formula = reader.formula(expression)
     if reader.faults:
         raise DiagnosticError(*reader.faults)
     return formula
+
+
+def _assigned(source: Source) -> Sequence[Diagnostic]:
+    """For `out = always (x > 0)`, as RTAMT has it: its name is no part of a formula."""
+    found = _ASSIGNED.match(source.text)
+    if found is None:
+        return ()
+    formula, sign = found[3].strip(), f"`{found[1]} =`"
+    try:
+        parse(formula)
+    except DiagnosticError:
+        return ()
+    help = f"a formula has no name: write `{formula}`"
+    span = source.span(found.start(1), found.end(2))
+    return [diagnose(Code.UNEXPECTED_TOKEN, span, expected="a formula", found=sign, help=help)]
 
 
 def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
