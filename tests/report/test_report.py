@@ -252,7 +252,8 @@ def test_a_file_that_was_changed_is_named(
     assert "RL721" in error
     assert Path(name).name in error
     assert "make it again with the command that is in provenance.json" in error
-    assert "object has no attribute" not in error and "Expecting value" not in error
+    assert "object has no attribute" not in error
+    assert "Expecting value" not in error
 
 
 @pytest.mark.parametrize(
