@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from .handles.networks import network_motion
     from .ir.edited_starts import edited_starts
     from .judging.running_drives import judge_so_far
+    from .session.named_outputs import emitted_files
+    from .session.outputs import parse_outputs
     from .session.params import parse_overrides
     from .session.scene_files import read_scene_file
     from .syntax.moved_places import moved_places_of
@@ -50,6 +52,8 @@ _LATER = {
     ".handles.handle": "Handle",
     ".handles.handles": "dragged handles_of inserted is_at_point nearest_on_road removed",
     ".handles.networks": "network_motion",
+    ".session.named_outputs": "emitted_files",
+    ".session.outputs": "parse_outputs",
     ".session.params": "parse_overrides",
     ".syntax.moved_places": "moved_places_of",
     ".session.scene_files": "read_scene_file",
@@ -69,6 +73,7 @@ __all__ = [
     "dragged",
     "echo",
     "edited_starts",
+    "emitted_files",
     "exit_codes",
     "handles_of",
     "inserted",
@@ -79,6 +84,7 @@ __all__ = [
     "network_motion",
     "note",
     "offset_of",
+    "parse_outputs",
     "parse_overrides",
     "pixel_size",
     "python_controllers",

@@ -244,7 +244,8 @@ def test_an_error_that_all_runs_share_is_said_once(
 def test_a_setting_is_a_name_and_a_value(setting: str, fits: bool) -> None:
     if fits:
         name, _, value = setting.partition("=")
-        assert parse_overrides([setting]) == {name.strip(): value.strip()}
+        found = parse_overrides([setting])
+        assert {name: value.text for name, value in found.items()} == {name.strip(): value.strip()}
     else:
         with pytest.raises(roadlang.DiagnosticError, match="RL924") as caught:
             parse_overrides(["turns=3", setting, "reach"])

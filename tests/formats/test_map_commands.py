@@ -14,6 +14,11 @@ from tests.formats.small_maps import crossing, straight, xodr
 from tests.formats.test_read_json_maps import geojson, line
 from tests.formats.test_read_osm import osm, way
 
+XOSC = (
+    '<OpenSCENARIO><RoadNetwork><LogicFile filepath="street.road.xodr"/></RoadNetwork>'
+    "</OpenSCENARIO>"
+)
+
 
 def ran(*arguments: str) -> Done:
     return run(*arguments, cwd=Path.cwd())
@@ -54,6 +59,38 @@ def test_the_format_may_be_named(town: Path, tmp_path: Path) -> None:
     assert (tmp_path / "a.json").exists()
 
 
+def test_the_format_may_have_options(town: Path, tmp_path: Path) -> None:
+    target = tmp_path / "a.xodr"
+    ran("convert", str(town), str(target), "--emit", 'opendrive{version: "1.6"}')
+    assert 'revMinor="6"' in target.read_text()
+    target = tmp_path / "a.geojson"
+    ran("convert", str(town), str(target), "--emit", "geojson { origin: (48deg, 11deg) }")
+    assert '"coordinates"' in target.read_text()
+
+
+@pytest.mark.parametrize("output", ["my town.xodr", "./other/../my town.xodr", "linked.xodr"])
+def test_a_map_is_not_written_over_itself(
+    town: Path, output: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(town.parent)
+    Path("other").mkdir()
+    Path("linked.xodr").symlink_to(town)
+    before = town.read_bytes()
+    result = ran("convert", "my town.xodr", output)
+    assert result.returncode == 2
+    assert "which it is made from: choose another name" in result.stderr
+    assert town.read_bytes() == before
+
+
+def test_nor_is_it_by_a_second_file_of_a_format(tmp_path: Path) -> None:
+    source = tmp_path / "town.road.xodr"
+    source.write_text(crossing())
+    result = ran("convert", str(source), str(tmp_path / "town.xosc"))
+    assert result.returncode == 2
+    assert source.read_text() == crossing()
+    assert not (tmp_path / "town.xosc").exists()
+
+
 @pytest.mark.parametrize("name", ["road.geojson", "7.geojson", "map.geojson"])
 def test_a_map_may_be_called_like_a_keyword(tmp_path: Path, name: str) -> None:
     source, target = geojson(tmp_path, line((0, 0), (1, 0))).rename(tmp_path / name), "out.xodr"
@@ -71,7 +108,19 @@ def test_view_draws_next_to_the_map(town: Path) -> None:
     [
         (("a.xodr", "b.doc"), "RL930"),
         (("none.xodr", "b.svg"), "RL400"),
-        (("a.xodr", "b.doc", "--emit", "nothing"), "RL471"),
+        (("a.xodr", "b.doc", "--emit", "nothing"), "there is no backend called `nothing`"),
+        (("a.xodr", "b.svg", "--emit", ""), "name one format"),
+        (("a.xodr", "b.svg", "--emit", "svg,json"), "name one format"),
+        (("a.xodr", "b.svg", "--emit", "svg{sise: 800px}"), "did you mean `size`?"),
+        (("a.xodr", "b.svg", "--emit", "godot"), "`emit godot` writes no file of a scene"),
+        (("a.xodr", "b"), "there is no output format called `b`"),
+        (("a.xodr", ""), "OUTPUT is empty"),
+        (("a.xodr", "folder"), "folder is a folder: name a file, such as folder/town.xodr"),
+        (("folder", "b.svg"), "FILE is a folder, folder"),
+        (("", "b.svg"), "FILE is a folder"),
+        (("empty.xodr", "b.svg"), "RL451"),
+        (("table.csv", "b.svg"), "RL214"),
+        (("street.xosc", "b.svg"), "its roads are in `street.road.xodr`: convert that"),
         (("a.xodr", "b.doc", "--emit", "svg"), "RL930"),
         (("broken.xodr", "b.svg"), "RL479"),
         (("broken.json", "b.svg"), "--> broken.json:1:2"),
@@ -84,9 +133,15 @@ def test_what_cannot_be_converted_is_said(
     Path("a.xodr").write_text(xodr(straight(1, 0, 0)))
     Path("broken.xodr").write_text("<OpenDRIVE>")
     Path("broken.json").write_text("{")
+    Path("empty.xodr").touch()
+    Path("table.csv").write_text("x,y\n0,0\n")
+    Path("street.xosc").write_text(XOSC)
+    Path("folder").mkdir()
     result = ran("convert", *arguments)
     assert result.returncode in (1, 2)
     assert said in result.stderr
+    assert "scene.rl" not in result.stderr, "there is no scene file"
+    assert "read with" not in result.stderr, "there is no block to write it in"
     assert not Path("b.svg").exists()
 
 

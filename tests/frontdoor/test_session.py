@@ -14,6 +14,7 @@ import pytest
 
 import roadlang
 from roadlang.api import Picture
+from roadlang.commands import parse_overrides
 
 SCENE = """\
 param reach = 6m
@@ -374,3 +375,14 @@ def test_numbers_of_scenes_and_seeds_are_whole_numbers(file: Path) -> None:
     for error, arguments in wrong:
         with pytest.raises(error, match=f"`{next(iter(arguments))}` must be"):
             scenario.sample(**arguments)
+
+
+def test_faults_of_params_name_what_was_given(file: Path) -> None:
+    """An argument of Python is no option of a command line."""
+    with pytest.raises(roadlang.DiagnosticError, match=r"RL108(.|\n)*--> argument reech:1:1"):
+        roadlang.load(file, reech="6m").sample()
+    with pytest.raises(roadlang.DiagnosticError, match="--> argument reech:1:1"):
+        roadlang.load(file).with_params({"reech": 6}).sample()
+    settings = parse_overrides(["reech=6m"])
+    with pytest.raises(roadlang.DiagnosticError, match="--> --set reech:1:1"):
+        roadlang.load(file).with_params(settings).sample()

@@ -56,7 +56,7 @@ def command(
 
 
 def _check(
-    name: str, overrides: dict[str, str], fix: bool
+    name: str, overrides: dict[str, Source], fix: bool
 ) -> tuple[Scenario | None, list[Diagnostic]]:
     from ..session.loading import load
 

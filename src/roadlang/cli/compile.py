@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ..diagnostics import DiagnosticError
+from ..diagnostics import DiagnosticError, Source
 from ..session.outputs import parse_outputs
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
@@ -85,7 +85,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 
 
 def _runs(
-    file: str, overrides: dict[str, str], params: str | None, emit: str | None, target: Path
+    file: str, overrides: dict[str, Source], params: str | None, emit: str | None, target: Path
 ) -> tuple[list[Compilation], bool]:
     """What is to be compiled, and whether each set has a separate folder."""
     from ..session.loading import load

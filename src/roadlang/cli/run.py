@@ -15,6 +15,7 @@ from . import exit_codes, shared_options
 from .console import echo, note, report, shown
 
 if TYPE_CHECKING:
+    from ..diagnostics import Source
     from ..drive.batches import DriveTask
     from ..drive.written_places import WrittenPlaces
     from ..evaluate.kind_instance import KindInstance
@@ -149,7 +150,7 @@ class RunBatch:
         self,
         file: str,
         params: str | None,
-        overrides: dict[str, str],
+        overrides: dict[str, Source],
         count: int | None,
         seed: int,
     ) -> None:

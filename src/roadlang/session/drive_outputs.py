@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..plugins.kinds import implements
 from ..scenes.emitting import backends_of
-from .outputs import check_outputs
+from .named_outputs import scenario_of_outputs
 
 if TYPE_CHECKING:
     from ..evaluate.kind_instance import KindInstance
@@ -31,13 +30,7 @@ def named_backends(outputs: Sequence[str], registry: Registry) -> list[KindInsta
 
     Raises RL939, and RL930, RL928, RL220 and the like for kinds and options.
     """
-    from ..semantics import check_text
-
-    check_outputs(outputs, registry)
-    scenario, found = check_text("", Path("--emit"), {}, registry, outputs)
-    if scenario is None:
-        raise DiagnosticError(*found)
-    return _backends(scenario, registry, named=True)
+    return _backends(scenario_of_outputs(outputs, registry), registry, named=True)
 
 
 def _backends(scenario: Scenario, registry: Registry, named: bool) -> list[KindInstance]:

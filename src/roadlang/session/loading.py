@@ -14,7 +14,7 @@ from ..diagnostics import Diagnostic, DiagnosticError, Source, arguments
 from ..diagnostics.diagnostic import in_order
 from .meant_arguments import refuse_sampling, refuse_searching
 from .outputs import check_outputs, parse_outputs
-from .params import ParamValue, param_texts
+from .params import ParamValue, param_sources
 from .scene_files import read_scene_file
 
 if TYPE_CHECKING:
@@ -39,13 +39,13 @@ def load(file: str | Path, /, **params: ParamValue) -> LoadedScenario:
     where the file cannot be read.
     """
     path = arguments.path("file", file)
-    return LoadedScenario(read_scene_file(str(file)), path, param_texts(params))
+    return LoadedScenario(read_scene_file(str(file)), path, param_sources(params))
 
 
 def loads(text: str, /, *, folder: str | Path = ".", **params: ParamValue) -> LoadedScenario:
     """The scenario of a text; the files that it names are relative to `folder`."""
     path = arguments.path("folder", folder) / "scene.rl"
-    return LoadedScenario(arguments.text("text", text), path, param_texts(params))
+    return LoadedScenario(arguments.text("text", text), path, param_sources(params))
 
 
 class LoadedScenario:
@@ -96,10 +96,10 @@ class LoadedScenario:
         self, params: Mapping[str, ParamValue] | None = None, /, **more: ParamValue
     ) -> LoadedScenario:
         """The same file with other values for some params."""
-        texts = param_texts({**arguments.mapping("params", params or {}), **more})
-        if not texts:
+        given = param_sources({**arguments.mapping("params", params or {}), **more})
+        if not given:
             return self
-        return self._changed(params={**self._settings, **texts})
+        return self._changed(params={**self._settings, **given})
 
     def with_param_file(self, file: str | Path | ParamFile) -> tuple[LoadedScenario, ...]:
         """The same file with the params of a YAML file: one of a map, several of a list of maps.

@@ -6,11 +6,24 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, diagnose
 from ..diagnostics.arguments import wrong_type
 
-ParamValue = str | int | float | bool | Sequence[Any]
-"""Text as in the language (`"12m"`), a number without unit, true or false, or a list of such."""
+ParamValue = str | int | float | bool | Sequence[Any] | Source
+"""Text as in the language (`"12m"`), a number without unit, true or false, or a list of such; a
+`Source` is a text with its place."""
+
+
+def param_sources(params: Mapping[str, ParamValue]) -> dict[str, Source]:
+    """Each value as text of the language, with the name that diagnostics give its place: that of a
+    `Source`, else the argument in Python.
+
+    Raises `TypeError` for what is no such value, `ValueError` for numbers that are not finite.
+    """
+    return {
+        name: value if isinstance(value, Source) else Source(f"argument {name}", _text(name, value))
+        for name, value in params.items()
+    }
 
 
 def param_texts(params: Mapping[str, ParamValue]) -> dict[str, str]:
@@ -36,9 +49,9 @@ def _text(name: str, value: Any) -> str:
     raise wrong_type(name, 'a number, or a text as in the language, such as "12m"', value)
 
 
-def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
-    """`--set name=value` as a map. Raises `DiagnosticError` RL924."""
-    overrides: dict[str, str] = {}
+def parse_overrides(settings: Iterable[str]) -> dict[str, Source]:
+    """`--set name=value` as a map, for `with_params`. Raises `DiagnosticError` RL924."""
+    overrides: dict[str, Source] = {}
     faults: list[Diagnostic] = []
     for setting in settings:
         name, sign, value = (part.strip() for part in setting.partition("="))
@@ -46,7 +59,7 @@ def parse_overrides(settings: Iterable[str]) -> dict[str, str]:
             faults.append(
                 diagnose(Code.MALFORMED_SET_OPTION, text=setting, help="write `--set reach=12m`")
             )
-        overrides[name] = value
+        overrides[name] = Source(f"--set {name}", value)
     if faults:
         raise DiagnosticError(*faults)
     return overrides

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,7 +12,6 @@ from roadlang.commands import echo
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from roadlang.api import Backend
     from roadlang.commands import DiagnosticError
 
 KINDS = {
@@ -37,7 +37,11 @@ _PROGRAMS = ("scenic",)
 @click.argument("source", metavar="FILE")
 @click.argument("target", metavar="OUTPUT")
 @click.option(
-    "--emit", "kind", metavar="KIND", help="Output format, if the extension does not determine it."
+    "--emit",
+    "kind",
+    metavar="KIND",
+    help="Output format, if the extension does not determine it or with options, as in a scene "
+    'file: `opendrive{version: "1.6"}`.',
 )
 def command(source: str, target: str, kind: str | None) -> None:
     """Convert a map, or the first scene of a scene file, to another format.
@@ -45,23 +49,48 @@ def command(source: str, target: str, kind: str | None) -> None:
     FILE is a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl). The extension of
     OUTPUT selects its format: .xodr, .svg, .json, or that of any other `emit`.
     """
-    from pathlib import Path
+    from roadlang.commands import emitted_files, write_all
 
     from .opening import opened
 
-    path = Path(target).absolute()
-    kind = _kind(path.name) if kind is None else kind
+    path = _named_file(target)
+    output = _kind(path.name) if kind is None else _one_output(kind)
     scene = opened(source)
-    files = {
-        ending: content if isinstance(content, bytes) else content.encode()
-        for ending, content in _backend(scene.registry, kind).files(scene.record).items()
-    }
-    stem = _stem(path.name, list(files))
+    files = emitted_files(output, scene.record, scene.registry)
+    stem = _stem(path.name, output, list(files))
     files = _renamed(files, scene.record.stem, stem)
-    from roadlang.commands import write_all
-
+    _keep_source(Path(source), [path.parent / f"{stem}.{ending}" for ending in files])
     for written in write_all(path.parent, {f"{stem}.{end}": files[end] for end in sorted(files)}):
         echo(f"{written}: {len(written.read_bytes()):,} bytes")
+
+
+def _named_file(target: str) -> Path:
+    """Raises `click.UsageError` for a folder or nothing."""
+    if not target or Path(target).is_dir():
+        problem = f"{target} is a folder" if target else "OUTPUT is empty"
+        example = Path(target or ".") / "town.xodr"
+        raise click.UsageError(f"{problem}: name a file, such as {example}")
+    return Path(target).absolute()
+
+
+def _one_output(text: str) -> str:
+    """`svg{size: 800px}`. Raises `click.UsageError` for none or several."""
+    from roadlang.commands import parse_outputs
+
+    outputs = parse_outputs(text)
+    if len(outputs) != 1:
+        raise click.UsageError(f"--emit {text!r}: name one format; `convert` writes one")
+    return outputs[0]
+
+
+def _keep_source(source: Path, written: list[Path]) -> None:
+    """Raises `click.UsageError` where a file would be written over the one that is read."""
+    for path in written:
+        if path.exists() and source.exists() and path.samefile(source):
+            raise click.UsageError(
+                f"{path.name} would be written over {source}, which it is made from: choose "
+                "another name for OUTPUT"
+            )
 
 
 def _kind(name: str) -> str:
@@ -73,8 +102,10 @@ def _kind(name: str) -> str:
     return KINDS[max(fitting, key=len)]
 
 
-def _stem(name: str, endings: list[str]) -> str:
-    """The name of an output without its extension, which is one of `endings`."""
+def _stem(name: str, output: str, endings: list[str]) -> str:
+    """The name of a file without its extension, which is one of `endings` of the output."""
+    if not endings:
+        raise click.UsageError(f"`emit {output}` writes no file of a scene")
     fitting = [ending for ending in endings if name.lower().endswith(f".{ending}")]
     if not fitting:
         extensions = " or ".join(f".{ending}" for ending in endings)
@@ -101,22 +132,9 @@ def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, b
 
 
 def _unknown(name: str, help: str) -> DiagnosticError:
-    from pathlib import PurePath
-
     from roadlang.commands import Code, DiagnosticError, diagnose
 
-    suffix = PurePath(name).suffix
+    suffix = Path(name).suffix or name
     return DiagnosticError(
         diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
     )
-
-
-def _backend(registry: Any, kind: str) -> Backend:
-    """The backend of an installed kind. Raises RL471 if the kind is not installed."""
-    from roadlang.commands import Code, DiagnosticError, diagnose
-
-    try:
-        found: Backend = registry.find("emit", kind).load()()
-    except LookupError:
-        raise DiagnosticError(diagnose(Code.KIND_NOT_INSTALLED, kind=f"emit {kind}")) from None
-    return found

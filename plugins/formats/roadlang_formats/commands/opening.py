@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +14,7 @@ from roadlang.commands import report
 
 if TYPE_CHECKING:
     import roadlang
+    from roadlang.commands import Diagnostic
 
 SCENE_FILE = ".rl"
 _SUMO = ".net.xml"
@@ -23,9 +26,6 @@ def opened(name: str) -> roadlang.Scene:
     Prints warnings. Raises DiagnosticError if the file cannot be read.
     """
     import roadlang
-    from roadlang.api import read_input
-
-    from ..map_xml import LARGEST
 
     path = Path(name)
     if path.suffix.lower() == ".json":
@@ -36,15 +36,45 @@ def opened(name: str) -> roadlang.Scene:
         if _is_scene(found):
             return scene_in(path, text)
     if path.suffix.lower() == SCENE_FILE:
-        loaded = roadlang.load(name)
-    else:
-        text = _scenario(path)
-        if not path.exists() and not set("*?") & set(name):
-            read_input(path, LARGEST)  # RL400, without the line of a scene file that is not there
-        loaded = roadlang.loads(text, folder=path.parent)
-    scenes = loaded.sample(1)
-    report(scenes.diagnostics)
+        scenes = roadlang.load(name).sample(1)
+        report(scenes.diagnostics)
+        return scenes[0]
+    return _scene_of_map(path)
+
+
+def _scene_of_map(path: Path) -> roadlang.Scene:
+    import roadlang
+    from roadlang.api import read_input
+    from roadlang.commands import DiagnosticError
+
+    from ..map_xml import LARGEST
+
+    if not str(path.name) or path.is_dir():
+        raise click.UsageError(f"FILE is a folder, {path}: name a map, a scene or a scene file")
+    text = _scenario(path)
+    if not path.exists() and not set("*?") & set(str(path)):
+        read_input(path, LARGEST)  # RL400
+    try:
+        scenes = roadlang.loads(text, folder=path.parent).sample(1)
+    except DiagnosticError as error:
+        raise DiagnosticError(*_about(path, text, error.diagnostics)) from None
+    report(_about(path, text, scenes.diagnostics))
     return scenes[0]
+
+
+def _about(path: Path, text: str, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    """Those of the text that stands for a scene file, which nobody wrote, are about the map."""
+    from roadlang.commands import Code
+
+    from ..plans.views import map_named_in
+
+    for diagnostic in found:
+        if diagnostic.span is not None and diagnostic.span.source.text == text:
+            help = tuple(line for line in diagnostic.help if "in its block" not in line)
+            if diagnostic.code == Code.NO_READER and (roads := map_named_in(path)) is not None:
+                help = (f"its roads are in `{roads}`: convert that",)
+            diagnostic = replace(diagnostic, span=None, path=str(path), help=help)
+        yield diagnostic
 
 
 def _is_scene(found: Any) -> bool:

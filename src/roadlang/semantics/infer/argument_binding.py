@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...diagnostics import Code
-from ...ir.values import Items
+from ...ir.values import Items, RandomValue
 from ...plugins import option_types as opt
 from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
@@ -113,8 +113,23 @@ class _Binder:
         missing = [o.name for o in self._schema if o.required and o.name not in self._named]
         if missing and self._complete:  # an argument that is wrong may stand for it
             span = self._call.span
-            report_missing(self._checker, self._owner, missing, self._known, span, "argument")
+            report_missing(
+                self._checker, self._owner, missing, self._known, span, "argument", self._ranges()
+            )
             self._complete = False
+
+    def _ranges(self) -> list[str]:
+        """Help for `uniform(3m..5m)`: a range is one value, and random by itself."""
+        taken = list(self._bound.values())
+        if len(taken) != 1 or not taken[0].range:
+            return []
+        written, drawn = taken[0].span.text, taken[0].value
+        low, _, high = written.partition("..")
+        name = self._call.function.span.text
+        with_comma = f"`{name}({low.strip()}, {high.strip()})`"
+        if isinstance(drawn, RandomValue) and name in drawn.call.kind.split("."):
+            return [f"`..` draws a {name} value by itself: write `{written}`, or {with_comma}"]
+        return [f"arguments are separated by commas, `..` draws one value: {with_comma}"]
 
     def _too_many(self, argument: ast.Argument) -> None:
         name = self._call.function.span.text

@@ -171,14 +171,18 @@ def report_missing(
     known: dict[str, OptionSchema],
     span: Span,
     sort: str = "option",
+    first: Sequence[str] = (),
 ) -> bool:
-    """RL221, with what each of the missing is; always False."""
+    """RL221, with help that comes `first` and what each of the missing is; always False."""
     from ..types.describe_option import describe
 
     names = ", ".join(f"`{name}`" for name in missing)
     help_ = [
-        f"`{name}`: {describe(known[name].type, known[name].words)}; {known[name].help}"
-        for name in missing
+        *first,
+        *(
+            f"`{name}`: {describe(known[name].type, known[name].words)}; {known[name].help}"
+            for name in missing
+        ),
     ]
     checker.report(Code.MISSING_OPTION, span, owner=owner, names=names, sort=sort, help=help_)
     return False
