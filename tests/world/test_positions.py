@@ -323,3 +323,20 @@ agent ego is car on town { route: [choice(left, right), left, left], drive with 
 '''
     with pytest.raises(DiagnosticError, match="from no lane of `town` can `ego` go"):
         testing.sample(text)
+
+
+def test_an_agent_starts_where_it_can_make_its_turns_however_rare_that_is(sample: Sample) -> None:
+    text = '''
+image plan from """
+#####################################
+.........................#...........
+.........................#...........
+#####################################
+.........................#...........
+""" { scale: 12m/px, legend: { "#": road } }
+network town from plan { lanes: 4 }
+agent ego is motorcycle on town { route: [straight, left], drive with traffic }
+'''
+    found = sample(text, n=4)
+    assert found.candidates == 4  # the stub in the south is a hundredth of the network
+    assert all(scene.agents[0].y < 12 for scene in found.scenes)

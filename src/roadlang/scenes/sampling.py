@@ -21,6 +21,7 @@ from ..search.accepted import Concretize
 from ..search.rejection_report import RejectionRow, RejectionStats, as_text, rows_of
 from ..search.scene_search import SceneSearch
 from ..search.searching import search
+from ..search.streams import first_of_stream
 from ..search.worker_pool import ALONE, Workers
 from ..world.index import index_scenario
 from .emitted import Emission, emitted
@@ -91,7 +92,7 @@ def sample_scenes(
         make = partial(emitted, concretize, emission.backends)
     task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
     if impossible := _impossible(task.acceptance, seed):
-        return _nothing(task.acceptance, impossible, n or 1, seed)
+        return _nothing(task, impossible, n or 1)
     found = search(task, n, workers, None if emission is None else emission.taken)
     concrete = [sample.result for sample in found.samples]
     _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
@@ -102,7 +103,7 @@ def sample_scenes(
         wanted=found.wanted,
         candidates=found.stats.candidates,
         table=table,
-        causes=() if concrete else _causes(task.acceptance, seed, [row.text for row in table[:1]]),
+        causes=() if concrete else _causes(task, [row.text for row in table[:1]]),
         missing=tuple(found.missing),
         remarks=tuple(dict.fromkeys(remarks)),
         warnings=tuple(dict.fromkeys(warning for item in concrete for warning in item.warnings)),
@@ -163,9 +164,8 @@ def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
     return frozenset(fixed[index] for index in set(judged.rejected_by.tolist()) if index >= 0)
 
 
-def _nothing(
-    acceptance: Acceptance, impossible: frozenset[int], wanted: int, seed: int
-) -> SamplingResult:
+def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) -> SamplingResult:
+    acceptance = task.acceptance
     nothing_tried = RejectionStats.empty(len(acceptance.requirements))
     rows = rows_of(nothing_tried, acceptance.requirements, impossible)
     known = {row.name for row in rows}
@@ -177,19 +177,27 @@ def _nothing(
                     requirement.implied, True),
             )  # fmt: skip
     texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))
-    causes = _causes(acceptance, seed, texts)
+    causes = _causes(task, texts)
     return SamplingResult((), wanted, 0, rows, (0,), texts, causes=causes)
 
 
-def _causes(acceptance: Acceptance, seed: int, texts: Sequence[str]) -> tuple[str, ...]:
+def _causes(task: SceneSearch[Any], texts: Sequence[str]) -> tuple[str, ...]:
     """What is in the way of the requirements of these texts, in words, where that is known."""
-    count = 1 if acceptance.has_varying_stations else _CHECKED_BY
-    few = CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), np.arange(count))
+    few = _first_candidates(task)
     found = []
-    for requirement in acceptance.requirements:
+    for requirement in task.acceptance.requirements:
         if requirement.blame is None or requirement.text not in texts:
             continue
         violating = np.flatnonzero(requirement.rho(few) < 0.0)
         if len(violating):
             found.append(requirement.blame(few.take(violating[:1])))
     return tuple(text for text in found if text is not None)
+
+
+def _first_candidates(task: SceneSearch[Any]) -> CandidateBatch:
+    """Some candidates as the sampler proposes them: what it chooses is not drawn again."""
+    acceptance, seed = task.acceptance, task.seed
+    count = 1 if acceptance.has_varying_stations else _CHECKED_BY
+    if task.sampler.kind.sequential:
+        return first_of_stream(acceptance, task.sampler, seed, count)
+    return CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), np.arange(count))

@@ -59,6 +59,17 @@ def accepted_of_stream(
     return StreamResult(wanted, tuple(accepted), tuple(missing), stats)
 
 
+def first_of_stream(
+    acceptance: Acceptance, sampler: KindInstance, seed: int, count: int
+) -> CandidateBatch:
+    """The first `count` candidates of the stream, or fewer where it ends before."""
+    draws = drawn_values(acceptance.scenario)
+    with sampler.guarded:
+        size = count_or_none(sampler.kind.size(draws), "size")
+    limit = count if size is None else min(count, size)
+    return next(_stream(acceptance, sampler, draws, seed, limit, count))
+
+
 def _stream(
     acceptance: Acceptance,
     sampler: KindInstance,

@@ -16,7 +16,7 @@ from ..ir.scenario import ScenarioActor
 from .cross_sections import LaneBatch
 from .named_roads import named_lanes
 from .placement_faults import unknown_lane
-from .relative_lanes import is_by_another
+from .relative_lanes import may_be_missing
 from .road_places import RoadPlaces
 from .usual_lanes import ON_FOOT, lanes_on_foot
 
@@ -54,7 +54,7 @@ def lane_places(
     count = len(which)
     left, right, middle, roadway_middle, across = np.zeros((5, count))
     backward, missing = np.zeros((2, count), dtype=bool)
-    may_lack = is_by_another(actor, candidates.scenario)
+    may_lack = may_be_missing(actor, candidates.scenario)
     for rows, lanes in named_lanes(name, candidates):
         chosen = np.flatnonzero(np.isin(which, rows))
         part = lanes.take(np.searchsorted(rows, which[chosen]))
@@ -151,7 +151,7 @@ def no_lane_of_kind(actor: ScenarioActor, word: str, section: CrossSection) -> D
 
 def _place_of(actor: ScenarioActor, lanes: LaneBatch, id: int) -> int:
     ids = lanes.pattern.ids
-    fault = unknown_lane(actor, id, ids, actor.span_of("lane"))
+    fault = unknown_lane(actor, id, ids)
     if fault is not None:
         raise DiagnosticError(fault)
     return ids.index(id)

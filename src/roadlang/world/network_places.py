@@ -16,6 +16,7 @@ from ..geometry.routes.nearest_lanes import NearRoads, near_roads
 from ..geometry.routes.shortest import shortest_route
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
+from .begins_with_turns import begins_with_turns
 from .copies import element_of
 from .lane_choices import LaneChoice, allowed_lanes, is_for_vehicles, lane_choices
 from .lane_graphs import lanes_of_network
@@ -169,11 +170,18 @@ class _Finder:
         return RoutePlace(place.lane, station, place.penalty)
 
     def _at_shares(self, allowed: list[int], index: Integers) -> tuple[Integers, Floats]:
-        """At a share of the length of all lanes together: lanes (n,) and arc lengths there, with
-        both bumpers in the lane, as far as it is long enough."""
-        ends = np.array([(self.lanes.begin[lane], self.lanes.end[lane]) for lane in allowed])
-        numbers, stations = at_share(self._shares()[index], ends)
-        return np.array(allowed)[numbers], within(ends[numbers], stations, self.lengths[index])
+        """At a share of the length of all lanes together from which their routes can be driven:
+        lanes (n,) and arc lengths there, with both bumpers in the lane, as far as it is long
+        enough."""
+        lanes, stations = np.zeros(len(index), np.intp), np.zeros(len(index))
+        shares = self._shares()[index]
+        route = route_points(self.actor, self.first, self.lanes)
+        for leading, part in begins_with_turns(self.lanes, allowed, route, index):
+            ends = np.array([(self.lanes.begin[lane], self.lanes.end[lane]) for lane in leading])
+            numbers, at = at_share(shares[part], ends)
+            lanes[part] = np.array(leading)[numbers]
+            stations[part] = within(ends[numbers], at, self.lengths[index[part]])
+        return lanes, stations
 
     def _shares(self) -> Floats:
         return column(evaluate(self.actor.at, self.first, element_of(self.actor)), self.first)

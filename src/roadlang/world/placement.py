@@ -17,7 +17,7 @@ from .named_roads import name_of_road
 from .placement_order import can_be_placed_again
 from .placement_without_overlap import Arrangement
 from .positions import starts_of
-from .relative_lanes import is_by_another
+from .relative_lanes import may_be_missing
 from .roads import road_batch
 from .room_between import COPY
 from .routes import routes_of
@@ -73,7 +73,7 @@ def room_on_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
         return _room_of_lanes(actor, candidates)
     # Arc lengths alone take much less work than whole places.
     room = np.full(candidates.count, FAR)
-    if is_by_another(actor, candidates.scenario):
+    if may_be_missing(actor, candidates.scenario):
         room = _room_of_lanes(actor, candidates)
     if road_batch(actor.on, candidates).closed:
         return room

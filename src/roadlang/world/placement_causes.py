@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ..diagnostics import Diagnostic
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
-from ..geometry.routes.legs import PlannedRoute, RoutePlace
-from ..geometry.routes.shortest import shortest_route
 from ..ir.scenario import ScenarioActor
+from .begins_with_turns import leads_on
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
 from .named_roads import named_lanes
@@ -20,6 +17,7 @@ from .placement_faults import unknown_lane
 from .positions import names_another
 from .road_poses import WrittenPlace
 from .route_points import TurnWords, route_points
+from .spots import FAR_AWAY, UNREACHED
 
 
 def lane_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic | None:
@@ -30,8 +28,7 @@ def lane_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic |
         return None
     road, lane = found
     known = {id for _, lanes in named_lanes(road, candidates) for id in lanes.pattern.ids}
-    span = actor.span_of("lane" if "lane" in actor.options else "at")
-    return unknown_lane(actor, lane, tuple(sorted(known, reverse=True)), span)
+    return unknown_lane(actor, lane, tuple(sorted(known, reverse=True)))
 
 
 def cause_of_place(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
@@ -46,11 +43,11 @@ def cause_of_place(actor: ScenarioActor, candidates: CandidateBatch) -> str | No
 
 def beyond_road(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     """That what nothing is in the way of does not fit on its road, or beside it."""
-    if actor.on is None or actor.on in candidates.scenario.networks:
+    missing = -float(room_among_others(actor, candidates)[0])
+    if actor.on is None or missing in (UNREACHED, FAR_AWAY):
         return None
     if actor.is_beside_road:
         return f"`{actor.name}` would stand in a driving lane, or beyond the ends of `{actor.on}`"
-    missing = -float(room_among_others(actor, candidates)[0])
     return f"`{actor.name}` would stand {missing:.3g}m beyond the end of `{actor.on}`"
 
 
@@ -60,15 +57,14 @@ def _without_turns(actor: ScenarioActor, candidates: CandidateBatch) -> str | No
     lanes = lanes_of_network(network, candidates)
     copies = CopyBatch(candidates, np.zeros(1, np.intp), np.ones(1, np.int64))
     route = route_points(actor, copies, lanes)
-    parts: tuple[Any, ...] = () if route is None else route.parts
-    words = [part.word(0) for part in parts if isinstance(part, TurnWords)]
+    written = () if route is None else route.parts
+    parts = [part for part in written if isinstance(part, TurnWords)]
     choice = lane_choices(actor, copies, WrittenPlace.of(actor, copies), lanes)[0]
     by_another = names_another(actor, candidates.scenario)
-    if route is None or len(words) < len(parts) or choice is None or by_another:
+    if not parts or len(parts) < len(written) or choice is None or by_another:
         return None
     allowed = sorted(allowed_lanes(actor, lanes, choice, copies))
-    begins = tuple(RoutePlace(lane, lanes.begin[lane]) for lane in allowed)
-    if isinstance(shortest_route(lanes, begins, route.stages(0)), PlannedRoute):
+    if leads_on(lanes, allowed, [part.turn(0) for part in parts]):
         return None
-    turns = ", then ".join(f"`{word}`" for word in words)
+    turns = ", then ".join(f"`{part.word(0)}`" for part in parts)
     return f"from no lane of `{actor.on}` can `{actor.name}` go {turns} at its next junctions"

@@ -18,10 +18,12 @@ def missing_scale(image: ScenarioImage, world_file: str | None = None) -> Diagno
 
 
 def unknown_lane(
-    actor: ScenarioActor, lane: int, known: tuple[int, ...], span: Span | None
+    actor: ScenarioActor, lane: int, known: tuple[int, ...], span: Span | None = None
 ) -> Diagnostic | None:
-    """RL613 at `span`, where the lanes of the road of an actor have other numbers."""
+    """RL613 where the lanes of the road of an actor have other numbers; at `span`, or where its
+    own lane or position is written."""
     if lane in known:
         return None
+    place = span or actor.span_of("lane" if "lane" in actor.options else "at")
     help_ = f"its lanes are {', '.join(map(str, known))}"
-    return diagnose(Code.UNKNOWN_LANE, span, road=actor.on, lane=lane, help=help_)
+    return diagnose(Code.UNKNOWN_LANE, place, road=actor.on, lane=lane, help=help_)

@@ -9,18 +9,36 @@ from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Integers
 from ..ir.scenario import ScenarioActor
-from ..ir.values import Measure, PassCall
+from ..ir.values import Measure, Value
 from .copies import element_of
+from .lane_plan import is_fixed as has_fixed_lanes
+from .lane_plan import lane_plan
 from .positions import column
 
 
-def is_by_another(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
-    """Whether the lane that another is in decides the lane of an agent or object, as with
-    `at beside(ego, left)` or `lane: ego.start_lane + 1`. Where the road has no such lane, other
-    draws may still have one; a lane that the file itself names is there or is a mistake."""
-    if "lane" not in actor.options:
-        return isinstance(actor.at, PassCall)
-    return bool(_measured(actor, scenario))
+def may_be_missing(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
+    """Whether another decides the lane of an agent or object, as with `at beside(ego, left)` or
+    `lane: ego.start_lane + 1`, and draws decide that of the other: where the road has no such lane,
+    other draws may have one. A lane that is the same in every scene is there or is a mistake."""
+    return bool(_deciding(actor, scenario)) and not _is_fixed(actor, scenario)
+
+
+def _is_fixed(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
+    """Whether its lane is the same in every scene, and so are the lanes of its road."""
+    road = scenario.roads.get(str(actor.on))
+    options = [actor.options[name] for name in ("lane", "side", "facing") if name in actor.options]
+    if road is None or scenario.dependencies.draws(*options):
+        return False
+    if not has_fixed_lanes(lane_plan(road, scenario), scenario):
+        return False
+    return all(_is_fixed(other, scenario) for other in _deciding(actor, scenario))
+
+
+def _deciding(actor: ScenarioActor, scenario: IndexedScenario) -> list[ScenarioActor]:
+    """The agents and objects that its lane is counted from."""
+    values = _measured(actor, scenario) if "lane" in actor.options else [actor.at]
+    names = {entity.name for entity in scenario.dependencies.entities(*values)}
+    return [scenario.actors[name] for name in sorted(names & scenario.actors.keys())]
 
 
 def over_the_middle(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> Integers:
@@ -34,7 +52,7 @@ def over_the_middle(actor: ScenarioActor, copies: CopyBatch, lane: Integers) -> 
     return np.where((base > 0) & (lane <= 0), lane - 1, lane)
 
 
-def _measured(actor: ScenarioActor, scenario: IndexedScenario) -> list[Measure]:
+def _measured(actor: ScenarioActor, scenario: IndexedScenario) -> list[Value]:
     """What of a scene the lane is counted from, also by the name of a `let`."""
     inside = scenario.dependencies.contents(actor.options.get("lane"))
     return [value for value in inside if isinstance(value, Measure)]
