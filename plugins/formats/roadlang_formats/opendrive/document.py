@@ -9,6 +9,7 @@ import numpy as np
 
 from roadlang_formats.opendrive_reading.both_ways import REVERSE_OF
 from roadlang_formats.opendrive_reading.left_hand import LEFT_HAND_OF
+from roadlang_formats.opendrive_reading.parsing import VENDOR
 from roadlang_formats.place_on_earth import map_origin
 
 from .connecting_roads import ConnectingRoad, put_connecting_road
@@ -89,7 +90,7 @@ def _put_header(
         south=float(y.min()),
         east=float(x.max()),
         west=float(x.min()),
-        vendor="roadlang",
+        vendor=VENDOR,
     )
     reference = geo_reference or _place(scene)
     if reference:

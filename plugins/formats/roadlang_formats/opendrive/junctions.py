@@ -52,7 +52,7 @@ def numbered_junctions(
             junction.kind == "joint" and (junction.arms[0].road, junction.arms[0].end) in linked
         )
     ]
-    number = len(parts)
+    number = max((part.id for part in parts), default=0)
     first = number + sum(len(junction.connections) for _, junction in built) + 1
     for id, (network, junction) in enumerate(built, start=first):
         roads = []

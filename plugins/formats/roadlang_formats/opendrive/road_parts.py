@@ -24,6 +24,7 @@ from .carriageways import (
 from .direct_links import End, Links, direct_links
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import ReferenceLine, reference_line
+from .road_ids import with_own_ids
 from .sampled_line import SampledLine, poses_between, whole_turns
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class OpenDriveRoad:
 
 
 def road_parts(scene: Scene, tolerance: float, left_hand: LeftHand) -> tuple[OpenDriveRoad, ...]:
-    """All roads that are built, from the first number on; none that junctions have swallowed."""
+    """All roads that are built; none that junctions have swallowed. `town/5` has the id 5."""
     on_left = scene.world.get("traffic") == "left"
     junctions = [junction for network in scene.networks for junction in network.junctions]
     returning = {
@@ -128,7 +129,7 @@ def road_parts(scene: Scene, tolerance: float, left_hand: LeftHand) -> tuple[Ope
             ]
         parts += found
     ends = PartEnds.of(parts)
-    return tuple(_linked(part, links, ends) for part in parts)
+    return with_own_ids([_linked(part, links, ends) for part in parts])
 
 
 @dataclass(frozen=True)

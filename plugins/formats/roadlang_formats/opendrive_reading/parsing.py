@@ -39,6 +39,9 @@ _NUMBERS: Mapping[Shape, tuple[str, ...]] = {
     "poly3": ("a", "b", "c", "d"),
     "paramPoly3": ("aU", "bU", "cU", "dU", "aV", "bV", "cV", "dV"),
 }
+VENDOR = "roadlang"
+"""Who wrote a file, in its header."""
+_OWN_NAME = re.compile(r"[A-Za-z_]\w*/\d+")
 _LARGEST_CURVATURE = 100.0
 """1/m"""
 _LONGEST = 1e6
@@ -81,6 +84,14 @@ def _origin(file: MapFile) -> tuple[float, float] | None:
     return (latitude, longitude) if inside else None
 
 
+def _street(file: MapFile, element: MapElement) -> str:
+    """The name of a road. `emit opendrive` calls those without one `town/5`."""
+    name = element.attributes.get("name", "")
+    header = file.root.first("header")
+    is_ours = header is not None and header.attributes.get("vendor") == VENDOR
+    return "" if is_ours and _OWN_NAME.fullmatch(name) else name
+
+
 def _road(file: MapFile, element: MapElement) -> RoadRecord:
     id = file.attribute(element, "id")
     junction = file.attribute(element, "junction", "-1")
@@ -100,7 +111,7 @@ def _road(file: MapFile, element: MapElement) -> RoadRecord:
     return RoadRecord(
         element,
         id,
-        element.attributes.get("name", ""),
+        _street(file, element),
         length,
         "" if junction == "-1" else junction,
         element.attributes.get("rule", "RHT") == "LHT",
