@@ -8,7 +8,7 @@ from scipy.ndimage import label, median_filter, minimum_filter1d
 
 from roadlang.geometry import Booleans, Floats
 
-from .edges import normals, sampled, sides
+from .edges import across, sides
 
 Layer = NDArray[np.float32]
 _THIN = 5.0
@@ -54,8 +54,7 @@ def _without_short_runs(flags: Booleans, least: float) -> Booleans:
 def _centroid(points: Floats, surface: Layer, width: float, closed: bool) -> tuple[Floats, Floats]:
     """Of the ink across the line, and how much of it there is, NaN without any."""
     away = np.arange(-(width / 2 + 2), width / 2 + 2 + _STEP, _STEP)
-    at = points[:, None] + away[None, :, None] * normals(points, closed)[:, None]
-    ink = sampled(surface, at.astype(np.float32)).astype(float)
+    ink = across(points, away, surface, closed).astype(float)
     total = ink.sum(axis=1)
     there = total * _STEP > 0.3
     return (ink @ away) / np.maximum(total, 1e-9), np.where(there, total * _STEP, np.nan)

@@ -76,12 +76,15 @@ def _onward(
 
 
 def _partners(graph: Graph, look: float) -> dict[tuple[int, int], tuple[Line, int]]:
-    ends: dict[int, list[tuple[Line, int, Floats]]] = {}
+    ends: dict[int, list[tuple[Line, int]]] = {}
     for line in graph.lines:
         for side, node in ((0, line.start), (1, line.end)):
-            ends.setdefault(node, []).append((line, side, heading(line, side, look)))
+            ends.setdefault(node, []).append((line, side))
     follow: dict[tuple[int, int], tuple[Line, int]] = {}
-    for meeting in ends.values():
+    for there in ends.values():
+        if len(there) < 2:
+            continue
+        meeting = [(*end, heading(*end, look)) for end in there]
         pairs = [
             (turn(a[2], b[2]), i, j)
             for i, a in enumerate(meeting)
@@ -106,8 +109,11 @@ def heading(line: Line, side: int, look: float) -> Floats:
     seen = away[chosen]
     if len(seen) < 6 or seen[-1] - seen[0] < max(0.8 * look, 8.0):
         return direction(line, side, look)
-    fits = [np.polynomial.Polynomial.fit(seen, column, 2) for column in points[chosen].T]
-    first = np.array([fit.deriv()(0.0) for fit in fits])
+    middle, half = (seen[-1] + seen[0]) / 2, (seen[-1] - seen[0]) / 2
+    share = (seen - middle) / half  # -1 to 1: else the parabola's terms are hard to tell apart
+    terms = np.column_stack([np.ones(len(share)), share, share**2])
+    _, slope, bend = np.linalg.lstsq(terms, points[chosen])[0]
+    first = slope - 2 * bend * middle / half
     return np.asarray(first / max(1e-9, float(np.hypot(*first))))
 
 

@@ -13,6 +13,8 @@ from roadlang.geometry import Floats
 from .smoothing import smooth_values
 
 _STEP = 0.25
+_ROWS = 4096
+"""So many points at a time: OpenCV takes no more than 32767."""
 
 
 @dataclass(frozen=True)
@@ -40,21 +42,18 @@ def sides(
     closed: bool = False,
 ) -> Sides:
     """Look along the normals for where the surface (h, w), 0..1, falls through `level`."""
-    normal = normals(points, closed)
     away = np.arange(0, search_radius + _STEP, _STEP)
-    found = []
-    for sign in (1, -1):
-        at = (points[:, None] + sign * away[None, :, None] * normal[:, None]).astype(np.float32)
-        profile = sampled(surface, at)
-        below = profile < level
-        below[:, 0] = False
-        first = np.argmax(below, axis=1)
-        row = np.arange(len(points))
-        high, low = profile[row, np.maximum(first - 1, 0)], profile[row, first]
-        part = np.clip((high - level) / np.maximum(high - low, 1e-6), 0, 1)
-        distance = (first - 1 + part) * _STEP
-        found.append(np.where(below.any(axis=1) & (profile[:, 0] >= level), distance, np.nan))
-    return Sides(found[0], found[1])
+    ways = np.concatenate([away, -away])  # to the left, and to the right
+    profile = across(points, ways, surface, closed).reshape(2 * len(points), len(away))
+    below = profile < level
+    below[:, 0] = False
+    first = np.argmax(below, axis=1)
+    row = np.arange(len(profile))
+    high, low = profile[row, np.maximum(first - 1, 0)], profile[row, first]
+    part = np.clip((high - level) / np.maximum(high - low, 1e-6), 0, 1)
+    distance = (first - 1 + part) * _STEP
+    found = np.where(below[row, first] & (profile[:, 0] >= level), distance, np.nan)
+    return Sides(found[::2], found[1::2])
 
 
 def normals(points: Floats, closed: bool = False) -> Floats:
@@ -68,19 +67,24 @@ def normals(points: Floats, closed: bool = False) -> Floats:
     return np.column_stack([-tangent[:, 1], tangent[:, 0]])
 
 
-def sampled(
-    surface: NDArray[np.float32], at: NDArray[np.float32], rows: int = 4096
+def across(
+    points: Floats, away: Floats, surface: NDArray[np.float32], closed: bool = False
 ) -> NDArray[np.float32]:
-    """The surface (h, w) at points (n, m, 2), so many of them at a time."""
+    """The surface (h, w) along the normals of a polyline (n, 2), (n, m), so far `away` (m,) to the
+    left of each point."""
+    normal = normals(points, closed)
+    x, y = (
+        (points[:, axis, None] + away * normal[:, axis, None]).astype(np.float32) for axis in (0, 1)
+    )
     pieces = [
         cv2.remap(
             surface,
-            at[i : i + rows, :, 0],
-            at[i : i + rows, :, 1],
+            x[i : i + _ROWS],
+            y[i : i + _ROWS],
             cv2.INTER_LINEAR,
             borderMode=cv2.BORDER_REPLICATE,
         )
-        for i in range(0, len(at), rows)
+        for i in range(0, len(points), _ROWS)
     ]
     return np.vstack(pieces)
 

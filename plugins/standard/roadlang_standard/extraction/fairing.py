@@ -12,10 +12,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from roadlang.geometry import Floats
 
+from .cubic_spline import splined
 from .edges import normals
 from .fair_lines import FairLine, FairLines, SeenOffsets, in_a_row
 from .fair_system import differences, spread, system
@@ -59,9 +59,8 @@ def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floa
     if closed:
         points = np.vstack([points[:-1], points[:1]])
     station = stations(points)
-    spline = CubicSpline(station, points, bc_type="periodic" if closed else "not-a-knot")
     at = np.linspace(0.0, station[-1], max(2, round(float(station[-1]) / step) + 1))
-    return np.asarray(spline(at))
+    return splined(station, points, at, closed)
 
 
 def faired(lines: Sequence[Rough]) -> list[Floats]:

@@ -89,17 +89,23 @@ def _junctions(padded: Booleans) -> Booleans:
 
 def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) -> None:
     steps = (-1, 1, -stride, stride, -stride - 1, -stride + 1, stride - 1, stride + 1)
-    free = {int(i) for i in np.flatnonzero(padded)} - owner.keys()
-    beside = {pixel + s for pixel in owner for s in steps}  # few: all others are passed quickly
+    free = set(np.flatnonzero(padded).tolist()) - owner.keys()
+    beside = {pixel + s for pixel in owner for s in steps}
 
     def go(pixel: int, start: int, path: list[int]) -> None:
         """Follow free pixels until a node or a dead end."""
         while True:
             path.append(pixel)
             free.discard(pixel)
-            nodes = (
-                [owner[pixel + s] for s in steps if pixel + s in owner] if pixel in beside else []
-            )
+            if pixel not in beside and len(path) > 2:  # most pixels: no need to look for nodes
+                for s in steps:
+                    if pixel + s in free:
+                        pixel += s
+                        break
+                else:
+                    return _add(graph, start, None, path, stride)
+                continue
+            nodes = [owner[pixel + s] for s in steps if pixel + s in owner]
             hit = next((node for node in nodes if _fresh(path, start, node)), None)
             if hit is not None:
                 return _add(graph, start, hit, path, stride)
