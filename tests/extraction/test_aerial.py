@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.aerial import Request, roads_of_evidence, roads_of_photo
-from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.extraction.exposure import even_exposure, even_view
 from roadlang_standard.extraction.photo_evidence import Seen
 from roadlang_standard.extraction.road_net import evidence, road_net
 from training.rendering.aerial import render_aerial
@@ -51,8 +51,10 @@ def test_tiles_leave_no_seam(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("roadlang_standard.extraction.road_net._TILE", 320)
     scene = render_aerial("suburb", 8, size=460).image
     net = road_net().predict
-    whole = evidence(scene, net, mirrored=False).surface
-    part = evidence(np.ascontiguousarray(scene[100:400, 100:400]), net, mirrored=False).surface
+    whole, part = (
+        evidence(even_view(np.ascontiguousarray(shown)), net, mirrored=False)
+        for shown in (scene, scene[100:400, 100:400])
+    )
     gap = np.abs(whole[200:380, 200:380] - part[100:280, 100:280])
     assert gap.mean() < 0.005
 

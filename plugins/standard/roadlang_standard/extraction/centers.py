@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import label, median_filter, minimum_filter1d
+from scipy.ndimage import median_filter, minimum_filter1d
 
 from roadlang.geometry import Booleans, Floats
 
@@ -45,10 +45,12 @@ def _unevenness(width: Floats) -> Floats:
 
 def _without_short_runs(flags: Booleans, least: float) -> Booleans:
     """Only those that are set so many times in a row; chance has it so in a junction's middle."""
-    runs, count = label(flags)
-    if not count:
-        return flags
-    return np.asarray(np.append(0, np.bincount(runs)[1:])[runs] >= least)
+    edges = np.flatnonzero(np.diff(flags.view(np.int8), prepend=0, append=0))
+    begins, lengths = edges[::2], edges[1::2] - edges[::2]
+    kept = np.zeros(len(flags), bool)
+    for begin, length in zip(begins.tolist(), lengths.tolist(), strict=True):
+        kept[begin : begin + length] = length >= least
+    return kept
 
 
 def _centroid(points: Floats, surface: Layer, width: float, closed: bool) -> tuple[Floats, Floats]:

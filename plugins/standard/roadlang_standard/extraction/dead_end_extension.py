@@ -83,14 +83,17 @@ class _Faint:
         self.width, self.max_distance = width, distance
         self.tips = [(line, side) for line in graph.lines for side in (0, 1)]
         self.places = np.array([_tip(*tip) for tip in self.tips]).reshape(-1, 2)
-        self.directions = np.array([direction(*tip, 2 * width) for tip in self.tips]).reshape(-1, 2)
+        self.directions: dict[int, Floats] = {}
         self.tree = cKDTree(self.places)
 
     def onwards(self, end: DeadEnd) -> list[Onward]:
         """Those that go straight on: the end, the way across the gap and the line have one
         direction; the way across a gap of less than two widths says nothing."""
         near = np.sort(np.array(self.tree.query_ball_point(end.place, self.max_distance), int))
-        across, into = self.places[near] - end.place, self.directions[near]
+        if not len(near):
+            return []
+        across = self.places[near] - end.place
+        into = np.array([self._direction(int(index)) for index in near])
         gaps = np.hypot(*across.T)
         way = across / np.maximum(gaps, 1e-9)[:, None]
         along = np.minimum(way @ end.ahead, (way * into).sum(axis=1))
@@ -99,6 +102,12 @@ class _Faint:
             Onward(float(gap), end, *self.tips[index])
             for gap, index in zip(gaps[straight], near[straight], strict=True)
         ]
+
+    def _direction(self, index: int) -> Floats:
+        """Of most tips it is never asked."""
+        if index not in self.directions:
+            self.directions[index] = direction(*self.tips[index], 2 * self.width)
+        return self.directions[index]
 
 
 def _tip(line: Line, side: int) -> Floats:

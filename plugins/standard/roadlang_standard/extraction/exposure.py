@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +17,26 @@ _WINDOW, _CELL = 384, 8
 Layer = NDArray[np.float32]
 
 
+@dataclass(frozen=True)
+class EvenView:
+    """A picture as nets see it: `even` (h, w, 3) by `even_exposure`, and where it shows `nothing`
+    (h, w), None where it does everywhere."""
+
+    even: NDArray[np.uint8]
+    nothing: NDArray[np.bool_] | None
+
+
 def even_exposure(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """The picture (h, w, 3) with a gray mean of 115 and a deviation of 50 wherever one looks.
 
     Measured in windows as large as the crops that the net learns from, so that a dark sea, or a
     margin without data, does not change how the land beside it looks.
     """
+    return even_view(image).even
+
+
+def even_view(image: NDArray[np.uint8]) -> EvenView:
+    """The picture (h, w, 3) with its exposure made even, and its margins without data."""
     nothing = nodata(image)
     gain, offset = _gain_and_offset(image, nothing)
     even = np.empty_like(image)
@@ -29,20 +45,21 @@ def even_exposure(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     for top in range(0, height, 256):
         rows = np.arange(top, min(top + 256, height))
         y = ((rows + 0.5) / _CELL - 0.5).astype(np.float32)
-        at = np.broadcast_to(x, (len(y), width)), np.broadcast_to(y[:, None], (len(y), width))
+        at = np.tile(x, (len(y), 1)), np.repeat(y, width).reshape(-1, width)
         part = image[top : top + 256].astype(np.float32)
-        for field, fold in ((gain, np.multiply), (offset, np.add)):
-            fold(part, _sampled(field, *at)[..., None], out=part)
-        even[top : top + 256] = np.clip(part, 0, 255).round()
+        part *= _sampled(gain, *at)
+        part += _sampled(offset, *at)
+        np.clip(part, 0, 255, out=part)
+        even[top : top + 256] = np.rint(part, out=part)
     if nothing is not None:
         even[nothing] = int(_MEAN)
-    return even
+    return EvenView(even, nothing)
 
 
 def _sampled(field: Layer, x: Layer, y: Layer) -> Layer:
-    plain = np.ascontiguousarray(x), np.ascontiguousarray(y)
-    found = cv2.remap(field, *plain, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-    return np.asarray(found, np.float32)
+    """The field at places (h, w), for each of three channels (h, w, 3)."""
+    found = cv2.remap(field, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(cv2.merge([found] * 3), np.float32)
 
 
 def _gain_and_offset(

@@ -30,10 +30,11 @@ def meeting_point(guess: Floats, passing: Sequence[Passing], limit: float) -> Fl
     it joins, and two roads that cross meet where they cross.
     """
     place = np.asarray(guess, float)
+    lengths = [stations(line.curve) for line in passing]
     for _ in range(_ROUNDS):
         system, right = _GUESS * np.eye(2), _GUESS * guess
-        for line in passing:
-            foot, normal = _foot(line.curve, place)
+        for line, along in zip(passing, lengths, strict=True):
+            foot, normal = _foot(line.curve, along, place)
             weight = _THROUGH if line.through else 1.0
             outer = weight * np.outer(normal, normal)
             system, right = system + outer, right + outer @ foot
@@ -44,12 +45,11 @@ def meeting_point(guess: Floats, passing: Sequence[Passing], limit: float) -> Fl
     return np.asarray(place)
 
 
-def _foot(curve: Floats, place: Floats) -> tuple[Floats, Floats]:
+def _foot(curve: Floats, along: Floats, place: Floats) -> tuple[Floats, Floats]:
     """The point of a polyline nearest to a place, and the normal there."""
-    station = foot_station(curve, place, 0.0, 0.0)
-    along = stations(curve)
-    span = np.array([max(0.0, station - 1.5), min(along[-1], station + 1.5)])
-    (a, b), at = at_stations(curve, span), at_stations(curve, np.array([station]))[0]
+    station = _foot_station(curve, along, place, 0.0, 0.0)
+    before, after = max(0.0, station - 1.5), min(float(along[-1]), station + 1.5)
+    a, b, at = _at(curve, along, np.array([before, after, station]))
     ahead = (b - a) / max(1e-9, float(np.hypot(*(b - a))))
     return at, np.array([-ahead[1], ahead[0]])
 
@@ -57,18 +57,29 @@ def _foot(curve: Floats, place: Floats) -> tuple[Floats, Floats]:
 def foot_station(curve: Floats, place: Floats, expected: float, doubt: float) -> float:
     """Length along a polyline (n, 2) at its point nearest to a place; each pixel of distance from
     the `expected` length counts as `doubt` pixels."""
-    start, step = curve[:-1], np.diff(curve, axis=0)
+    return _foot_station(curve, stations(curve), place, expected, doubt)
+
+
+def _foot_station(
+    curve: Floats, lengths: Floats, place: Floats, expected: float, doubt: float
+) -> float:
+    start, step = curve[:-1], curve[1:] - curve[:-1]
     length = np.hypot(*step.T)
     share = ((place - start) * step).sum(axis=1) / np.maximum(length**2, 1e-18)
-    share = np.clip(share, 0.0, 1.0)
-    along = stations(curve)[:-1] + share * length
-    away = np.hypot(*(start + share[:, None] * step - place).T) + doubt * np.abs(along - expected)
+    share = np.minimum(np.maximum(share, 0.0), 1.0)
+    along = lengths[:-1] + share * length
+    away = np.hypot(*(start + share[:, None] * step - place).T)
+    if doubt:
+        away += doubt * np.abs(along - expected)
     return float(along[int(np.argmin(away))])
 
 
 def at_stations(curve: Floats, at: Floats) -> Floats:
     """Points (m, 2) of a polyline at lengths along it."""
-    along = stations(curve)
+    return _at(curve, stations(curve), at)
+
+
+def _at(curve: Floats, along: Floats, at: Floats) -> Floats:
     return np.column_stack([np.interp(at, along, column) for column in curve.T])
 
 

@@ -146,6 +146,8 @@ def _bridge(
     there = owner[window].ravel().copy()
     own = _near_end(line, end.line, there, step)
     there[own] = 0
+    if not there.any():
+        return None
     costs = price[window] * _backwards(end.ahead)
     costs[_surface(own, width / step)] = _BACK
     far, before = dijkstra(

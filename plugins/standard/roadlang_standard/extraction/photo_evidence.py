@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from .exposure import even_view
 from .masks import without_specks
 from .road_net import Net, evidence
 from .scale import resized
@@ -38,10 +39,11 @@ def look(image: Image, net: Net) -> Seen:
     half-size view alone is often none.
     """
     views = [image] if min(image.shape[:2]) < 96 else [image, resized(image, 0.5)]
-    surfaces = [evidence(view, net.predict).surface for view in views]
+    evened = [even_view(view) for view in views]
+    surfaces = [evidence(view, net.predict) for view in evened]
     share = share_of_second(typical_width(surfaces[0]))
     if net.second is not None and share > 0:
-        others = [evidence(view, net.second, mirrored=False).surface for view in views]
+        others = [evidence(view, net.second, mirrored=False) for view in evened]
         surfaces = [_mean_of_odds(*both, share) for both in zip(surfaces, others, strict=True)]
     fine = surfaces[0]
     if len(surfaces) == 1:

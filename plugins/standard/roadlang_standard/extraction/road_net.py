@@ -1,4 +1,4 @@
-"""What a net says about a picture: road surface and center line, by tiles without seams."""
+"""What a net says about a picture: where the road surface is, by tiles without seams."""
 
 from __future__ import annotations
 
@@ -15,22 +15,14 @@ from numpy.typing import NDArray
 
 from roadlang.api import Code
 
-from .exposure import even_exposure
-from .nodata import nodata
+from .exposure import EvenView
 from .tones import Image
 
 Layer = NDArray[np.float32]
 Predictor = Callable[[Image], NDArray[np.float32]]
-"""From an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2)."""
+"""From an evenly exposed tile (h, w, 3), sides multiples of 32, to maps (2, h/2, w/2): road
+surface, and its center line, which is not used."""
 _TILE, _MARGIN = 768, 96
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """Probability of road surface and of being on a center line, both (h, w) in 0..1."""
-
-    surface: Layer
-    line: Layer
 
 
 @dataclass(frozen=True)
@@ -89,56 +81,48 @@ def _shipped(name: str) -> bytes:
     return files(__package__).joinpath("weights", name).read_bytes()
 
 
-def evidence(image: Image, predict: Predictor, mirrored: bool = True) -> Evidence:
-    """The maps of a picture (h, w, 3) at its own size; mirrored, two views are averaged."""
-    even = even_exposure(image)
-    maps = _tiled(even, predict)
+def evidence(view: EvenView, predict: Predictor, mirrored: bool = True) -> Layer:
+    """Probability of road surface (h, w) in 0..1 in a view at its own size; mirrored, it is looked
+    at twice, and both averaged."""
+    seen: Layer = _tiled(view.even, predict)
     if mirrored:
-        maps += _tiled(np.ascontiguousarray(even[:, ::-1]), predict)[:, :, ::-1]
-        maps /= 2
-    height, width = image.shape[:2]
-    size = (2 * maps.shape[2], 2 * maps.shape[1])
-    full = [cv2.resize(m, size, interpolation=cv2.INTER_LINEAR)[:height, :width] for m in maps]
-    nothing = nodata(image)
-    if nothing is not None:
-        for layer in full:
-            layer[nothing] = 0
-    return Evidence(np.ascontiguousarray(full[0]), np.ascontiguousarray(full[1]))
+        seen += _tiled(cv2.flip(view.even, 1), predict)[:, ::-1]
+        seen /= 2
+    height, width = view.even.shape[:2]
+    size = (2 * seen.shape[1], 2 * seen.shape[0])
+    surface: Layer = cv2.resize(seen, size, interpolation=cv2.INTER_LINEAR)[:height, :width]
+    if view.nothing is not None:
+        surface[view.nothing] = 0
+    return np.ascontiguousarray(surface)
 
 
-def _tiled(image: Image, predict: Predictor) -> NDArray[np.float32]:
-    """Maps (2, ceil(h/2), ceil(w/2)); tiles overlap and fade into each other."""
+def _tiled(image: Image, predict: Predictor) -> Layer:
+    """The surface (ceil(h/2), ceil(w/2)); tiles overlap and fade into each other."""
     height, width = image.shape[:2]
     rows, columns = -(-height // 2), -(-width // 2)
-    total = np.zeros((2, rows, columns), np.float32)
+    total = np.zeros((rows, columns), np.float32)
     weight = np.zeros((rows, columns), np.float32)
     for top, bottom in _spans(height):
         for left, right in _spans(width):
-            maps = _predicted(image[top:bottom, left:right], predict)
+            seen = _predicted(image[top:bottom, left:right], predict)
             fade = np.outer(_fade(top, bottom, height), _fade(left, right, width)).astype(
                 np.float32
             )
             tile = (
-                slice(top // 2, top // 2 + maps.shape[1]),
-                slice(left // 2, left // 2 + maps.shape[2]),
+                slice(top // 2, top // 2 + seen.shape[0]),
+                slice(left // 2, left // 2 + seen.shape[1]),
             )
-            total[(slice(None), *tile)] += maps * fade
+            total[tile] += seen * fade
             weight[tile] += fade
     return np.asarray(total / weight)
 
 
-def _predicted(tile: Image, predict: Predictor) -> NDArray[np.float32]:
+def _predicted(tile: Image, predict: Predictor) -> Layer:
     height, width = tile.shape[:2]
     down, right = -height % 32, -width % 32
-    padded = cv2.copyMakeBorder(
-        tile,
-        0,
-        down,
-        0,
-        right,
-        cv2.BORDER_REFLECT_101 if min(height, width) > 32 else cv2.BORDER_REPLICATE,
-    )
-    return predict(padded)[:2, : -(-height // 2), : -(-width // 2)]
+    border = cv2.BORDER_REFLECT_101 if min(height, width) > 32 else cv2.BORDER_REPLICATE
+    padded = cv2.copyMakeBorder(tile, 0, down, 0, right, border)
+    return predict(padded)[0, : -(-height // 2), : -(-width // 2)]
 
 
 def _spans(size: int) -> Iterator[tuple[int, int]]:
