@@ -119,7 +119,7 @@ def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) ->
         for s in steps:
             if root + s in free:
                 go(root + s, owner[root], [])
-    for end in [i for i in sorted(free) if sum(i + s in free for s in steps) <= 1]:
+    for end in _tips(free, padded.size, steps):
         if end in free:
             go(end, graph.add_node(_xy(end, stride)), [])
     while free:
@@ -131,6 +131,15 @@ def _walk(graph: Graph, padded: Booleans, owner: dict[int, int], stride: int) ->
             owner[root] = node
             beside.update(root + s for s in steps)
             go(onward, node, [])
+
+
+def _tips(free: set[int], size: int, steps: tuple[int, ...]) -> list[int]:
+    """Pixels with at most one neighbor."""
+    pixels = np.array(sorted(free), int)
+    is_free = np.zeros(size, np.uint8)
+    is_free[pixels] = 1
+    around = sum(is_free[pixels + step] for step in steps)
+    return [int(pixel) for pixel in pixels[np.asarray(around) <= 1]]
 
 
 def _onward(

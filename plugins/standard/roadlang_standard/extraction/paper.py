@@ -54,9 +54,11 @@ def sheet_of(image: Image, within: Booleans | None = None) -> Sheet | None:
 
     Where a sheet lies on a desk, it is `within` (h, w) these pixels.
     """
-    light = _light(image, within)
     seen = np.ones(image.shape[:2], bool) if within is None else within
-    if not _has_one_light_color(light) or _is_flat(image, seen):
+    if _is_flat(image, seen):
+        return None
+    light = _light(image, within)
+    if not _has_one_light_color(light):
         return None
     light = cv2.resize(light, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
     blue, green, red = cv2.split(image.astype(np.float32) / np.maximum(light, 1))
