@@ -122,26 +122,34 @@ class Verges:
         return edges
 
     def _looked_up(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
-        """The same, of each agent by itself. What cannot change is kept."""
+        """The same, of all agents in a lane at once. What cannot change is kept."""
         place = table.place(rows, motion.along[rows])
         edges = np.full((len(rows), 2), (np.inf, -np.inf))
+        sections: dict[tuple[int, int | None], tuple[LaneSection, list[int]]] = {}
         for i in np.flatnonzero(place.turn < 0).tolist():
-            agent, number = int(rows[i]), int(place.road[i])
-            road = self.roads[agent][number]
+            agent = int(rows[i])
+            road = self.roads[agent][int(place.road[i])]
             lane = int(place.lane[i]) if self.has_route[agent] else None
-            left, right = self._edges(road, lane, float(place.station[i]))
-            edges[i] = (left, right) if place.direction[i] > 0 else (-right, -left)
-            if lane is None and isinstance(self.known[id(road), lane], tuple):
+            found = self._edges(road, lane)
+            if isinstance(found, LaneSection):
+                sections.setdefault((id(road), lane), (found, []))[1].append(i)
+                continue
+            edges[i] = _as_driven(np.array(found), place.direction[i])
+            if lane is None:
                 self.edges[agent] = edges[i]
+        for (_, lane), (section, there) in sections.items():
+            left_right = _edges_of(section, lane, place.station[there])
+            edges[there] = _as_driven(left_right, place.direction[there, None])
         return edges
 
-    def _edges(self, road: SceneRoad, lane: int | None, station: float) -> tuple[float, float]:
-        """Those of a road, left of the middle of a lane or (None) of its center line."""
+    def _edges(self, road: SceneRoad, lane: int | None) -> tuple[float, float] | LaneSection:
+        """Those of a road, left of the middle of a lane or (None) of its center line; the lanes of
+        a road whose edges differ from station to station."""
         key = id(road), lane
         if key not in self.known:
             self.known[key] = self._edges_or_section(road, lane)
-        found = self.known[key]
-        return found if isinstance(found, tuple) else _edges_of(found, lane, station)
+        found: tuple[float, float] | LaneSection = self.known[key]
+        return found
 
     def _edges_or_section(
         self, road: SceneRoad, lane: int | None
@@ -155,14 +163,23 @@ class Verges:
         section = LaneSection.of(road)
         if not section.is_constant:
             return section
-        edges = _edges_of(section, lane, 0.0)
+        left, right = _edges_of(section, lane, np.zeros(())).tolist()
         if road.lane_list:
-            self.known[alike] = edges
-        return edges
+            self.known[alike] = left, right
+        return left, right
 
 
-def _edges_of(lanes: LaneSection, lane: int | None, station: float) -> tuple[float, float]:
+def _edges_of(lanes: LaneSection, lane: int | None, station: Floats) -> Floats:
+    """(..., 2) left and right edges at stations (...)."""
     section = lanes.section
     borders = section.border_offsets(station)
-    middle = 0.0 if lane is None else float(section.offset(lane, station))
-    return float(borders[0]) - middle, float(borders[-1]) - middle
+    edges = np.stack([borders[0], borders[-1]], axis=-1)
+    if lane is None:
+        return edges
+    place = section.ids.index(lane)
+    return np.asarray(edges - 0.5 * (borders[place] + borders[place + 1])[..., None])
+
+
+def _as_driven(edges: Floats, direction: Integers) -> Floats:
+    """Edges (..., 2) left of a line that runs along the road, or (-1) against it."""
+    return np.where(direction > 0, edges, -edges[..., ::-1])
