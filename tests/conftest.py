@@ -47,11 +47,13 @@ def pytest_xdist_auto_num_workers() -> int | None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
-    """Thousands of tests are made and none is dropped: there is no garbage to look for."""
+    """Thousands of tests are made and none is dropped: there is no garbage to look for, and none
+    is among them later."""
     gc.disable()
     try:
         return (yield)
     finally:
+        gc.freeze()
         gc.enable()
 
 
