@@ -25,9 +25,14 @@ BASELINE = Path(__file__).with_name("baseline.json")
 SLOWER = 1.5
 
 
+def rounds(count: int, quick: int = 1) -> int:
+    """How often something is measured; with `--quick` only to see that it works."""
+    return quick if "--quick" in sys.argv else count
+
+
 def process_seconds(command: Sequence[str], runs: int = 7) -> float:
     """Least CPU time, user and system, of a whole process in seconds."""
-    return min(_one(command) for _ in range(runs))
+    return min(_one(command) for _ in range(rounds(runs)))
 
 
 def _one(command: Sequence[str]) -> float:
@@ -56,7 +61,7 @@ def numpy_unit() -> float:
     """CPU seconds of sines and cumulative sums over two million numbers."""
     numbers = np.linspace(0.0, 1.0, 2_000_000)
     times = []
-    for _ in range(15):
+    for _ in range(rounds(15)):
         start = time.process_time()
         np.cumsum(np.sin(numbers) * numbers).sum()
         times.append(time.process_time() - start)
@@ -67,6 +72,7 @@ def report(title: str, units: Mapping[str, float]) -> int:
     """Print `units` beside the baseline, or save them with `--save`; 1 where one is slower."""
     parser = argparse.ArgumentParser(description=title)
     parser.add_argument("--save", action="store_true", help="make these numbers the baseline")
+    parser.add_argument("--quick", action="store_true", help="few rounds: only to see it work")
     saved = json.loads(BASELINE.read_text(encoding="utf-8")) if BASELINE.exists() else {}
     if parser.parse_args().save:
         saved[title] = {name: round(value, 3) for name, value in units.items()}

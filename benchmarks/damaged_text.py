@@ -1,6 +1,6 @@
 """CPU time to parse and explain damaged scene files, in units of a fixed piece of numpy.
 
-python -m benchmarks.damaged_text [--save]
+python -m benchmarks.damaged_text [--save | --quick]
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.baseline import numpy_unit, report
+from benchmarks.baseline import numpy_unit, report, rounds
 from roadlang.diagnostics import Source
 from roadlang.diagnostics.render import render_all
 from roadlang.syntax import parse
@@ -26,7 +26,7 @@ def main() -> int:
     samples = [path.read_text(encoding="utf-8") for path in sorted(TESTS.glob("samples/*.rl"))]
     chance = random.Random(1)
     times = []
-    for _ in range(2000):
+    for _ in range(rounds(2000, 200)):
         text = mutated(chance.choice(samples), chance)
         start = time.process_time()
         _, found = parse(Source("damaged.rl", text))

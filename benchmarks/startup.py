@@ -2,6 +2,7 @@
 
 python -m benchmarks.startup           # beside the baseline
 python -m benchmarks.startup --save    # make this the baseline
+python -m benchmarks.startup --quick   # one round, to see that it works
 """
 
 from __future__ import annotations

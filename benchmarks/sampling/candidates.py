@@ -1,6 +1,6 @@
 """Candidates judged per second on one core: a bend by `sine`, phi1, phi2, phi3, a curvature bound.
 
-    python -m benchmarks.sampling.candidates [--save]
+    python -m benchmarks.sampling.candidates [--save | --quick]
 
 The road is 500 m long and has 501 stations. `judged` counts candidates that went through every
 requirement until one rejected them or all held; nothing of a candidate is kept between rounds.
@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.baseline import numpy_unit, report
+from benchmarks.baseline import numpy_unit, report, rounds
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
 from roadlang.plugins.discovery import load_registry
@@ -69,7 +69,8 @@ def measure(acceptance: Acceptance) -> tuple[float, float]:
     accepted = 0
     acceptance.judge(CandidateBatch(acceptance.scenario, 0, scenes, np.arange(BATCH)))
     start = time.process_time()
-    for round_ in range(ROUNDS):
+    count = rounds(ROUNDS, 6)
+    for round_ in range(count):
         attempts = np.arange(BATCH) + round_ * BATCH
         accepted += int(
             acceptance.judge(
@@ -77,7 +78,7 @@ def measure(acceptance: Acceptance) -> tuple[float, float]:
             ).accepted.sum()
         )
     spent = time.process_time() - start
-    return ROUNDS * BATCH / spent, accepted / (ROUNDS * BATCH)
+    return count * BATCH / spent, accepted / (count * BATCH)
 
 
 if __name__ == "__main__":
