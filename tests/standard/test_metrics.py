@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -128,3 +131,54 @@ def test_exposure_is_at_most_the_duration(values: np.ndarray, threshold: float) 
     time = np.linspace(0.0, STEP * (len(values) - 1), len(values))
     assert 0.0 <= metrics.time_exposed(values, time, threshold) <= time[-1] + 1e-9
     assert metrics.time_integrated(values, time, threshold) >= 0.0
+
+
+EGO = straight("ego", 0.0, 5.0)
+anything: Any = metrics
+
+
+@pytest.mark.parametrize(
+    ("error", "told", "call"),
+    [
+        (
+            TypeError,
+            "`second` must be an agent of a trace",
+            lambda: anything.time_headway(EGO, "b"),
+        ),
+        (TypeError, "`first` must be an agent", lambda: anything.time_to_collision({}, EGO)),
+        (TypeError, "`agent` must be an agent", lambda: anything.comfort("ego")),
+        (TypeError, "`agent` must be an agent", lambda: anything.cross_track_rms(None)),
+        (TypeError, "`agent` must be an agent", lambda: anything.max_lateral_acceleration(3)),
+        (TypeError, "`values` must be an array of numbers", lambda: anything.rms("abc", TIME)),
+        (TypeError, "`values` must be an array of numbers", lambda: anything.rms([1j], [0])),
+        (TypeError, "`values` must be", lambda: anything.rms([[1], [1, 2]], [0, 1])),
+        (TypeError, "`threshold` must be", lambda: anything.time_exposed([1], [0], "3s")),
+        (ValueError, "not NaN", lambda: anything.time_exposed([1], [0], math.nan)),
+        (ValueError, "of the shape", lambda: anything.time_exposed(np.ones((2, 2)), [0, 1], 1)),
+        (ValueError, "not 2 and 1 samples", lambda: anything.rms([3, 4], [0])),
+        (ValueError, "not 3 and 2 samples", lambda: anything.time_exposed([1, 2, 3], [0, 1], 2)),
+        (ValueError, "in ascending order", lambda: anything.time_exposed([1, 2], [1, 0], 2)),
+        (ValueError, "in ascending order", lambda: anything.rms([1, 2], [0, math.inf])),
+    ],
+)
+def test_wrong_arguments_are_refused_by_name(
+    error: type[Exception], told: str, call: Callable[[], object]
+) -> None:
+    with pytest.raises(error, match=told):
+        call()
+
+
+def test_agents_of_two_drives_are_not_compared() -> None:
+    short = replace(EGO, **{name: getattr(EGO, name)[:50] for name in ("time", "x", "y")})
+    with pytest.raises(ValueError, match="agents of one drive, not of 101 and 50 times"):
+        metrics.time_to_collision(EGO, short)
+
+
+def test_what_is_infinite_or_unknown_counts_as_such() -> None:
+    """The last sample stands for no time."""
+    assert metrics.time_exposed([1.0, np.inf, 3.0], [0, 1, 2], 2.5) == 1.0
+    assert metrics.time_integrated([1.0, np.inf, -np.inf], [0, 1, 2], 2.5) == 1.5
+    assert metrics.time_integrated([1.0, -np.inf, 3.0], [0, 1, 2], 2.5) == np.inf
+    for measure in (metrics.time_exposed, metrics.time_integrated):
+        assert math.isnan(measure([1.0, np.nan, 3.0], [0, 1, 2], 2.5))
+        assert measure([], [], 2.5) == 0.0
