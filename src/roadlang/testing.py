@@ -19,7 +19,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from .diagnostics import Diagnostic
+from .diagnostics import Diagnostic, arguments, did_you_mean
 from .plugins.discovery import load_registry, registry_of
 from .plugins.hookspecs import hookimpl
 from .plugins.kinds import Kind
@@ -76,6 +76,8 @@ def scenario(
     **params: ParamValue,
 ) -> LoadedScenario:
     """A text with `kinds` in it, to be checked or sampled."""
+    if not isinstance(kinds, Iterable):
+        raise arguments.wrong_type("kinds", "a list of classes", kinds)
     loaded = loads(text, folder=folder, **params)
     return LoadedScenario(loaded.text, loaded.path, loaded.params, registry_with(*kinds))
 
@@ -137,6 +139,7 @@ def road_batch(
     from .world.root_roads import undisplaced_road
     from .world.stations import default_stations
 
+    variants = arguments.whole_number("variants", variants, least=1)
     curve = Curve.through(points, closed=closed)
     frame = CurveFrame.of(curve, default_stations(curve))
     widths = np.broadcast_to(np.asarray(width, dtype=float).reshape(-1, 1), (variants, 1))
@@ -150,6 +153,7 @@ def random(variants: int = 1, seed: int = 0) -> BatchRandom:
     from .evaluate.randomness import variant_keys
     from .ir.batch import BatchRandom
 
+    variants = arguments.whole_number("variants", variants, least=1)
     attempts = np.arange(variants)
     return BatchRandom(variant_keys(seed, np.zeros_like(attempts), attempts))
 
@@ -158,13 +162,16 @@ def agent_trace(name: str = "ego", *, time: ArrayLike, **members: ArrayLike) -> 
     """What a drive signal or monitor gets of an agent: `time` is (T,) seconds.
 
     Other members of `AgentTrace` are numbers or (T,) arrays; those left out are NaN throughout, as
-    of an engine that does not record them. Raises `TypeError` for members that do not exist.
+    of an engine that does not record them. Raises `TypeError` for members that do not exist,
+    `ValueError` for arrays of another length and times that are not in order.
     """
     import numpy as np
 
     from .ir.trace import AgentTrace
 
     times = np.asarray(time, dtype=float)
+    if times.ndim != 1 or not (np.isfinite(times).all() and (np.diff(times) > 0.0).all()):
+        raise ValueError("`time` must be finite numbers in ascending order, of the shape (T,)")
     columns: dict[str, Any] = {"time": times}
     for member in fields(AgentTrace):
         if member.name in ("name", "time"):
@@ -172,17 +179,35 @@ def agent_trace(name: str = "ego", *, time: ArrayLike, **members: ArrayLike) -> 
         if member.name in members:
             value = np.asarray(members.pop(member.name), dtype=float)
             is_size = isinstance(member.default, float)
+            if value.shape != () and (is_size or value.shape != times.shape):
+                fitting = "a number" if is_size else f"a number or of the shape {times.shape}"
+                raise ValueError(f"`{member.name}` must be {fitting}, not {value.shape}")
             columns[member.name] = float(value) if is_size else np.broadcast_to(value, times.shape)
         elif member.default is MISSING and member.default_factory is MISSING:
             columns[member.name] = np.full(times.shape, np.nan)
-    unknown: dict[str, Any] = members
-    return AgentTrace(name, **columns, **unknown)
+    if members:
+        known = [member.name for member in fields(AgentTrace) if member.name != "name"]
+        raise _unknown("an agent of a trace", next(iter(members)), known)
+    return AgentTrace(arguments.text("name", name), **columns)
 
 
 def trace(*agents: AgentTrace) -> Trace:
-    """A drive of agents with the same times, as `judge` of a monitor gets it."""
-    from .ir.trace import Trace
+    """A drive of agents with the same times, as `judge` of a monitor gets it.
 
+    Raises `TypeError` for what is no agent, `ValueError` for none and for agents with other times
+    or of one name.
+    """
+    from .ir.trace import AgentTrace, Trace
+
+    for agent in agents:
+        if not isinstance(agent, AgentTrace):
+            raise arguments.wrong_type("agents", "made by `agent_trace`", agent)
+    if not agents:
+        raise ValueError("`trace` needs an agent: `trace(agent_trace(time=[0, 1]))`")
+    if any(agent.time.tolist() != agents[0].time.tolist() for agent in agents):
+        raise ValueError("the agents of a trace must have the same `time`")
+    if len({agent.name for agent in agents}) < len(agents):
+        raise ValueError("the agents of a trace must have names of their own")
     return Trace(agents[0].time, {agent.name: agent for agent in agents})
 
 
@@ -206,7 +231,17 @@ def observation(**members: Any) -> Observation:
         "wheelbase": 2.7,
         "line_ahead": lambda distance: (position["x"] + distance, 0.0, 0.0, 0.0),
     }
+    known = [member.name for member in fields(Observation)]
+    for name in members:
+        if name not in known:
+            raise _unknown("an observation", name, known)
     return Observation(**{**defaults, **members})
+
+
+def _unknown(owner: str, name: str, known: list[str]) -> TypeError:
+    """For the caller to raise: what a member is meant to be, or all that there are."""
+    help = did_you_mean(name, known) or (f"its members are {', '.join(known)}",)
+    return TypeError(f"{owner} has no member `{name}`: {help[0]}")
 
 
 with contextlib.suppress(ImportError):

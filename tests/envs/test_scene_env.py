@@ -256,6 +256,39 @@ def test_settings_are_checked() -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "wrong", "told"),
+    [
+        ("off_road_ends", "no", "off_road_ends must be True or False, not 'no'"),
+        ("violation_ends", 1, "violation_ends must be True or False, not 1"),
+        ("agent", 3, "agent must be the name of an agent or None, not 3"),
+        ("reward", 3, "reward must be the name of an `expect`, a formula, a function or None"),
+    ],
+)
+def test_settings_of_another_type_are_refused(name: str, wrong: object, told: str) -> None:
+    with pytest.raises(ValueError, match=told):
+        settings(**{name: wrong})
+
+
+def test_what_holds_no_scenes_is_refused() -> None:
+    drive: Any = roadlang.loads(ALONE).sample()[0].run(duration=0.5)
+    wrong: list[Any] = [None, drive, [drive], ["scene.rl"]]
+    for source in wrong:
+        with pytest.raises(TypeError, match="`source` must be a scene file"):
+            SceneEnv(source)
+
+
+def test_an_environment_says_what_it_drives() -> None:
+    assert repr(env(ALONE, scenes=1)) == "<SceneEnv: ego in 1 scene>"
+    assert repr(env(ALONE)) == "<SceneEnv: ego in 3 scenes>"
+
+
+def test_options_of_a_reset_are_a_map() -> None:
+    options: Any = 3
+    with pytest.raises(TypeError, match="`options` must be a map"):
+        env(ALONE).reset(options=options)
+
+
+@pytest.mark.parametrize(
     ("name", "least", "below"),
     [("scenes", 1, 0), ("scene_seed", 0, -1), ("agents", 0, -1)],
 )

@@ -179,3 +179,47 @@ def test_a_road_by_hand_has_a_station_every_meter_and_one_name() -> None:
     np.testing.assert_array_equal(road.width, [[7.0]])
     ring = testing.road_batch([(0, 0), (50, 50), (0, 100), (-50, 50)], closed=True, name="ring")
     assert (ring.period is not None, ring.name) == (True, "ring")
+
+
+def test_members_and_times_of_an_agent_are_checked() -> None:
+    wrong: dict[str, dict[str, Any]] = {
+        "`x` must be a number or of the shape": {"time": [0, 1], "x": [1, 2, 3]},
+        "`length` must be a number, not": {"time": [0, 1], "length": [1, 2]},
+        "`time` must be finite numbers in ascending order": {"time": [1, 0]},
+        "of the shape": {"time": [[0, 1]]},
+    }
+    for told, members in wrong.items():
+        with pytest.raises(ValueError, match=told):
+            testing.agent_trace(**members)
+    with pytest.raises(TypeError, match="did you mean `speed`"):
+        testing.agent_trace(time=[0], sped=3)
+    with pytest.raises(TypeError, match="did you mean `speed`"):
+        testing.observation(sped=3)
+
+
+def test_agents_of_a_trace_are_those_of_one_drive() -> None:
+    ego = testing.agent_trace(time=[0, 1])
+    wrong: list[tuple[type[Exception], str, tuple[Any, ...]]] = [
+        (ValueError, "needs an agent", ()),
+        (TypeError, "made by `agent_trace`, not 'ego'", ("ego",)),
+        (ValueError, "the same `time`", (ego, testing.agent_trace("lead", time=[0, 2]))),
+        (ValueError, "names of their own", (ego, ego)),
+    ]
+    for error, told, agents in wrong:
+        with pytest.raises(error, match=told):
+            testing.trace(*agents)
+
+
+def test_there_is_at_least_one_variant() -> None:
+    for call in (
+        testing.random,
+        lambda variants: testing.road_batch([(0, 0), (9, 0)], variants=variants),
+    ):
+        with pytest.raises(ValueError, match="`variants` must be at least 1, not 0"):
+            call(0)
+
+
+def test_kinds_are_classes_in_a_list() -> None:
+    wrong: Any = Shift
+    with pytest.raises(TypeError, match="`kinds` must be a list of classes"):
+        testing.sample(TEXT, kinds=wrong)

@@ -21,6 +21,12 @@ A = stl.Parameter("a", 0, 3)
 
 WRONG: list[tuple[Callable[[], Any], str]] = [
     (lambda: STL.parse(3), "`text` must be text, not 3"),
+    (lambda: STL.Always(None, "x < 1").rho(TIME, SIGNALS), "`part of Always` must be a formula"),
+    (lambda: STL.Always((0, 1), LOW), "`interval` must be an `Interval` or None, not (0, 1)"),
+    (lambda: STL.Comparison("<", "x", 5).rho(TIME, SIGNALS), "`side of Comparison` must be a term"),
+    (lambda: STL.weighted_robustness(LOW, TIME, SIGNALS, None), "`weights` must be a map from"),
+    (lambda: STL.sampling_error(LOW, TIME, SIGNALS, None, "held"), "`rates` must be a map"),
+    (lambda: STL.StreamMonitor(STL.parse("x < 1")).push(0, None), "`values` must be a map"),
     (lambda: STL.read_breach(None), "`text` must be text, not None"),
     (lambda: STL.read_latex(b"x"), "`text` must be text, not b'x'"),
     (lambda: STL.read_staliro(3), "`text` must be text, not 3"),
@@ -86,3 +92,29 @@ def test_a_sample_of_several_numbers_is_none() -> None:
 def test_a_parameter_that_is_given_twice() -> None:
     with pytest.raises(DiagnosticError, match=r"RL342.*`a`: it is given twice"):
         stl.mine(TEXT, [A, A], RECORDINGS)
+
+
+@pytest.mark.parametrize("rate", [-2.0, np.nan])
+def test_a_rate_of_change_is_0_or_more(rate: float) -> None:
+    """-2 gave a negative bound on an error."""
+    with pytest.raises(DiagnosticError, match=r"RL342.*`x`: its rate of change is"):
+        stl.sampling_error(LOW, TIME, SIGNALS, {"x": rate}, "linear")
+
+
+def test_nothing_follows_the_end_of_a_stream() -> None:
+    monitor = stl.StreamMonitor(stl.parse("x < 3"))
+    monitor.push(0.0, {"x": 1.0})
+    monitor.finish()
+    with pytest.raises(RuntimeError, match="make another `StreamMonitor`"):
+        monitor.push(1.0, {"x": 1.0})
+
+
+def test_monitors_say_what_they_watch_and_know() -> None:
+    online, stream = (
+        stl.OnlineMonitor(LOW),
+        stl.StreamMonitor(stl.parse("eventually[0, 2] (x < 1)")),
+    )
+    online.push(0.0, {"x": 1.0})
+    stream.push(0.0, {"x": 1.0})
+    assert repr(online) == "<OnlineMonitor of always (x < 3): unknown, robustness in [-inf, 2]>"
+    assert repr(stream) == "<StreamMonitor of eventually[0, 2] (x < 1): 1 sample, delay 2>"

@@ -8,6 +8,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
+from ..diagnostics.arguments import mapping
 from .episode_rewards import reward_function
 from .episodes import Episodes
 from .observed import Observed, observation_space, row_of
@@ -42,13 +43,18 @@ class SceneEnv(gymnasium.Env[Observed, NDArray[np.float32]]):
         self._reward = reward_function(self.settings.reward, self.pool)
         self._episodes: Episodes | None = None
 
+    def __repr__(self) -> str:
+        count = len(self.pool.scenes)
+        driven = self.pool.scenes[0].agents[self.pool.driven[0]].name
+        return f"<SceneEnv: {driven} in {count} scene{'' if count == 1 else 's'}>"
+
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Observed, dict[str, Any]]:
         """Begin one of the scenes; `options={"scene": 3}` says which, by its place in the list."""
         super().reset(seed=seed)
         scene = int(self.np_random.integers(len(self.pool.scenes)))
-        if options is not None and "scene" in options:
+        if options is not None and "scene" in mapping("options", options):
             scene = _number(options["scene"], len(self.pool.scenes))
         self._episodes = Episodes(self.pool, [scene], self.settings)
         index = self.pool.scenes[scene].index

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
+from ..diagnostics.arguments import wrong_type
 from ..drive.controllers import sensor_arrays
 from ..drive.sensor_offers import refuse_sensors
 from ..drive.simulators import embedded_engine
@@ -112,7 +113,7 @@ def _records(
             text = FORMULA
         found = loaded.sample(settings.scenes, seed=settings.scene_seed)
         return tuple(scene.record for scene in found), loaded.registry, loaded.places, text
-    every: Iterable[Any] = [source] if isinstance(source, Scene) else source
+    every: list[Any] = [source] if isinstance(source, Scene) else list(_iterated(source))
     records: list[SceneRecord] = []
     registry: Registry | None = None
     places: list[WrittenPlaces] = []
@@ -124,6 +125,18 @@ def _records(
     is_one_file = all(found is places[0] for found in places)
     written = places[0] if places and is_one_file else UNKNOWN
     return tuple(records), registry or installed(), written, text
+
+
+def _iterated(source: Any) -> Iterable[Any]:
+    """Raises TypeError for what holds no scenes."""
+    expected = "a scene file, what `roadlang.load` gives, a scene or several scenes"
+    if not isinstance(source, Iterable):
+        raise wrong_type("source", expected, source)
+    scenes = list(source)
+    for scene in scenes:
+        if not isinstance(scene, Scene | SceneRecord):
+            raise wrong_type("source", expected, scene)
+    return scenes
 
 
 def _place(scene: SceneRecord, name: str | None) -> int:

@@ -12,6 +12,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
+from ..diagnostics.arguments import whole_number
 from ..geometry.arrays import Booleans
 from .episode_rewards import reward_function
 from .observed import Observed, observation_space, row_of
@@ -49,8 +50,9 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
         scenes_each: int | None = None,
         **changes: Any,
     ) -> None:
-        if num_envs < 1 or (scenes_each is not None and scenes_each < 1):
-            raise ValueError("num_envs and scenes_each must be at least 1")
+        num_envs = whole_number("num_envs", num_envs, least=1)
+        if scenes_each is not None:
+            scenes_each = whole_number("scenes_each", scenes_each, least=1)
         self.settings = changed(settings or EnvSettings(), changes, type(self).__name__)
         self.pool = pool_of(source, self.settings)
         self.num_envs = num_envs

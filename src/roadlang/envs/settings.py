@@ -59,6 +59,16 @@ class EnvSettings:
                 raise ValueError(
                     f"{name} must be a whole number of at least {least}, not {value!r}"
                 )
+        for name in ("off_road_ends", "violation_ends"):
+            if not isinstance(getattr(self, name), bool):
+                raise ValueError(f"{name} must be True or False, not {getattr(self, name)!r}")
+        if not isinstance(self.agent, str | None):
+            raise ValueError(f"agent must be the name of an agent or None, not {self.agent!r}")
+        if not (self.reward is None or isinstance(self.reward, str) or callable(self.reward)):
+            raise ValueError(
+                f"reward must be the name of an `expect`, a formula, a function or None, not "
+                f"{self.reward!r}"
+            )
         if self.vehicle_step > 0.05 or self.step > 1.0:
             raise ValueError("vehicle_step may be at most 0.05 s, and step at most 1 s")
         if not all(

@@ -24,7 +24,7 @@ from .carriageways import (
 from .direct_links import End, Links, direct_links
 from .lane_numbers import LaneNumbers, lane_numbers
 from .plan_view import ReferenceLine, reference_line
-from .road_ids import with_own_ids
+from .road_ids import own_ids
 from .sampled_line import SampledLine, poses_between, whole_turns
 
 if TYPE_CHECKING:
@@ -129,7 +129,18 @@ def road_parts(scene: Scene, tolerance: float, left_hand: LeftHand) -> tuple[Ope
             ]
         parts += found
     ends = PartEnds.of(parts)
-    return with_own_ids([_linked(part, links, ends) for part in parts])
+    ids = own_ids({part.id: part.road for part in parts})
+    return tuple(_renumbered(_linked(part, links, ends), ids) for part in parts)
+
+
+def _renumbered(part: OpenDriveRoad, ids: Mapping[int, int]) -> OpenDriveRoad:
+    linked = {end: link for end, link in part.links.items() if link.id in ids}
+    return replace(
+        part,
+        id=ids[part.id],
+        links={end: replace(link, id=ids[link.id]) for end, link in linked.items()},
+        reverse_of=None if part.reverse_of is None else ids[part.reverse_of],
+    )
 
 
 @dataclass(frozen=True)

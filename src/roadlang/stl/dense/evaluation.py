@@ -9,7 +9,7 @@ from typing import get_args
 
 import numpy as np
 
-from ...diagnostics import Code
+from ...diagnostics import Code, arguments
 from ..errors import check_word, stl_error
 from ..evaluate.graph_operations import BOOLEAN, OF_INFINITIES, ROBUST, TERM_FUNCTIONS
 from ..evaluate.sliding_and_until import GREATEST, LEAST
@@ -220,6 +220,13 @@ class DenseEvaluation:
         return stl_error(Code.UNKNOWN_BETWEEN_SAMPLES, text=text, semantics=self.semantics)
 
 
+def _check_rates(rates: Mapping[str, float]) -> None:
+    for name, rate in arguments.mapping("rates", rates).items():
+        if not arguments.number(f"rates[{name!r}]", rate) >= 0.0:
+            problem = f"its rate of change is {rate}: write how much it changes at most, 0 or more"
+            raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
+
+
 def sampling_error(
     formula: f.Formula,
     positions: Positions,
@@ -233,9 +240,11 @@ def sampling_error(
     A signal that is held is off by its rate times the longest step at most, an interpolated one by
     half of that, and robustness by no more than the comparison that is off most. Raises
     DiagnosticError RL304 for a signal without a rate, RL311 for terms that are no sums, multiples
-    or extremes of signals, RL342 for semantics that are neither held nor linear.
+    or extremes of signals, RL342 for semantics that are neither held nor linear and for rates
+    that are below 0 or NaN.
     """
     check_word("semantics", semantics, _BETWEEN_SAMPLES)
+    _check_rates(rates)
     grids = GridSignals.of(positions, signals, variables_of(formula))
     share = 0.5 if semantics == "linear" else 1.0
 

@@ -11,6 +11,7 @@ from ...diagnostics import Code, arguments
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula.horizon import horizon, looks_at_neighbors, memory
+from ..formula.terms import number_text
 from ..formula.variables import variables_of
 from .position_text import position_text
 from .ranges import range_at_start
@@ -39,6 +40,10 @@ class OnlineMonitor:
         self._settled_truth: bool | None = None
         self._foldable = _is_foldable(formula)
         self._present = 0
+
+    def __repr__(self) -> str:
+        lo, hi = number_text(self.lo), number_text(self.hi)
+        return f"<OnlineMonitor of {self.formula}: {self.verdict}, robustness in [{lo}, {hi}]>"
 
     def push(self, position: float, values: Mapping[str, float]) -> tuple[float, float]:
         """Take the next sample; return [lo, hi] over all continuations of what was seen.

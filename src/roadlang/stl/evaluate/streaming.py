@@ -75,6 +75,7 @@ class StreamMonitor:
     def __init__(self, formula: f.Formula, *, boolean: bool = False) -> None:
         self.formula = formula
         self._names = sorted(variables_of(formula))
+        self._is_finished = False
         self.delay = horizon(formula)
         if math.isinf(self.delay):
             raise stl_error(Code.UNBOUNDED_FUTURE, formula=str(formula), help=_bounded(formula))
@@ -86,11 +87,19 @@ class StreamMonitor:
             for node in graph.nodes
         ]  # fmt: skip
 
+    def __repr__(self) -> str:
+        samples = f"{self._clock.count} sample{'' if self._clock.count == 1 else 's'}"
+        return f"<StreamMonitor of {self.formula}: {samples}, delay {position_text(self.delay)}>"
+
     def push(self, position: float, values: Mapping[str, float]) -> tuple[DecidedSample, ...]:
         """Take the next sample; return the samples whose robustness has become known, in order.
 
-        Raises DiagnosticError RL301, RL302 or RL304 for a sample that does not fit, and forgets it.
+        Raises DiagnosticError RL301, RL302 or RL304 for a sample that does not fit, and forgets it;
+        RuntimeError after `finish`.
         """
+        if self._is_finished:
+            raise RuntimeError("the stream is finished: make another `StreamMonitor`")
+        values = arguments.mapping("values", values, self._names)
         position = arguments.number("position", position)
         place = self._clock.latest + self._clock.first
         if not math.isfinite(position) or (self._clock.count and not position > place):
@@ -119,6 +128,7 @@ class StreamMonitor:
 
     def finish(self) -> tuple[DecidedSample, ...]:
         """The samples that are left, as if the trace ended here. No sample can follow."""
+        self._is_finished = True
         streams: list[Stream] = []
         for _, node, inputs in self._steps:
             fed = [streams[index] for index in inputs]

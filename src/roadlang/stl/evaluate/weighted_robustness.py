@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ...diagnostics import Code
+from ...diagnostics import Code, arguments
 from ..errors import stl_error
 from ..formula import formulas as f
 from ..formula import terms as t
@@ -63,6 +63,8 @@ def _prepared(
     formula: f.Formula, trace: SampledSignals, weights: Mapping[f.Formula, float]
 ) -> tuple[f.Formula, _Weighted]:
     """The formula with a signal for each weighted operand, and what evaluates it."""
+    if not isinstance(weights, Mapping):
+        raise arguments.wrong_type("weights", "a map from operands to numbers above 0", weights)
     for part, weight in weights.items():
         if not (math.isfinite(weight) and weight > 0):
             raise stl_error(

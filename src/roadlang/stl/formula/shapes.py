@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias
 from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
 from .interval import UNBOUNDED, Interval, NeighborWindow, Reach
+from .made_of import checked_interval, checked_part, checked_side
 from .terms import Term
 
 if TYPE_CHECKING:
@@ -31,7 +32,8 @@ class Formula(Evaluable):
     def variables(self) -> frozenset[str]:
         """Names of the signals the formula reads."""
         comparisons = (node for node in self.walk() if isinstance(node, Comparison))
-        return frozenset().union(*(c.left.variables | c.right.variables for c in comparisons))
+        sides = (checked_side(side) for c in comparisons for side in (c.left, c.right))
+        return frozenset().union(*(side.variables for side in sides))
 
     @property
     def temporal(self) -> bool:
@@ -52,7 +54,7 @@ class Formula(Evaluable):
         """This formula and all below it, parents first."""
         yield self
         for part in self.parts:
-            yield from part.walk()
+            yield from checked_part(self, part, Formula).walk()
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +122,7 @@ class TemporalOperator(Compound):
     past: ClassVar[bool]
 
     def __post_init__(self) -> None:
-        if self.interval == UNBOUNDED:  # `always[0, inf] p` is `always p`
+        if checked_interval(self.interval) == UNBOUNDED:  # `always[0, inf] p` is `always p`
             object.__setattr__(self, "interval", None)
 
     @property
