@@ -165,7 +165,7 @@ if TYPE_CHECKING:
     from .ir.scene_surface import SurfaceName, SurfacePatch
     from .ir.sensed_batch import SensedBatch, SolidThings
     from .ir.surface_stretches import SurfaceStretch, junction_surface, surface_stretches
-    from .ir.surroundings import LanePlace, LanePlaces, Neighbor, Neighbors
+    from .ir.surroundings import LanePlace, LanePlaces, LanesBeside, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
     from .scenes.junction_curbs import CurbCorner, beside_curb, junction_curbs
@@ -215,7 +215,7 @@ _LATER = {
     ".ir.scene_surface": "SurfaceName SurfacePatch",
     ".ir.sensed_batch": "SensedBatch SolidThings",
     ".ir.surface_stretches": "SurfaceStretch junction_surface surface_stretches",
-    ".ir.surroundings": "LanePlace LanePlaces Neighbor Neighbors",
+    ".ir.surroundings": "LanePlace LanePlaces LanesBeside Neighbor Neighbors",
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
@@ -249,8 +249,9 @@ __all__ = [
     "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration",
     "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
     "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
-    "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "Length", "LengthInterval",
-    "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors", "Number", "ObjectKind",
+    "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "LanesBeside", "Length",
+    "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
+    "Number", "ObjectKind",
     "Observation", "ObservationBatch", "ObservationVector", "OptionError", "PaintedShape",
     "Perturber", "Picture", "Piece", "PixelPoint", "Pixels", "PlacedBatch", "Point", "PointInSpace",
     "Position", "Profile", "Provenance", "Reader", "Reading", "ReadingArray", "Region",

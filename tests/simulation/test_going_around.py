@@ -94,3 +94,49 @@ def test_it_stands_where_it_may_not_or_cannot_go_around(standing: str) -> None:
 def test_from_a_standstill_close_behind_it_pulls_out() -> None:
     close = agent("ego", "112m", "lane: -1, start_speed: 0m/s, drive with traffic")
     assert arrived(driven(STREET + close + PARKED, 40.0).agents["ego"])
+
+
+@pytest.mark.parametrize("kind", ["car", "bus"])
+def test_where_it_does_not_go_around_it_stands_clear_of_it(kind: str) -> None:
+    """The parked car begins at 117.75 m."""
+    ego = f"agent ego is {kind} on street at 60m {{ lane: -1, drive with traffic " \
+          "{ go_around: false } }\n"  # fmt: skip
+    stood = driven(STREET + ego + PARKED, 30.0).agents["ego"]
+    assert stood.speed[-1] < 0.1
+    assert 2.5 < 117.75 - (stood.station[-1] + 0.5 * stood.length) < 5.0
+
+
+SECOND = "object second is parked_car on street at {at}m {{ lane: 1 }}\n"
+
+
+def test_with_room_between_it_passes_two_on_different_sides() -> None:
+    text = STREET + agent("ego", "10m", "lane: -1, drive with traffic") + PARKED
+    assert arrived(driven(text + SECOND.format(at=165)).agents["ego"])
+
+
+def test_it_does_not_pull_out_where_more_stands_on_the_lane_beside() -> None:
+    """It would have to stand there, in the way of those who come."""
+    text = STREET + agent("ego", "60m", "lane: -1, drive with traffic") + PARKED
+    ego = driven(text + SECOND.format(at=132), 30.0).agents["ego"]
+    assert ego.speed[-1] < 0.1
+    assert farthest_left(ego) < -1.5, "it is in its lane"
+
+
+CORNER = '''
+image plan from """
+#######
+#.....#
+#.....#
+#######
+""" {{ scale: 20m/px, legend: {{ "#": road }} }}
+network town from plan {{ lanes: 2, speed_limit: 50km/h }}
+agent ego is car on town {{ route: [{route}], drive with traffic {{ go_around: {around} }} }}
+object parked is parked_car at ({x}m, {y}m) {{ heading: {heading}deg }}
+'''
+
+
+@pytest.mark.parametrize("around", ["true", "false"])
+@pytest.mark.parametrize(("x", "y", "heading"), [(125, 12, 60), (128, 16, 90), (119, 9, 20)])
+def test_it_touches_nothing_in_a_corner(x: float, y: float, heading: float, around: str) -> None:
+    text = CORNER.format(route="(30m, 10m), (130m, 60m)", around=around, x=x, y=y, heading=heading)
+    driven(text, 40.0)

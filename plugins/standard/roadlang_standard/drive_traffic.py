@@ -99,6 +99,7 @@ class Traffic(Controller):
         stop, merging, speed = seen.right_of_way(
             self.politeness, self.aggression, around and around.passing
         )
+        stop = stop if around is None else np.minimum(stop, around.stop)
         gaps = np.stack((gap, merging, stop + STANDING_GAP))
         ahead, merges, gentle = follow.behind(gaps, np.stack((pace, speed, np.zeros_like(stop))))
         ahead = follow.calmly(ahead, gap, pace, leading)

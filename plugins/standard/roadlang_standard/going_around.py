@@ -1,29 +1,36 @@
-"""Going around what stands in the lane: where, and whether others leave the time for it."""
+"""Going around what stands in the lane: when it begins, how it goes on, and how it ends."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .lane_traffic import LaneTraffic, has_room, lane_traffic
+from .lane_traffic import lane_traffic
 from .pulling_out import CLEARED, can_creep_out, creeping_out, held_back
+from .ways_around import (
+    AHEAD,
+    MOVING,
+    NEXT,
+    SIGHT,
+    WayAround,
+    bends,
+    is_free,
+    leads_past,
+    planned,
+)
 
 if TYPE_CHECKING:
     from roadlang.api import ObservationBatch
     from roadlang.geometry import Booleans, Floats
 
-BESIDE = 0.4
-"""Meters between the side of a vehicle and what it passes."""
-LONG, LONGER = 7.0, 0.3
-"""Longer vehicles keep so much more, as their ends swing out: meters."""
-SIGHT = 250.0
-"""Meters in which others are looked for."""
 SOON, LEAST = 5.0, 40.0
-"""Seconds of its speed, and meters at least, at which a vehicle begins to go around."""
+"""Seconds of its speed, and meters at least, at which a vehicle looks for a way around."""
+LATER, SPARE = 1.0, 8.0
+"""Seconds of its speed, and meters at least, beyond what pulling out takes, at which it begins."""
 SLOWLY = 8.3
 """m/s: the greatest speed beside what stands."""
-MOVING = 3.0
-"""Seconds of each of the two moves to the side."""
+LATERAL, EASILY = 2.5, 1.5
+"""m/s^2: across and along, in bends beside what stands."""
 GAINING = 2.6
 """m/s^2, the acceleration of an agent that begins to go around."""
 CLOSEST = 3.0
@@ -32,18 +39,15 @@ BEYOND = 1.2
 """Meters past the line beside the obstacle that it aims for when it pulls out from close behind."""
 NEARLY = 0.35
 """Share of the move to the side that is left when pulling out from close behind ends."""
-AHEAD = 4.0
-"""Meters between the agent and what it has passed before it comes back."""
-MEETING = 3.0
-"""Seconds, and also meters, to spare before it would meet oncoming traffic."""
-STARTING = 4.0
-"""Seconds that pulling out from a standstill takes longer."""
-INSIDE = 0.1
-"""Meters by which it may stick out of its lane without looking for others."""
 BACK = 0.3
 """Meters from its line at which it is back."""
-NEXT = 25.0
-"""Meters to the next obstacle within which it does not come back in between."""
+EARLY, TOUCHING = 2.5, 0.3
+"""m/s^2, and meters: it brakes before what it would touch on its way, once it has to brake so hard
+to stand so far before it."""
+PASSED = 0.5
+"""Meters before the end of what is passed up to which what stands there belongs to it."""
+COMING, LEAST_AHEAD = 0.3, 1.5
+"""m/s: before who comes toward it that fast it comes back as soon as it is so many meters past."""
 HOME, AROUND, RETURNING = 0.0, 1.0, 2.0
 PHASE, LINE, TARGET, END, CLOSE = range(5)
 """Columns of the state: what it is doing, the line that it left and the one beside, where along its
@@ -51,79 +55,19 @@ line what it passes ends, and whether it pulls out from close behind."""
 
 
 @dataclass(frozen=True)
-class WayAround:
-    """(N,) how agents would go around what is ahead; NaN where there is no way."""
-
-    gap: Floats
-    end: Floats
-    """meters from the front to where what is in the way ends"""
-    target: Floats
-    """line to follow beside it"""
-    crosses: Booleans
-    """whether that leaves the lane"""
-    is_oncoming: Booleans
-    """whether traffic comes toward it there"""
-
-
-def planned(seen: ObservationBatch, line: Floats, gap: Floats) -> WayAround:
-    """How to get around objects in the way of lines, at gaps, to the side with the shorter way."""
-    import numpy as np
-
-    end, left, right = seen.row_ahead(line, NEXT)
-    room = 0.5 * seen.width + BESIDE + np.where(seen.length > LONG, LONGER, 0.0)
-    place, half = seen.lane_place(), 0.5 * seen.width
-    best = np.full(len(line), np.nan)
-    crosses, oncoming = np.zeros(len(line), dtype=bool), np.zeros(len(line), dtype=bool)
-    for side, word, edge in ((1.0, "left", left), (-1.0, "right", right)):
-        needed = side * edge + room
-        own = side * place.offset + 0.5 * place.width
-        middle = side * seen.offset_of_lane(word)
-        direction = seen.direction_of_lane(word)
-        leaves = needed + half > own + INSIDE
-        needed = np.where(leaves & (direction > 0.0), np.maximum(needed, middle), needed)
-        most = np.where(np.isfinite(middle), 2.0 * middle - own, own)
-        fits = (needed + half <= most) & (~leaves | (direction != 0.0)) & np.isfinite(end)
-        shift = np.abs(needed - side * line)
-        shorter = fits & ~(shift >= np.abs(best - line))
-        best = np.where(shorter, side * needed, best)
-        crosses = np.where(shorter, leaves, crosses)
-        oncoming = np.where(shorter, leaves & (direction < 0.0), oncoming)
-    return WayAround(gap, end, best, crosses, oncoming)
-
-
-def is_free(seen: ObservationBatch, plan: WayAround, speed: Floats) -> Booleans:
-    """(N,) whether nobody comes toward agents, and nobody is or comes beside them, until they are
-    back in their lane. `speed`: that with which they pass."""
-    import numpy as np
-
-    lane = lane_traffic(seen, np.where(np.isfinite(plan.target), plan.target, 0.0),
-                        seen.nearby(SIGHT))  # fmt: skip
-    way = plan.end + seen.length + AHEAD + MOVING * speed
-    pace = np.maximum(0.5 * (np.minimum(seen.speed, speed) + speed), 1.0)
-    time = way / pace + np.where(seen.speed < 0.5 * speed, STARTING, 0.0)
-    theirs = np.maximum(-lane.pace, 0.0) * (time + MEETING)[:, None]
-    slower = lane.there & lane.ahead & (lane.pace < 1.0)
-    meets = slower & (lane.gap < way[:, None] + theirs + MEETING)
-    along = LaneTraffic(lane.there & ~slower, lane.ahead, lane.gap, lane.pace, lane.length)
-    duration = np.full(len(speed), MOVING)
-    beside = has_room(seen, along, duration)
-    clear = np.asarray(~meets.any(axis=1)) & beside
-    before_junction = seen.junction_ahead()[0]
-    clear &= ~plan.is_oncoming | (before_junction > plan.end + seen.length)
-    return np.asarray(np.isfinite(plan.target) & (clear | ~plan.crosses))
-
-
-@dataclass(frozen=True)
 class GoingAround:
     """(N,) what those that go around do: which they are, what they steer and how fast they go."""
 
     passing: Booleans
+    """away from their lines: they stop for objects at `stop` alone"""
     line: Floats
     time: Floats
     most: Floats
     """m/s^2, of the acceleration"""
     speed: Floats
     """m/s, at most"""
+    stop: Floats
+    """meters to where they stop before the next object"""
     creeps: Booleans
     steering: Floats
 
@@ -137,25 +81,59 @@ def going_around(seen: ObservationBatch, state: Any, target: Floats) -> GoingAro
     if not np.isfinite(gap).any() and not state[:, PHASE].any():
         return None
     now = seen.road_offset - seen.cross_track_error
-    phase = state[:, PHASE].copy()
-    home = np.where(phase == HOME, now, state[:, LINE])
-    plan = planned(seen, home, gap)
-    speed = np.minimum(target, SLOWLY)
+    home = np.where(state[:, PHASE] == HOME, now, state[:, LINE])
     line = np.full(len(now), np.nan)
     most = np.full(len(now), np.inf)
-    _begin(seen, state, plan, speed, (line, most))
+    _begin(seen, state, planned(seen, home, gap), np.minimum(target, SLOWLY), (line, most))
     _go_on(seen, state, home, line)
-    passing = state[:, PHASE] == AROUND
-    creeps = passing & (state[:, CLOSE] > 0.0)
+    around = state[:, PHASE] == AROUND
+    creeps = around & (state[:, CLOSE] > 0.0)
     steering, slow = creeping_out(seen, 2.0)
     left = np.abs(seen.road_offset - state[:, TARGET])
     state[left < NEARLY * np.abs(state[:, TARGET] - state[:, LINE]), CLOSE] = 0.0
     most = np.where(creeps, np.minimum(most, slow), most)
     side = np.sign(state[:, TARGET] - state[:, LINE])
-    line = np.where(passing, state[:, TARGET] + np.where(creeps, side * BEYOND, 0.0), line)
+    line = np.where(around, state[:, TARGET] + np.where(creeps, side * BEYOND, 0.0), line)
     time = np.where(creeps, 0.0, MOVING)
-    speed = np.where(passing, speed, np.inf)
-    return GoingAround(passing, line, time, most, speed, creeps, steering)
+    passing = state[:, PHASE] != HOME
+    stop, speed = np.full(len(now), np.inf), np.full(len(now), np.inf)
+    if passing.any():
+        stop, touch = _stops(seen, state, passing, creeps)
+        most = np.where(touch < -EARLY, np.minimum(most, touch), most)
+        speed = np.where(passing, np.minimum(SLOWLY, _bend_speed(seen, state)), np.inf)
+    return GoingAround(passing, line, time, most, speed, stop, creeps, steering)
+
+
+def _stops(
+    seen: ObservationBatch, state: Any, passing: Booleans, creeps: Booleans
+) -> tuple[Floats, Floats]:
+    """(N,) meters to where those that pass stop before what else stands in the way of the line that
+    they are on their way to, and the acceleration with which they do so before what they would
+    touch on their way there."""
+    import numpy as np
+
+    to = np.where(state[:, PHASE] == AROUND, state[:, TARGET], state[:, LINE])
+    now = seen.road_offset - seen.cross_track_error
+    gap = seen.obstacle_ahead(np.where(passing, to, now))
+    beyond = seen.traveled + gap + seen.length > state[:, END] - PASSED
+    stop = np.where(beyond | (state[:, PHASE] == RETURNING), gap - CLOSEST, np.inf)
+    away = np.maximum(seen.touches_ahead(passing, creeps) - TOUCHING, 0.05)
+    return np.where(passing, stop, np.inf), -0.5 * seen.speed * seen.speed / away
+
+
+def _bend_speed(seen: ObservationBatch, state: Any) -> Floats:
+    """(N,) speeds at which those that go around can drive the bends ahead, beside their lines."""
+    import numpy as np
+
+    reach = np.maximum(2.0 * seen.speed, seen.length)
+    square = np.full(len(reach), np.inf)
+    found = bends(seen, reach)
+    for place, curvature in enumerate(found):
+        across = np.maximum(1.0 - curvature * state[:, TARGET], 0.1)
+        radius = across / np.maximum(np.abs(curvature), 1e-4)
+        away = reach * (place / (len(found) - 1))
+        square = np.minimum(square, LATERAL * radius + 2.0 * EASILY * away)
+    return np.asarray(np.sqrt(square))
 
 
 def _begin(
@@ -171,11 +149,12 @@ def _begin(
     if not waits.any():
         return
     aside = CLEARED * MOVING
-    has_way = plan.gap > aside * (seen.speed + 0.5 * GAINING * aside) + CLOSEST
+    takes = aside * (seen.speed + 0.5 * GAINING * aside) + CLOSEST
+    has_way = plan.gap > takes
     ready = waits & (has_way | can_creep_out(seen, plan.gap))
-    nobody = ~(seen.vehicle_ahead()[0] < plan.gap)
-    goes = ready & nobody & is_free(seen, plan, speed)
-    held = held_back(seen, plan.gap, np.zeros(len(line)), waits & ~goes)
+    free = ready & ~(seen.vehicle_ahead()[0] < plan.gap) & is_free(seen, plan, speed)
+    goes = free & (plan.gap < takes + np.maximum(LATER * seen.speed, SPARE))
+    held = held_back(seen, plan.gap, np.zeros(len(line)), waits & ~free)
     most[:] = np.where(np.isfinite(held), held, most)
     now = seen.road_offset - seen.cross_track_error
     end = seen.traveled + plan.end + seen.length
@@ -187,15 +166,20 @@ def _begin(
 
 
 def _go_on(seen: ObservationBatch, state: Any, home: Floats, line: Floats) -> None:
-    """Those that have passed come back to the lines `home`, unless more stands there."""
+    """Those that have passed come back to the lines `home`, unless more stands there that they can
+    pass on the same line."""
     import numpy as np
 
     around = state[:, PHASE] == AROUND
     if around.any():
         ahead = seen.row_ahead(home, NEXT)[0]
         more = around & (ahead < NEXT + seen.length)
+        if more.any():
+            more &= leads_past(seen, np.where(more, state[:, TARGET], home), ahead)
         state[more, END] = np.maximum(state[:, END], seen.traveled + ahead + seen.length)[more]
-        past = around & (seen.traveled > state[:, END] + AHEAD - 0.5 * seen.length)
+        meets = seen.vehicle_ahead()[1] < -COMING
+        spare = np.where(meets, LEAST_AHEAD, AHEAD)
+        past = around & (seen.traveled > state[:, END] + spare - 0.5 * seen.length)
         lane = lane_traffic(seen, home, seen.nearby(SIGHT))
         beside = (lane.there & (lane.gap < 1.0)).any(axis=1)
         back = past & ~beside

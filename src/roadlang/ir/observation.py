@@ -14,6 +14,7 @@ from .surroundings import (
     LaneChoice,
     LanePlace,
     LanePlaces,
+    LanesBeside,
     Neighbor,
     Neighbors,
     nearest_of,
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ..geometry.arrays import Floats, Integers
+    from ..geometry.arrays import Booleans, Floats, Integers
 
 _FREE = (math.inf, math.inf, 0.0)
 _NO_JUNCTION = (math.inf, 0.0, math.inf)
@@ -127,6 +128,17 @@ def _no_row(line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
     return nothing, nothing, nothing
 
 
+def _nothing_ahead(first: Floats | Booleans, second: Floats | Booleans) -> Floats:
+    import numpy as np
+
+    return np.full(len(first), math.inf)
+
+
+def _no_lanes(ahead: Floats, line: Floats) -> LanesBeside:
+    nothing = line * math.nan
+    return LanesBeside(*[nothing] * 6)
+
+
 @dataclass(frozen=True, slots=True)
 class ObservationBatch:
     """The states of N agents: columns (N,) of what `Observation` says of one, during the call."""
@@ -151,7 +163,8 @@ class ObservationBatch:
     speed_for_bends: Callable[[Floats | float, Floats | float, Floats | float], Floats]
     vehicle_ahead: Callable[[], tuple[Floats, Floats]]
     acceleration_ahead: Callable[[], Floats]
-    obstacle_ahead: Callable[[], Floats]
+    obstacle_ahead: Callable[..., Floats]
+    """`obstacle_ahead(l)`: also in the way of lines `l` (N,) left of the reference lines"""
     lane_end: Callable[[], Floats]
     length: Floats
     width: Floats
@@ -177,6 +190,14 @@ class ObservationBatch:
     """`row_ahead(l, s)`: of the next object in the way of lines `l` (N,) left of the reference
     line, and of those behind it with no room for the agent and `s` meters between: how far from the
     front they end, and how far left of the reference line their sides are; NaN for none"""
+    touches_ahead: Callable[[Booleans, Booleans], Floats] = _nothing_ahead
+    """`touches_ahead(l, c)`: meters until those that leave their lines (N,) would touch an object,
+    infinite for none; who creeps (N,) goes on as it steers now"""
+    comes_toward: Callable[[Floats, Floats], Floats] = _nothing_ahead
+    """`comes_toward(l, d)`: seconds until another vehicle may come the other way on the line `l`
+    (N,) left of the reference line, `d` (N,) meters ahead or less; infinite for nobody"""
+    lanes_beside: Callable[[Floats, Floats], LanesBeside] = _no_lanes
+    """`lanes_beside(d, l)`: the lanes `d` (N,) meters ahead at lines `l` (N,), and beside"""
     sensors: Mapping[str, Reading] = field(default_factory=dict)
     """the readings of sensors that all N agents have, by name; arrays have a leading axis N"""
     of_one = OldName("of_single")
@@ -232,7 +253,7 @@ class ObservationBatch:
             speed_for_bends=lambda *limits: column(seen.speed_for_bends(*map(first, limits))),
             vehicle_ahead=lambda: columns(seen.vehicle_ahead()),
             acceleration_ahead=lambda: column(seen.acceleration_ahead()),
-            obstacle_ahead=lambda: column(seen.obstacle_ahead()),
+            obstacle_ahead=lambda line=None: column(seen.obstacle_ahead()),
             lane_end=lambda: column(seen.lane_end()),
             lane_place=lambda: LanePlaces.of_single(seen.lane_place()),
             offset_of_lane=lambda which: column(seen.offset_of_lane(lane(which))),
@@ -245,5 +266,8 @@ class ObservationBatch:
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
             row_ahead=_no_row,
+            touches_ahead=_nothing_ahead,
+            comes_toward=_nothing_ahead,
+            lanes_beside=_no_lanes,
             sensors=Readings({name: batch_of_one(one) for name, one in seen.sensors.items()}),
         )

@@ -79,6 +79,19 @@ class LanePlaces:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class LanesBeside:
+    """Columns (N,) of a lane and of those beside it for motor vehicles: middles, meters left of the
+    reference lines, and directions, 1 for that of the agent; NaN for none."""
+
+    middle: Floats
+    width: Floats
+    left: Floats
+    left_direction: Floats
+    right: Floats
+    right_direction: Floats
+
+
 _NUMBERS = ("offset", "width", "speed_limit", "direction", "road_direction")
 
 

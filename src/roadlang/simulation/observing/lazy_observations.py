@@ -122,8 +122,13 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     ),
     "vehicle_ahead": lambda seen: partial(seen.view.vehicle_ahead, seen.rows),
     "acceleration_ahead": lambda seen: partial(seen.view.acceleration_ahead, seen.rows),
-    "obstacle_ahead": lambda seen: partial(seen.view.obstacle_ahead, seen.rows),
-    "row_ahead": lambda seen: partial(seen.view.row_ahead, seen.rows),
+    "obstacle_ahead": lambda seen: partial(seen.view.objects.ahead, seen.rows),
+    "row_ahead": lambda seen: partial(seen.view.objects.row, seen.rows),
+    "touches_ahead": lambda seen: partial(
+        seen.view.objects.touched, seen.view.path_ahead, seen.chosen
+    ),
+    "comes_toward": lambda seen: partial(seen.view.objects.coming, seen.chosen),
+    "lanes_beside": lambda seen: partial(seen.view.objects.lanes, seen.chosen),
     "lane_end": lambda seen: partial(seen.view.lane_end, seen.chosen),
     "lane_place": lambda seen: partial(seen.view.lane_place, seen.chosen),
     "offset_of_lane": _lane("middles"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -27,12 +28,14 @@ from .lane_changes import zipper
 from .lane_endings import has_lane_endings, lets_in
 from .lanes_seen import LanesSeen
 from .lazy_observations import LazyObservations
+from .objects_seen import ObjectsSeen
+from .road_places import are_backward, stations_at
 from .sensing import Sensing
 
 _NOTHING: Mapping[str, Floats] = {}
 _NO_READINGS = Readings({})
-PROBE = 0.1
-"""Meters along a route to each side, to see in which direction of the road it goes."""
+BEFORE_OBJECTS = 3.0
+"""Meters before an object at which agents stand: from there they can pull out."""
 
 
 class Surroundings:
@@ -85,14 +88,16 @@ class Surroundings:
             self._right_of_way = RightOfWayGrants(world)
         return self._right_of_way
 
-    def lanes(self, world: World) -> LanesHere:
-        """Of all agents, where they are; on connections there are none."""
+    def lanes(self, world: World, ahead: Floats | None = None) -> LanesHere:
+        """Of all agents, where they are, or (N,) meters on; on connections there are none."""
         if self._lanes is None:
             self._lanes = RoadLanes(self._roads)
         first = np.repeat(self._first, world.slots)
-        place = world.place
+        along = world.motion.along if ahead is None else world.motion.along + ahead
+        along = along if ahead is None else world.track.wrapped(along)
+        place = world.table.place(slice(None), along)
         road = np.where((place.road >= 0) & (place.turn < 0), first + place.road, -1)
-        lanes = self._lanes.at(road, world.station, _backward(world))
+        lanes = self._lanes.at(road, stations_at(world, along), are_backward(world, along))
         rows = np.flatnonzero(world.has_route)
         if not len(rows):
             return lanes
@@ -109,17 +114,6 @@ class Surroundings:
         return Nearby(world, poses, self._objects)
 
 
-def _backward(world: World) -> Booleans:
-    """(N,) who goes against the direction of the road where it is."""
-    out = world.backward.copy()
-    rows = np.flatnonzero(world.has_route)
-    if len(rows):
-        along = world.motion.along[rows]
-        ends = [world.table.station(rows, along + off) for off in (-PROBE, PROBE)]
-        out[rows] = ends[1] < ends[0]
-    return out
-
-
 @dataclass
 class View:
     """A world as it is at one time, seen by its agents."""
@@ -131,9 +125,13 @@ class View:
     sensing: Sensing | None = None
     """what agents have sensed; None: they see the truth"""
     _ahead: Leaders | None = field(default=None)
-    _obstacle: Floats | None = field(default=None)
     _lanes: LanesSeen | None = field(default=None)
     _nearby: Nearby | None = field(default=None)
+
+    @cached_property
+    def objects(self) -> ObjectsSeen:
+        """What agents see of objects, and of the ways around them."""
+        return ObjectsSeen(self.world, self.poses, self.surroundings)
 
     def of(self, chosen: Integers) -> ObservationBatch:
         """What some agents see."""
@@ -202,23 +200,9 @@ class View:
         found: Floats = self._leaders().acceleration[rows]
         return found
 
-    def obstacle_ahead(self, rows: Any) -> Floats:
-        """(N,) gap to the next object in the way, infinite for none."""
-        if self._obstacle is None:
-            self._obstacle = self.surroundings.obstacles(self.world).ahead(self.world)
-        gap: Floats = self._obstacle[rows]
-        return gap
-
-    def row_ahead(self, rows: Any, line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
-        """(N,) of the objects in the way of lines (N,): see `Obstacles`."""
-        every = self.world.followed.lateral.offset.copy()
-        every[rows] = line
-        found = self.surroundings.obstacles(self.world).row_ahead(self.world, every, space)
-        return found[0][rows], found[1][rows], found[2][rows]
-
     def lines_moved(self) -> None:
         """Agents follow other lines from now on."""
-        self._obstacle = None
+        self.objects.lines_moved()
 
     def lane_end(self, rows: Integers) -> Floats:
         """(N,) how far ahead of agents their lane becomes too narrow to drive in."""
@@ -243,7 +227,7 @@ class View:
             lanes, ahead = self._current_lanes().here, self._leaders()
             merging, pace = lets_in(world, lanes, ahead, rows, temper[0])
             gap, speed = np.minimum(gap, merging), np.where(merging < gap, pace, speed)
-        standing = self.obstacle_ahead(rows)
+        standing = self.objects.ahead(rows) - BEFORE_OBJECTS
         standing = standing if passing is None else np.where(passing, math.inf, standing)
         stop = np.minimum(stop, standing)
         return np.minimum(stop, right_of_way.pedestrians(world, self.poses, rows)), gap, speed

@@ -71,12 +71,14 @@ class Obstacles:
         columns = (self.begin, self.left, self.half, self.end)
         return Obstacles(place[self.agent[remaining]], *(column[remaining] for column in columns))
 
-    def ahead(self, world: World) -> Floats:
+    def ahead(self, world: World, line: Floats | None = None) -> Floats:
         """(N,) meters from the front of each agent to the next object in its way, infinite for
-        none."""
+        none; in the way of lines that are `line` (N,) left of the reference lines, by default of
+        those that agents follow."""
         out = np.full(len(world.present), math.inf)
         if len(self.agent):
-            gap, meets = self._in_the_way(world, self._line(world))
+            on = self._line(world) if line is None else line[self.agent]
+            gap, meets = self._in_the_way(world, on)
             np.minimum.at(out, self.agent[meets], gap[meets])
         return out
 

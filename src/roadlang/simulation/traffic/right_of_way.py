@@ -99,6 +99,11 @@ class RightOfWayGrants:
         steps toward their lane or waits at a crossing, infinite for nobody."""
         return self._pedestrians.ahead(world, poses, rows)
 
+    def stops(self, world: World) -> Floats:
+        """(N,) meters from the fronts of all agents to where they had to stop, when that was last
+        looked at; infinite for no need."""
+        return np.asarray(self._waits.stop - world.traveled)
+
     def junctions(self, world: World, rows: Integers) -> tuple[Floats, Floats, Floats]:
         """(n,) meters from the fronts of agents to the next junction that they cross, negative on
         it, infinite for none; from there to where its connection ends; and the seconds until their

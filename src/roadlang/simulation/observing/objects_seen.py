@@ -1,0 +1,101 @@
+"""What agents see of the objects in their ways, and of the ways around these."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ...ir.surroundings import LanesBeside
+from ..state.world import World
+from ..surroundings.oncoming_ways import comes_toward
+from ..surroundings.touches_ahead import touches_ahead
+from ..vehicles.poses import Poses
+
+CONNECTION = 3.5
+"""Meters: the width of the way through a junction."""
+
+
+class ObjectsSeen:
+    """Of all agents of a world, as long as that stands still."""
+
+    def __init__(self, world: World, poses: Poses, surroundings: Any) -> None:
+        self._world, self._poses, self._surroundings = world, poses, surroundings
+        self._ahead: Floats | None = None
+
+    def lines_moved(self) -> None:
+        """Agents follow other lines from now on."""
+        self._ahead = None
+
+    def ahead(self, rows: Any, line: Floats | None = None) -> Floats:
+        """(N,) gap to the next object in the way, infinite for none; of lines (N,), if given."""
+        world = self._world
+        obstacles = self._surroundings.obstacles(world)
+        if line is not None:
+            return np.asarray(obstacles.ahead(world, self._every(rows, line))[rows])
+        if self._ahead is None:
+            self._ahead = obstacles.ahead(world)
+        gap: Floats = self._ahead[rows]
+        return gap
+
+    def row(self, rows: Any, line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
+        """(N,) of the objects in the way of lines (N,): see `Obstacles`."""
+        world = self._world
+        obstacles = self._surroundings.obstacles(world)
+        found = obstacles.row_ahead(world, self._every(rows, line), space)
+        return found[0][rows], found[1][rows], found[2][rows]
+
+    def touched(
+        self, path: Callable[..., Any], rows: Integers, leaves: Booleans, creeps: Booleans
+    ) -> Floats:
+        """(N,) for those of some agents that leave their lines: see `touches_ahead.py`. `path`:
+        `View.path_ahead`."""
+        out = np.full(len(rows), math.inf)
+        chosen = rows[leaves]
+        if len(chosen):
+            ways = partial(path, chosen)
+            out[leaves] = touches_ahead(self._world, self._poses, chosen, ways, creeps[leaves])
+        return out
+
+    def coming(self, rows: Integers, line: Floats, reach: Floats) -> Floats:
+        """(N,) seconds until others come the other way on a stretch: see `oncoming_ways.py`. NaN
+        asks for nothing."""
+        out = np.full(len(rows), math.inf)
+        asks = np.flatnonzero(np.isfinite(line + reach))
+        if len(asks):
+            stretch = line[asks], reach[asks]
+            stops = self._surroundings.right_of_way(self._world).stops(self._world)
+            ends = self.ahead(slice(None)), stops
+            out[asks] = comes_toward(self._world, self._poses, rows[asks], stretch, ends)
+        return out
+
+    def lanes(self, rows: Integers, ahead: Floats, line: Floats) -> LanesBeside:
+        """The lanes (N,) meters on, at lines (N,). NaN for none. In a junction there is room for a
+        lane to the left of the connection, on which others may come the other way."""
+        world = self._world
+        far = np.zeros(len(world.present))
+        far[rows] = np.where(np.isfinite(ahead), ahead, 0.0)
+        lanes = self._surroundings.lanes(world, far).take(rows)
+        place = lanes.place(line)
+        sides = [lanes.choose(side, line) for side in ("left", "right")]
+        each = np.arange(len(rows))
+        found = [
+            np.where(side >= 0, column[each, side], math.nan)
+            for side in sides for column in (lanes.middles, lanes.direction)
+        ]  # fmt: skip
+        along = world.track.wrapped(world.motion.along + far)
+        inside = world.table.place(slice(None), along).turn[rows] >= 0
+        there = (0.0, CONNECTION, CONNECTION, -1.0, math.nan, math.nan)
+        columns = (place.offset, place.width, *found)
+        return LanesBeside(
+            *(np.where(inside, one, other) for one, other in zip(there, columns, strict=True))
+        )
+
+    def _every(self, rows: Any, line: Floats) -> Floats:
+        every: Floats = self._world.followed.lateral.offset.copy()
+        every[rows] = line
+        return every
