@@ -50,7 +50,7 @@ def test_a_lane_keeper_of_the_user_is_falsified(folder: Path) -> None:
 
 
 def test_a_policy_that_is_trained_on_its_failures_fails_less(folder: Path) -> None:
-    untrained, *_ = means(run(folder, "train_policy.py", "--generations", "14"))
+    untrained, *_ = means(run(folder, "train_policy.py", "--generations", "8"))
     policy = json.loads((folder / "policy.json").read_text())
     assert len(policy["weights"]) == 68
     first = failing(folder, "search")
@@ -68,6 +68,6 @@ def means(printed: str) -> list[float]:
 
 def failing(folder: Path, name: str) -> int:
     """How many of the scenes of a search fail."""
-    search = ["falsify", "policy_keeper.rl", "--seed", "1", "--evaluations", "24", "-o", name]
+    search = ["falsify", "policy_keeper.rl", "--seed", "1", "--evaluations", "12", "-o", name]
     run(folder, "-m", "roadlang", *search)
     return int(json.loads((folder / name / "summary.json").read_text())["failing"])
