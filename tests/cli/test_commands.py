@@ -66,6 +66,15 @@ def test_fmt_check_and_diff_change_nothing(folder: Path) -> None:
     assert roadlang("fmt", "--check", "scene.rl", cwd=folder).returncode == 0
 
 
+def test_fmt_keeps_the_line_ends_of_windows(folder: Path) -> None:
+    """Where git checks files out with them, all files of a project would change."""
+    scene = folder / "scene.rl"
+    scene.write_bytes(b"param   a=3m\r\n\r\nparam b = 4m\r\n")
+    assert roadlang("fmt", "scene.rl", cwd=folder).returncode == 0
+    assert scene.read_bytes() == b"param a = 3m\r\n\r\nparam b = 4m\r\n"
+    assert roadlang("fmt", "--check", "scene.rl", cwd=folder).returncode == 0
+
+
 def test_fmt_leaves_a_file_with_errors_alone(folder: Path) -> None:
     (folder / "scene.rl").write_text("road main {\n")
     assert roadlang("fmt", "scene.rl", cwd=folder).returncode == 1

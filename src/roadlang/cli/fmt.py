@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 import sys
 from pathlib import Path
 
@@ -14,6 +15,8 @@ from ..session.scene_files import STANDARD_INPUT, read_scene_file
 from . import exit_codes
 from .console import echo, report
 
+_FIRST_LINE_OF_WINDOWS = re.compile(r"[^\r\n]*\r\n")
+
 
 @click.command("fmt")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path())
@@ -24,7 +27,8 @@ from .console import echo, report
 def command(files: tuple[str, ...], only_check: bool, diff: bool) -> None:
     """Format the scene FILEs in place. `-` formats standard input to standard output.
 
-    A file with syntax errors is left as it is and its errors are reported.
+    A file with syntax errors is left as it is and its errors are reported. Line ends stay as they
+    are.
     """
     found: list[Diagnostic] = []
     changed = 0
@@ -56,7 +60,8 @@ def _formatted(name: str, text: str) -> str:
     formatted, found = format_source(Source(name, text))
     if formatted is None:
         raise DiagnosticError(*found)
-    return formatted
+    # Where git checks files out with the line ends of Windows, they are not to be changed.
+    return formatted.replace("\n", "\r\n") if _FIRST_LINE_OF_WINDOWS.match(text) else formatted
 
 
 def _print_diff(name: str, before: str, after: str) -> None:
