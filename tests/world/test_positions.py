@@ -285,6 +285,9 @@ def test_signals_of_a_drive_are_of_one_copy() -> None:
         ("agent ego is car on main at 20m..30m { lane: choice(-1, 1) }\n"
          "agent b is car on main at 50m { lane: ego.start_lane + choice(5, 6) }",
          "has no lane"),
+        ("agent ego is car on main at 20m..30m\nrequire far: ego.start > 29m\n"
+         "agent b is car on main at behind(ego, 50m..60m)",
+         "beyond the end of `main`"),
     ],
 )  # fmt: skip
 def test_what_is_in_the_way_of_what_is_said_where_there_is_no_scene(things: str, says: str) -> None:

@@ -107,7 +107,9 @@ class AtJunction(Position):
         leading = [lane for lane, out in turns if any(turn.junction == id for turn in out)]
         if not leading:
             known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
-            names = ", ".join(map(str, known)) or "none"
+            if not known:
+                raise geometry.GeometryError("the network has no junction that a lane leads to")
+            names = ", ".join(map(str, known))
             fault = (
                 f"no lane leads to junction {id}"
                 if id is not None

@@ -103,7 +103,7 @@ def sample_scenes(
         wanted=found.wanted,
         candidates=found.stats.candidates,
         table=table,
-        causes=() if concrete else _causes(task, [row.text for row in table[:1]]),
+        causes=() if concrete else _causes(task, _rejecting(table)),
         missing=tuple(found.missing),
         remarks=tuple(dict.fromkeys(remarks)),
         warnings=tuple(dict.fromkeys(warning for item in concrete for warning in item.warnings)),
@@ -179,6 +179,12 @@ def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) ->
     texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))
     causes = _causes(task, texts)
     return SamplingResult((), wanted, 0, rows, (0,), texts, causes=causes)
+
+
+def _rejecting(table: Sequence[RejectionRow]) -> list[str]:
+    """The texts of what rejects most, and of all that reject every candidate that reaches them."""
+    every = [row.text for row in table[1:] if row.tried and row.rejected == row.tried]
+    return [*(row.text for row in table[:1]), *every]
 
 
 def _causes(task: SceneSearch[Any], texts: Sequence[str]) -> tuple[str, ...]:

@@ -223,9 +223,11 @@ class _Turn:
         boxes = self._boxes_at(poses, index)
         missing, blocker = missing_room(boxes, rows, self.apart[index], placed)
         if again and self.actor.on is not None:
-            missing = np.maximum(missing, self._beyond_road(index, poses))
+            beyond = self._beyond_road(index, poses)
             if self.actor.is_beside_road:
-                missing = np.maximum(missing, self._in_lanes(boxes, rows, poses))
+                beyond = np.maximum(beyond, self._in_lanes(boxes, rows, poses))
+            blocker = np.where(beyond > missing, -1, blocker)
+            missing = np.maximum(missing, beyond)
         return missing, blocker
 
     def _beyond_road(self, index: Integers, poses: RoadPoses) -> Floats:
