@@ -156,3 +156,17 @@ def test_other_bytes_than_text_are_said_to_be_none(tmp_path: Path) -> None:
     path.write_bytes(b"time,x\n0,1\n1,\xff\x00\n")
     with pytest.raises(DiagnosticError, match="it is not text"):
         read_trace(path)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("deep.json", "[" * 100_000, "its JSON is nested too deeply"),
+        ("scene.rl", "road main\n", "`roadlang run scene.rl -o DIR` writes traces"),
+    ],
+)
+def test_what_is_no_trace_says_what_it_is(tmp_path: Path, name: str, text: str, told: str) -> None:
+    (tmp_path / name).write_text(text)
+    with pytest.raises(DiagnosticError, match="RL340") as caught:
+        stl.read_trace(tmp_path / name)
+    assert told in str(caught.value)

@@ -38,6 +38,9 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
     the signal refuses, as it refuses texts. Raises DiagnosticError RL340.
     """
     path = arguments.path("path", path)
+    if path.suffix.lower() == ".rl":
+        help = f"`roadlang run {path.name} -o DIR` writes traces of its drives, DIR/*.trace.csv"
+        raise _unreadable(path, "it is a scene file", (help,))
     try:
         data = read_file(path)
         text = decoded(data)
@@ -88,8 +91,10 @@ def _refuse_agent(agent: str | None) -> None:
 def _from_json(path: Path, text: str, agent: str | None) -> Columns:
     try:
         value: Any = json.loads(text)
-    except (ValueError, RecursionError) as problem:
+    except ValueError as problem:
         raise _unreadable(path, f"it is not JSON: {problem}") from None
+    except RecursionError:
+        raise _unreadable(path, "its JSON is nested too deeply") from None
     if is_document(value):
         return _checked(path, columns_of_document(value, agent))
     _refuse_agent(agent)
