@@ -183,7 +183,7 @@ def _render_file(loaded: LoadedScenario, output: str, options: Mapping[str, Any]
         frames = render_clip(
             scene, shot, path, options["duration"], options["fps"], time or 0.0, controllers
         )
-        echo(f"{output}: {frames} frames")
+        echo(f"{output}: {frames} frame{'' if frames == 1 else 's'}")
         return
     moment = (0.0 if view == "top" else 4.0) if time is None else time
     write_file(path, render_picture(scene, shot, moment, controllers))
