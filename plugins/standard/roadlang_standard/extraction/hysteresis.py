@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 def hysteresis(score: NDArray[np.float32], high: float, low: float) -> NDArray[np.bool_]:
     """Parts of {score > low} (h, w) that hold a pixel of {score > high}."""
-    weak = (score > low).astype(np.uint8)
-    count, labels = cv2.connectedComponents(weak, connectivity=8)
+    weak = score > low
+    count, labels = cv2.connectedComponents(weak.view(np.uint8), connectivity=8)
     strong = np.zeros(count, bool)
     strong[np.unique(labels[score > high])] = True
     strong[0] = False
-    return np.asarray(strong[labels])
+    return np.asarray(strong.take(labels))

@@ -12,7 +12,7 @@ from roadlang.geometry import Booleans
 
 from .masks import without_specks
 from .skeleton import skeleton
-from .tones import Image, Layer, away_from
+from .tones import Image, Layer, away_from, is_near, median_color
 
 _FLAT = 6
 """Gray levels within which a neighborhood of 3 x 3 pixels is of one tone."""
@@ -70,19 +70,10 @@ def flat_colors(image: Image) -> list[NDArray[np.float64]]:
         members = left & (code == peak)
         if members.sum() < least:
             continue
-        color = _median(flat[members])
-        left &= (
-            cv2.inRange(flat[:, None], np.ceil(color - _FLAT), np.floor(color + _FLAT))[:, 0] == 0
-        )
+        color = median_color(flat[members])
+        left &= ~is_near(flat, color, _FLAT)
         colors.append(color)
     return colors
-
-
-def _median(colors: Image) -> NDArray[np.float64]:
-    """The median (3,) of many colors (n, 3): by counting, which is faster than to sort them."""
-    middle = [(len(colors) - 1) // 2, len(colors) // 2]
-    totals = [np.cumsum(np.bincount(channel, minlength=256)) for channel in colors.T]
-    return np.array([np.searchsorted(total, middle, side="right").mean() for total in totals])
 
 
 def map_tones(image: Image, colors: list[NDArray[np.float64]]) -> list[MapTone]:

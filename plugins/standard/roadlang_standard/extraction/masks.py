@@ -132,9 +132,7 @@ def without_specks(mask: Booleans, least: float) -> Booleans:
 
 def without_holes(mask: Booleans, least: float, connectivity: int = 4) -> Booleans:
     """The mask with holes of fewer than `least` pixels filled; itself if there are none."""
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(
-        (~mask).astype(np.uint8), connectivity=connectivity
-    )
-    small = stats[:, cv2.CC_STAT_AREA] < least
+    count, labels = cv2.connectedComponents((~mask).view(np.uint8), connectivity=connectivity)
+    small = np.bincount(labels.ravel(), minlength=count) < least
     small[0] = False
-    return mask | small[labels] if small.any() else mask
+    return mask | small.take(labels) if small.any() else mask

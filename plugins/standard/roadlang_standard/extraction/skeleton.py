@@ -27,8 +27,8 @@ def skeleton(mask: Booleans) -> Booleans:
         for table in _tables():
             codes = np.zeros(len(candidates), np.uint8)
             for bit, step in enumerate(around):
-                codes |= flat[candidates + step] << np.uint8(bit)
-            removable = candidates[table[codes]]
+                codes |= flat.take(candidates + step) << np.uint8(bit)
+            removable = candidates[table.take(codes)]
             flat[removable] = 0
             near.append((removable[:, None] + around).ravel())
             candidates = _alive(flat, stamp, np.concatenate([candidates, near[-1]]))
@@ -41,17 +41,17 @@ def _border(flat: NDArray[np.uint8], stride: int) -> NDArray[np.intp]:
     inner = grid[1:-1, 1:-1] & grid[:-2, 1:-1] & grid[2:, 1:-1] & grid[1:-1, :-2] & grid[1:-1, 2:]
     edge = grid.copy()
     edge[1:-1, 1:-1] -= inner
-    return np.flatnonzero(edge)
+    return np.flatnonzero(edge.view(bool))
 
 
 def _alive(
     flat: NDArray[np.uint8], stamp: NDArray[np.int32], pixels: NDArray[np.intp]
 ) -> NDArray[np.intp]:
     """Those of the pixels that are still set, each once."""
-    pixels = pixels[flat[pixels] > 0]
+    pixels = pixels[flat.take(pixels) > 0]
     order = np.arange(len(pixels), dtype=np.int32)
     stamp[pixels] = order
-    return np.asarray(pixels[stamp[pixels] == order])
+    return np.asarray(pixels[stamp.take(pixels) == order])
 
 
 @cache
