@@ -30,7 +30,7 @@ expect calm: always (ego.speed < 9m/s)
 def files(folder: Path, drive: str, *words: str) -> dict[str, bytes]:
     file = folder.parent / "scene.rl"
     file.write_text(SCENE.replace("DRIVE", drive), encoding="utf-8")
-    command = ["run", str(file), "--engine", "godot", "--duration", "5", "-o", str(folder)]
+    command = ["run", str(file), "--engine", "godot", "--duration", "2.5", "-o", str(folder)]
     assert cli.run([*command, *words]) == 0
     names = ("*.csv", "*.json")
     found = {path.name: path.read_bytes() for name in names for path in folder.glob(name)}
