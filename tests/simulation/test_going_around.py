@@ -140,3 +140,59 @@ object parked is parked_car at ({x}m, {y}m) {{ heading: {heading}deg }}
 def test_it_touches_nothing_in_a_corner(x: float, y: float, heading: float, around: str) -> None:
     text = CORNER.format(route="(30m, 10m), (130m, 60m)", around=around, x=x, y=y, heading=heading)
     driven(text, 40.0)
+
+
+BROKEN = "agent broken is car on street at 120m { lane: -1, start_speed: 0m/s, drive with brake }\n"
+
+
+@pytest.mark.parametrize("at", ["10m", "100m"])
+def test_it_goes_around_a_car_that_stands_and_waits_for_nothing(at: str) -> None:
+    trace = driven(STREET + agent("ego", at, "lane: -1, drive with traffic") + BROKEN)
+    assert arrived(trace.agents["ego"])
+    assert farthest_left(trace.agents["ego"]) > 0.0
+    assert trace.agents["broken"].speed.max() == 0.0
+
+
+def test_with_the_option_off_it_stands_behind_that_too() -> None:
+    stays = "lane: -1, drive with traffic { go_around: false }"
+    ego = driven(STREET + agent("ego", "80m", stays) + BROKEN, 30.0).agents["ego"]
+    assert ego.speed[-1] < 0.1
+    assert ego.station[-1] < 116.0
+
+
+LIGHTS = '''
+image plan from """
+....#....
+....#....
+#########
+....#....
+....#....
+""" {{ scale: 20m/px, legend: {{ "#": road }} }}
+network town from plan {{
+  lanes: 2, speed_limit: 50km/h
+  control with signals {{ green: 20s, yellow: 3s, all_red: 2s, offset: {offset}s }}
+}}
+agent first is car on town {{
+  route: [(72m, 50m), (170m, 50m)], start_speed: 0m/s, drive with {first}
+}}
+agent second is car on town {{
+  route: [(56m, 50m), (170m, 50m)], start_speed: 0m/s, drive with traffic
+}}
+'''
+
+
+@pytest.mark.parametrize("offset", [0, 25])
+@pytest.mark.parametrize("first", ["traffic", "brake { while: time < 30s }"])
+def test_it_stays_behind_a_car_that_waits_at_a_light(first: str, offset: int) -> None:
+    """Of one of the two offsets the light is red at first."""
+    cars = driven(LIGHTS.format(offset=offset, first=first), 12.0).agents
+    assert np.abs(cars["second"].y - cars["second"].y[0]).max() < 0.5
+    assert (cars["second"].x < cars["first"].x).all()
+
+
+def test_it_goes_around_a_car_that_breaks_down_before_it() -> None:
+    drives = "drive with lane_follow { speed: 8m/s }, drive with brake { when: time > 8s }"
+    lead = agent("lead", "30m", f"lane: -1, {drives}")
+    trace = driven(STREET + agent("ego", "10m", "lane: -1, drive with traffic") + lead)
+    assert arrived(trace.agents["ego"])
+    assert not arrived(trace.agents["lead"])

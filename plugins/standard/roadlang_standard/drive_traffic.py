@@ -91,11 +91,10 @@ class Traffic(Controller):
         length = np.minimum(1.0, CAR_BASE / seen.wheelbase)
         most, braking = np.maximum((1.6 + 2.0 * boldness) * length, LEAST), 2.0 + 2.0 * boldness
         target = self._target(seen, braking)
+        gap, pace, leading = self._next_ahead(seen)
         around = going_around(seen, state, target) if self.go_around else None
         target = target if around is None else np.minimum(target, around.speed)
         follow = Following(seen.speed, target, most, braking, self.headway)
-        gap, pace = seen.vehicle_ahead()
-        leading = seen.acceleration_ahead()
         stop, merging, speed = seen.right_of_way(
             self.politeness, self.aggression, around and around.passing
         )
@@ -117,6 +116,13 @@ class Traffic(Controller):
             steering, np.maximum(acceleration, -HARDEST),
             line_offset=around.line, line_time=around.time,
         )  # fmt: skip
+
+    def _next_ahead(self, seen: ObservationBatch) -> tuple[Floats, Floats, Floats]:
+        """(N,) gap, speed and acceleration of the next vehicle. Who is stranded is an object for
+        those that go around."""
+        if self.go_around:
+            return seen.moving_ahead()
+        return (*seen.vehicle_ahead(), seen.acceleration_ahead())
 
     def _target(self, seen: ObservationBatch, braking: Floats) -> Floats:
         """(N,) target speeds: as said, or by the limits from here on."""

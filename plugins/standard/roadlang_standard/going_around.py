@@ -78,7 +78,8 @@ def going_around(seen: ObservationBatch, state: Any, target: Floats) -> GoingAro
     import numpy as np
 
     gap = seen.obstacle_ahead()
-    if not np.isfinite(gap).any() and not state[:, PHASE].any():
+    near = gap < np.maximum(SOON * seen.speed, LEAST)
+    if not near.any() and not state[:, PHASE].any():
         return None
     now = seen.road_offset - seen.cross_track_error
     home = np.where(state[:, PHASE] == HOME, now, state[:, LINE])
@@ -152,7 +153,7 @@ def _begin(
     takes = aside * (seen.speed + 0.5 * GAINING * aside) + CLOSEST
     has_way = plan.gap > takes
     ready = waits & (has_way | can_creep_out(seen, plan.gap))
-    free = ready & ~(seen.vehicle_ahead()[0] < plan.gap) & is_free(seen, plan, speed)
+    free = ready & ~(seen.moving_ahead()[0] < plan.gap) & is_free(seen, plan, speed)
     goes = free & (plan.gap < takes + np.maximum(LATER * seen.speed, SPARE))
     held = held_back(seen, plan.gap, np.zeros(len(line)), waits & ~free)
     most[:] = np.where(np.isfinite(held), held, most)
@@ -177,7 +178,7 @@ def _go_on(seen: ObservationBatch, state: Any, home: Floats, line: Floats) -> No
         if more.any():
             more &= leads_past(seen, np.where(more, state[:, TARGET], home), ahead)
         state[more, END] = np.maximum(state[:, END], seen.traveled + ahead + seen.length)[more]
-        meets = seen.vehicle_ahead()[1] < -COMING
+        meets = seen.moving_ahead()[1] < -COMING
         spare = np.where(meets, LEAST_AHEAD, AHEAD)
         past = around & (seen.traveled > state[:, END] + spare - 0.5 * seen.length)
         lane = lane_traffic(seen, home, seen.nearby(SIGHT))

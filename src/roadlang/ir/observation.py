@@ -134,6 +134,12 @@ def _nothing_ahead(first: Floats | Booleans, second: Floats | Booleans) -> Float
     return np.full(len(first), math.inf)
 
 
+def _nobody_ahead() -> tuple[Floats, Floats, Floats]:
+    import numpy as np
+
+    return np.array([math.inf]), np.zeros(1), np.zeros(1)
+
+
 def _no_lanes(ahead: Floats, line: Floats) -> LanesBeside:
     nothing = line * math.nan
     return LanesBeside(*[nothing] * 6)
@@ -190,6 +196,10 @@ class ObservationBatch:
     """`row_ahead(l, s)`: of the next object in the way of lines `l` (N,) left of the reference
     line, and of those behind it with no room for the agent and `s` meters between: how far from the
     front they end, and how far left of the reference line their sides are; NaN for none"""
+    moving_ahead: Callable[[], tuple[Floats, Floats, Floats]] = _nobody_ahead
+    """`moving_ahead()`: gap to the next agent ahead in the lane that is not stranded, its speed and
+    its acceleration along the lane. Those that stand there and wait for nothing, and those that had
+    a crash, count as objects from then on"""
     touches_ahead: Callable[[Booleans, Booleans], Floats] = _nothing_ahead
     """`touches_ahead(l, c)`: meters until those that leave their lines (N,) would touch an object,
     infinite for none; who creeps (N,) goes on as it steers now"""
@@ -266,6 +276,7 @@ class ObservationBatch:
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
             row_ahead=_no_row,
+            moving_ahead=lambda: columns((*seen.vehicle_ahead(), seen.acceleration_ahead())),
             touches_ahead=_nothing_ahead,
             comes_toward=_nothing_ahead,
             lanes_beside=_no_lanes,

@@ -121,6 +121,7 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
         seen.view.surroundings.bends.at, seen.view.world, seen.rows
     ),
     "vehicle_ahead": lambda seen: partial(seen.view.vehicle_ahead, seen.rows),
+    "moving_ahead": lambda seen: partial(seen.view.moving_ahead, seen.chosen),
     "acceleration_ahead": lambda seen: partial(seen.view.acceleration_ahead, seen.rows),
     "obstacle_ahead": lambda seen: partial(seen.view.objects.ahead, seen.rows),
     "row_ahead": lambda seen: partial(seen.view.objects.row, seen.rows),

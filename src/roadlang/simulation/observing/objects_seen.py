@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.surroundings import LanesBeside
 from ..state.world import World
+from ..surroundings.leaders import Leaders
 from ..surroundings.oncoming_ways import comes_toward
 from ..surroundings.touches_ahead import touches_ahead
 from ..vehicles.poses import Poses
@@ -34,7 +36,7 @@ class ObjectsSeen:
     def ahead(self, rows: Any, line: Floats | None = None) -> Floats:
         """(N,) gap to the next object in the way, infinite for none; of lines (N,), if given."""
         world = self._world
-        obstacles = self._surroundings.obstacles(world)
+        obstacles = self._surroundings.in_the_way.obstacles(world, self._poses)
         if line is not None:
             return np.asarray(obstacles.ahead(world, self._every(rows, line))[rows])
         if self._ahead is None:
@@ -42,10 +44,27 @@ class ObjectsSeen:
         gap: Floats = self._ahead[rows]
         return gap
 
+    def moving_ahead(self, rows: Integers, leaders: Leaders) -> Leaders:
+        """The `leaders` without those agents that are stranded, as some agents see them: these
+        count as objects from now on."""
+        world, surroundings = self._world, self._surroundings
+
+        def ahead(agents: Integers) -> Floats:
+            return np.minimum(leaders.gap[agents], self.ahead(agents))
+
+        right_of_way = surroundings.right_of_way(world)
+        if surroundings.in_the_way.look(world, rows, ahead, right_of_way):
+            self.lines_moved()
+        stranded = surroundings.in_the_way.stranded
+        if stranded is not None:
+            leaders = leaders.without(world, surroundings.pairing(world), stranded)
+        spare = surroundings.in_the_way.spare(leaders)
+        return leaders if spare is None else replace(leaders, gap=leaders.gap - spare)
+
     def row(self, rows: Any, line: Floats, space: float) -> tuple[Floats, Floats, Floats]:
         """(N,) of the objects in the way of lines (N,): see `Obstacles`."""
         world = self._world
-        obstacles = self._surroundings.obstacles(world)
+        obstacles = self._surroundings.in_the_way.obstacles(world, self._poses)
         found = obstacles.row_ahead(world, self._every(rows, line), space)
         return found[0][rows], found[1][rows], found[2][rows]
 
@@ -58,7 +77,10 @@ class ObjectsSeen:
         chosen = rows[leaves]
         if len(chosen):
             ways = partial(path, chosen)
-            out[leaves] = touches_ahead(self._world, self._poses, chosen, ways, creeps[leaves])
+            standing = self._surroundings.in_the_way.stranded
+            out[leaves] = touches_ahead(
+                self._world, self._poses, chosen, ways, creeps[leaves], standing
+            )
         return out
 
     def coming(self, rows: Integers, line: Floats, reach: Floats) -> Floats:
@@ -70,7 +92,14 @@ class ObjectsSeen:
             stretch = line[asks], reach[asks]
             stops = self._surroundings.right_of_way(self._world).stops(self._world)
             ends = self.ahead(slice(None)), stops
-            out[asks] = comes_toward(self._world, self._poses, rows[asks], stretch, ends)
+            out[asks] = comes_toward(
+                self._world,
+                self._poses,
+                rows[asks],
+                stretch,
+                ends,
+                self._surroundings.in_the_way.stranded,
+            )
         return out
 
     def lanes(self, rows: Integers, ahead: Floats, line: Floats) -> LanesBeside:

@@ -19,11 +19,11 @@ from ..lanes.speed_zones import has_limit
 from ..state.world import World
 from ..surroundings.leaders import Leaders, Pairing, leaders
 from ..surroundings.neighbors import Nearby
-from ..surroundings.obstacles import Obstacles
 from ..surroundings.standing_objects import StandingObjects
 from ..traffic.right_of_way import RightOfWayGrants
 from ..vehicles.poses import Poses, line_frames
 from .bend_speeds import BendSpeeds
+from .in_the_way import InTheWay
 from .lane_changes import zipper
 from .lane_endings import has_lane_endings, lets_in
 from .lanes_seen import LanesSeen
@@ -52,7 +52,7 @@ class Surroundings:
         self.has_lane_endings = has_lane_endings(self._roads)
         self._lanes: RoadLanes | None = None
         self._objects: StandingObjects | None = None
-        self._obstacles: Obstacles | None = None
+        self.in_the_way = InTheWay()
         self._right_of_way: RightOfWayGrants | None = None
         self._pairing: Pairing | None = None
 
@@ -61,20 +61,13 @@ class Surroundings:
         self.bends.take(agents)
         scenes = agents[::slots] // slots
         self._first, self._pairing = self._first[scenes], None
-        if self._obstacles is not None:
-            self._obstacles = self._obstacles.take(agents, count)
+        self.in_the_way.take(agents, scenes, count)
         if self._right_of_way is not None:
             self._right_of_way.take(agents, scenes)
 
     def carry_on(self, before: Surroundings) -> None:
         """Junctions are granted as they were: nothing has changed that they depend on."""
         self._right_of_way = before._right_of_way
-
-    def obstacles(self, world: World) -> Obstacles:
-        """Objects in the lanes of agents."""
-        if self._obstacles is None:
-            self._obstacles = Obstacles.of(world)
-        return self._obstacles
 
     def pairing(self, world: World) -> Pairing:
         """Who of a scene can be ahead of whom."""
@@ -194,6 +187,12 @@ class View:
         """(N,) gap to the next agent in the lane, and its speed along it."""
         ahead = self._leaders()
         return ahead.gap[rows], ahead.speed[rows]
+
+    def moving_ahead(self, rows: Integers) -> tuple[Floats, Floats, Floats]:
+        """(N,) gap to the next agent in the lane that is not stranded, its speed and its
+        acceleration along the lane."""
+        ahead = self.objects.moving_ahead(rows, self._leaders())
+        return ahead.gap[rows], ahead.speed[rows], ahead.acceleration[rows]
 
     def acceleration_ahead(self, rows: Any) -> Floats:
         """(N,) that of `vehicle_ahead` along the lane, 0 where there is none."""

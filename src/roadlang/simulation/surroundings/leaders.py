@@ -41,6 +41,13 @@ class Leaders:
     """(N,) of that one, along the lane"""
     acceleration: Floats
     """(N,) of that one, along the lane"""
+    turned: Floats
+    """(S, A, A) radians by which the second is turned from the line of the first"""
+
+    def without(self, world: World, pairing: Pairing, ignored: Booleans) -> Leaders:
+        """Who is ahead where some agents (N,) do not count."""
+        gaps = np.where(ignored.reshape(len(self.gaps), 1, -1), math.inf, self.gaps)
+        return _next_ahead(world, pairing, gaps, self.turned)
 
 
 @dataclass(frozen=True)
@@ -89,13 +96,19 @@ def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
     turned = heading[:, None, :] - heading[:, :, None]
     if has_others:
         _search(world, poses, (pairing.elsewhere & both, pairing.radius), gap, turned)
+    return _next_ahead(world, pairing, gap, turned)
+
+
+def _next_ahead(world: World, pairing: Pairing, gap: Floats, turned: Floats) -> Leaders:
+    """The nearest of all that are ahead."""
+    shape = (len(world.scenes), world.slots)
     first = gap.argmin(axis=2)
     scene, agent = pairing.scene, pairing.agent
     least, turn = gap[scene, agent, first], turned[scene, agent, first]
     along = np.where(np.isfinite(least), np.cos(turn), 0.0)
     speed = along * world.motion.speed.reshape(shape)[scene, first]
     acceleration = along * world.motion.acceleration.reshape(shape)[scene, first]
-    return Leaders(gap, least.ravel(), speed.ravel(), acceleration.ravel())
+    return Leaders(gap, least.ravel(), speed.ravel(), acceleration.ravel(), turned)
 
 
 def _gaps_on_roads(world: World, shape: tuple[int, int]) -> Floats:

@@ -50,11 +50,19 @@ def on_level_of_line(world: World, row: int, objects: Sequence[SceneActor]) -> B
     """(K,) which objects of the scene of a line are on its level where it comes nearest to them."""
     if world.heights is None:
         return np.ones(len(objects), dtype=bool)
+    x, y = (np.array([getattr(actor, name) for actor in objects], dtype=float) for name in "xy")
+    scene = world.scenes[int(np.flatnonzero(world.track.row == row)[0]) // world.slots]
+    return are_on_level_of_line(world, row, (x, y), np.array(object_heights(scene, objects)))
+
+
+def are_on_level_of_line(
+    world: World, row: int, places: tuple[Floats, Floats], heights: Floats
+) -> Booleans:
+    """(K,) which places at heights are on the level of a line where it comes nearest to them."""
+    assert world.heights is not None
     lines = world.track.lines
     first = row * lines.cells
     cells = slice(first, first + int(lines.last[row]) + 1)
-    x, y = (np.array([getattr(actor, name) for actor in objects], dtype=float) for name in "xy")
-    off_x, off_y = x[:, None] - lines.x[cells], y[:, None] - lines.y[cells]
+    off_x, off_y = places[0][:, None] - lines.x[cells], places[1][:, None] - lines.y[cells]
     nearest = first + (off_x * off_x + off_y * off_y).argmin(axis=1)
-    scene = world.scenes[int(np.flatnonzero(world.track.row == row)[0]) // world.slots]
-    return ~are_apart(world.heights.cells[nearest], object_heights(scene, objects))
+    return ~are_apart(world.heights.cells[nearest], heights)

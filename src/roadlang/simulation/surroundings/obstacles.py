@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..lines.lines import Lines
 from ..state.world import World
-from .levels import on_level_of_line
+from ..vehicles.poses import Poses
+from .levels import are_on_level_of_line, ground_heights, on_level_of_line
 from .outlines import Outlines
 
 BESIDE = 8.0
@@ -57,11 +60,37 @@ class Obstacles:
             if row not in known:
                 known[row] = things_beside(world.track.lines, row, Outlines.of(objects))
             found.append((np.full(len(known[row][0]), agent), *known[row]))
+        return cls._joined(found)
+
+    @classmethod
+    def _joined(cls, found: Sequence[tuple[Any, ...]]) -> Obstacles:
         if not found:
             none = np.zeros(0)
             return cls(none.astype(np.int64), none, none, none, none)
         agents, *places = (np.concatenate(part) for part in zip(*found, strict=True))
         return cls(agents.astype(np.int64), *places)
+
+    def with_agents(self, world: World, poses: Poses, standing: Booleans) -> Obstacles:
+        """And those agents (N,) that are `standing`, in the ways of others."""
+        found = [(self.agent, self.begin, self.left, self.half, self.end)]
+        outlines, heights = Outlines.moving(world, poses), ground_heights(world)
+        scenes = np.unique(np.flatnonzero(standing) // world.slots)
+        known: dict[tuple[int, bytes], Places] = {}
+        for agent in (scenes[:, None] * world.slots + np.arange(world.slots)).ravel().tolist():
+            if not (world.has_road[agent] and world.present[agent]):
+                continue
+            begin, row = agent - agent % world.slots, int(world.track.row[agent])
+            others = begin + np.flatnonzero(standing[begin : begin + world.slots])
+            others = others[others != agent]
+            if world.heights is not None:
+                at = poses.x[others], poses.y[others]
+                others = others[are_on_level_of_line(world, row, at, heights[others])]
+            key = row, others.tobytes()
+            if len(others) and key not in known:
+                known[key] = things_beside(world.track.lines, row, outlines.take(others))
+            if key in known:
+                found.append((np.full(len(known[key][0]), agent), *known[key]))
+        return self._joined(found)
 
     def take(self, agents: Integers, count: int) -> Obstacles:
         """Those of some of `count` agents."""

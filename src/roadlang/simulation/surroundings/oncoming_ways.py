@@ -30,7 +30,7 @@ is its turn again."""
 
 def comes_toward(
     world: World, poses: Poses, rows: Integers, stretch: tuple[Floats, Floats],
-    ends: tuple[Floats, Floats],
+    ends: tuple[Floats, Floats], stranded: Booleans | None = None,
 ) -> Floats:  # fmt: skip
     """(R,) seconds until another vehicle may be on the stretches ahead of agents, going another
     way; infinite for nobody.
@@ -38,11 +38,12 @@ def comes_toward(
     `stretch`: (R,) how far left of their reference lines agents want to go, and until how many
     meters ahead. `ends`: (N,) gaps of all agents to the objects in their ways, and to where they
     wait for others. Who stands before an object does not come; of two that both do, each may begin
-    in its turn. For an agent inside a junction, those that wait go on waiting.
+    in its turn. Nor does who is `stranded` (N,). For an agent inside a junction, those that wait go
+    on waiting.
     """
     obstacles, stops = ends
     out = np.full(len(rows), math.inf)
-    place, other = np.nonzero(_may_come(world, poses, rows))
+    place, other = np.nonzero(_may_come(world, poses, rows, stranded))
     if not len(place):
         return out
     other = rows[place] // world.slots * world.slots + other
@@ -69,11 +70,12 @@ def comes_toward(
     return out
 
 
-def _may_come(world: World, poses: Poses, rows: Integers) -> Booleans:
+def _may_come(world: World, poses: Poses, rows: Integers, stranded: Booleans | None) -> Booleans:
     """(R, A) which others of their scenes are vehicles that can move, and near enough."""
     shape = (len(world.scenes), world.slots)
     scene = rows // world.slots
     moves = world.present & world.has_road & ~world.halted & ~world.bodies.walks
+    moves = moves if stranded is None else moves & ~stranded
     may = moves.reshape(shape)[scene]
     off_x = poses.x.reshape(shape)[scene] - poses.x[rows, None]
     off_y = poses.y.reshape(shape)[scene] - poses.y[rows, None]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles.poses import Poses
 from .contacts import first_contact
-from .levels import apart_at, standing_heights
+from .levels import apart_at, ground_heights, standing_heights
 from .outlines import Outlines
 
 SPACING, BEHIND, REACH = 0.5, 6.0, 16.0
@@ -35,20 +36,16 @@ Path = Callable[[Floats], tuple[Floats, Floats]]
 
 
 def touches_ahead(
-    world: World, poses: Poses, rows: Integers, path: Path, creeps: Booleans
-) -> Floats:
-    """(R,) meters until agents would touch an object on the ways that they are about to go,
-    infinite for none. Those that creep go on as they steer now, others along their lines."""
-    objects = [
-        (scene, actor) for scene in np.unique(rows // world.slots).tolist()
-        for actor in world.scenes[scene].objects
-    ]  # fmt: skip
+    world: World, poses: Poses, rows: Integers, path: Path, creeps: Booleans,
+    standing: Booleans | None = None,
+) -> Floats:  # fmt: skip
+    """(R,) meters until agents would touch an object, or an agent that is `standing` (N,), on the
+    ways that they are about to go, infinite for none. Those that creep go on as they steer now,
+    others along their lines."""
     out = np.full(len(rows), math.inf)
-    if not objects:
-        return out
-    outlines = Outlines.of([actor for _, actor in objects])
-    scene = np.array([number for number, _ in objects])
-    agent, thing = np.nonzero(_are_near(poses, rows, outlines, world, scene))
+    things = _Things.of(world, poses, rows, standing)
+    outlines = things.outlines
+    agent, thing = np.nonzero(_are_near(world, poses, rows, things))
     if not len(agent):
         return out
     distance: Floats = np.arange(0.0, REACH + SPACING, SPACING, dtype=np.float64)
@@ -74,20 +71,52 @@ def touches_ahead(
     return out
 
 
-def _are_near(
-    poses: Poses, rows: Integers, outlines: Outlines, world: World, scene: Integers
-) -> Booleans:
-    """(R, O) which agents may touch which objects: of the same scene and level, and not too far."""
+@dataclass(frozen=True)
+class _Things:
+    """What stands (O,): where, in which scenes, at which heights, and as which agents, -1 for
+    objects."""
+
+    outlines: Outlines
+    scene: Integers
+    height: Floats
+    agent: Integers
+
+    @classmethod
+    def of(cls, world: World, poses: Poses, rows: Integers, standing: Booleans | None) -> _Things:
+        """In the scenes of agents `rows`."""
+        scenes = np.unique(rows // world.slots).tolist()
+        actors = [actor for number in scenes for actor in world.scenes[number].objects]
+        scene = np.repeat(scenes, [len(world.scenes[number].objects) for number in scenes])
+        heights = np.full(len(actors), math.nan)
+        if world.heights is not None:
+            heights = standing_heights([world.scenes[number] for number in scenes])
+        outlines, none = Outlines.of(actors), np.full(len(actors), -1)
+        if standing is None:
+            return cls(outlines, scene, heights, none)
+        agents = np.flatnonzero(standing)
+        both = zip(
+            outlines.columns, Outlines.moving(world, poses).take(agents).columns, strict=True
+        )
+        return cls(
+            Outlines(*(np.concatenate(pair) for pair in both)),
+            np.concatenate([scene, agents // world.slots]),
+            np.concatenate([heights, ground_heights(world)[agents]]),
+            np.concatenate([none, agents]),
+        )
+
+
+def _are_near(world: World, poses: Poses, rows: Integers, things: _Things) -> Booleans:
+    """(R, O) which agents may touch which things: of the same scene and level, and not too far."""
+    outlines = things.outlines
     radius = np.hypot(outlines.half_length, outlines.half_width)
     own = np.hypot(world.bodies.length[rows], world.bodies.width[rows])
     away = np.hypot(outlines.x - poses.x[rows, None], outlines.y - poses.y[rows, None])
     near = away < radius + 0.5 * own[:, None] + REACH
-    near &= (rows // world.slots)[:, None] == scene
+    near &= ((rows // world.slots)[:, None] == things.scene) & (rows[:, None] != things.agent)
     if world.heights is not None and near.any():
-        heights = standing_heights([world.scenes[number] for number in np.unique(scene).tolist()])
         agent, thing = np.nonzero(near)
         along = world.motion.along[rows[agent]]
-        near[agent, thing] = ~apart_at(world, rows[agent], along, heights[thing])
+        near[agent, thing] = ~apart_at(world, rows[agent], along, things.height[thing])
     return np.asarray(near)
 
 

@@ -99,6 +99,11 @@ class RightOfWayGrants:
         steps toward their lane or waits at a crossing, infinite for nobody."""
         return self._pedestrians.ahead(world, poses, rows)
 
+    @property
+    def obeys(self) -> Booleans:
+        """(N,) who asks where it has to stop, and obeys."""
+        return self._has_asked
+
     def stops(self, world: World) -> Floats:
         """(N,) meters from the fronts of all agents to where they had to stop, when that was last
         looked at; infinite for no need."""
@@ -134,6 +139,7 @@ class RightOfWayGrants:
         infinite for nobody; and the speed of that one. Who asks obeys from then on. `temper`: their
         politeness and aggression, each from 0 to 1."""
         if not self._crossings.junctions and world.sweeps.is_empty:
+            self._has_asked[rows] = True
             never = np.full(len(rows), math.inf)
             return never, never.copy(), np.zeros(len(rows))
         if temper is not None:
