@@ -96,6 +96,14 @@ def test_things_beside_the_road_and_objects_stand_in_the_world() -> None:
     assert not list(file.root.iter("object"))
 
 
+def test_a_lane_change_to_a_kind_of_lane_names_the_nearest_of_that_kind() -> None:
+    road = ROAD.replace(
+        "sidewalk], left: [drive, drive]", "parking], left: [drive, drive, parking]"
+    )
+    _, root, _ = written(road + EGO % "\n drive with change_lane { to: parking }\n")
+    assert [element.attrib["value"] for element in root.iter("AbsoluteTargetLane")] == ["-3"]
+
+
 BEHAVIORS = {
     "drive with brake { deceleration: 5m/s^2, when: ego.speed > 3m/s and time >= 2s }": (
         "2 brake",

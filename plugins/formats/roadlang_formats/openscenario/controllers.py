@@ -144,11 +144,22 @@ def _change_lane(agent: DrivenAgent, call: Call) -> Actions:
     if to in ("left", "right"):
         change = actions.lane_change(dimension, value, None, (name, 1 if to == "left" else -1))
         return [("lane change", (change,), ())]
-    at = agent.roads.at(agent.actor.road or "", int(to), agent.actor.start or 0.0)
+    lane = _nearest_of_kind(agent, to) if isinstance(to, str) else int(to)
+    at = agent.roads.at(agent.actor.road or "", lane, agent.actor.start or 0.0)
     if at is None or at.lane is None:
         raise NotExpressibleError
     change = actions.lane_change(dimension, value, at.lane.lane, (name, 0))
     return [("lane change", (change,), ())]
+
+
+def _nearest_of_kind(agent: DrivenAgent, kind: str) -> int:
+    """The lane of a kind, such as `parking`, that is nearest to where an agent begins."""
+    road, actor = agent.road, agent.actor
+    ids = [] if road is None else [lane.id for lane in road.lane_list if lane.kind == kind]
+    if road is None or not ids:
+        raise NotExpressibleError
+    section, start = road.cross_section(), actor.start or 0.0
+    return min(ids, key=lambda id: abs(float(section.offset(id, start)) - (actor.offset or 0.0)))
 
 
 def _cut_in(agent: DrivenAgent, call: Call) -> Actions:

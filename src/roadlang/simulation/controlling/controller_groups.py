@@ -13,6 +13,7 @@ import numpy as np
 from ...diagnostics import Code, DiagnosticError, diagnose
 from ...geometry.arrays import Floats, Integers
 from ...ir.control import ControlBatch
+from ...ir.scene import Call, SceneActor
 from ...plugins.kinds import Controller
 from ..calling.controllers import Driver, GuardedController
 from ..calling.option_columns import columns_of, options_of, words_of
@@ -113,18 +114,32 @@ def grouped(
     members: dict[Any, list[tuple[int, GuardedController]]] = {}
     calls = []
     for row, actor in enumerate(world.actors):
-        driver = controllers[row // world.slots].get(actor.name) if actor is not None else None
-        for place, call in enumerate(actor.drive if actor is not None else ()):
+        if actor is None:
+            continue
+        driver = controllers[row // world.slots].get(actor.name)
+        for place, call in enumerate(actor.drive):
             controller = driver.each[place] if isinstance(driver, Driver) else None
             if controller is None:
-                engine = "the embedded engine"
-                found = diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine)
-                raise DiagnosticError(found)
+                raise _not_written(call if driver else _deciding(actor), actor)
             calls.append((place, row, call))
             key = (place, controller.kind, words_of(controller.options), layouts.get(row))
             members.setdefault(key, []).append((row, controller))
     groups = [_group(place, found) for (place, *_), found in members.items()]
     return sorted(groups, key=lambda group: group.place), calls
+
+
+def _deciding(actor: SceneActor) -> Call:
+    """The controller that nothing ends: what an agent has no driver for."""
+    steady = [call for call in actor.drive if call.when is None and call.during is None]
+    return (steady or actor.drive)[-1]
+
+
+def _not_written(call: Call, actor: SceneActor) -> DiagnosticError:
+    help_ = f"it drives `{actor.name}`; another simulator may have it (`--engine`)"
+    engine = "the embedded engine"
+    return DiagnosticError(
+        diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine, help=help_)
+    )
 
 
 def _group(place: int, members: list[tuple[int, GuardedController]]) -> Group:
