@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from roadlang.api import Scene
 from roadlang_godot.build.layout import layout_of
 from roadlang_godot.build.line import line_of, polyline
-from roadlang_godot.commands.render import _numbers, _size
+from roadlang_godot.commands.render_options import camera_pose, image_size
 from roadlang_godot.net.messages import as_json, text_of
 from roadlang_godot.rendering.overview_camera import FIELD, built_places, free_pose
 from roadlang_godot.rendering.pictures import Shot, meters_a_pixel, view_of
@@ -144,15 +144,16 @@ def test_an_unknown_agent_is_not_followed() -> None:
 
 
 def test_a_camera_is_five_numbers_and_a_size_two() -> None:
-    assert _numbers("1,2,-3,90,0.5") == (1, 2, -3, 90, 0.5)
-    assert _size("1280x720") == (1280, 720)
+    assert camera_pose("1,2,-3,90,0.5") == (1, 2, -3, 90, 0.5)
+    assert image_size("1280x720", "") == (1280, 720)
     for text in ("1,2,3,4", "1,2,3,4,5,6", "1,2,3,4,x", ""):
         with pytest.raises(click.BadParameter, match="five numbers"):
-            _numbers(text)
+            camera_pose(text)
     for text in ("1280", "1280x", "15x720", "1280x15", "8193x720", "720x8193", "-720x720"):
         with pytest.raises(click.BadParameter, match="no size"):
-            _size(text)
-    assert (_size("16x16"), _size("8192x8192")) == ((16, 16), (8192, 8192))
+            image_size(text, "")
+    assert image_size("16x16", "") == (16, 16)
+    assert image_size(None, "8192x8192") == (8192, 8192)
 
 
 def test_words_of_the_engine_are_read_and_ours_are_ascii() -> None:
