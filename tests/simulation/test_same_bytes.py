@@ -72,6 +72,13 @@ agent others is van on main at random { count: integer(0, 2), facing: back, driv
 object crate is box on main at 80m { side: right, offset: 1m }
 """
 
+AROUND = """
+road main { draw with segments { pieces: [straight(260m)] }, lanes: 2, width: 7m }
+agent cars is car on main at 5m..40m { count: 2, lane: -1, drive with traffic { aggression: 0..1 } }
+agent stranded is car on main at 100m { lane: -1, start_speed: 0m/s }
+object van is parked_van on main at 160m..190m { lane: -1, offset: -0.6m..0m }
+"""
+
 CROSSING = '''
 image plan from """
 .......#.......
@@ -114,6 +121,16 @@ def test_a_scene_alone_is_its_row_of_a_block(text: str) -> None:
     for scene, trace in list(zip(scenes, together, strict=True))[::2]:
         (alone,) = drives([scene], control_step=0.04)
         assert bytes_of(alone) == bytes_of(trace)
+
+
+def test_traffic_that_goes_around_what_stands_is_its_row_of_a_block() -> None:
+    scenes = records(AROUND, 3)
+    together = drives(scenes, duration=45.0)
+    for scene, trace in zip(scenes, together, strict=True):
+        (alone,) = drives([scene], duration=45.0)
+        assert bytes_of(alone) == bytes_of(trace)
+        aside = np.abs(trace.agents["cars[0]"].lane_offset) > 1.5
+        assert aside.any(), "somebody went around the one that is stranded, or the van"
 
 
 def test_scenes_of_different_files_drive_in_one_block() -> None:
@@ -188,7 +205,7 @@ def test_an_agent_stands_in_every_sample_after_its_contact() -> None:
 
 def test_compiled_it_drives_to_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("numba")
-    scenes = [*records(LOOP, 2), *records(TRAFFIC, 2)]
+    scenes = [*records(LOOP, 2), *records(TRAFFIC, 2), *records(AROUND, 1)]
     monkeypatch.setattr(compiled, "is_installed", lambda: False)
     plain = [bytes_of(trace) for trace in drives(scenes)]
     monkeypatch.setattr(compiled, "is_installed", lambda: True)
