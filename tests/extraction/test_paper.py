@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import cv2
 import numpy as np
 import pytest
@@ -16,6 +18,8 @@ from roadlang_standard.extraction.ruling import without_ruling
 from roadlang_standard.extraction.sheet_outline import sheet_outline
 from tests.extraction.paper_drawings import drawn, on_desk, photographed, ruled, sheet, wave
 from training.rendering.aerial import render_aerial
+
+VILLAGE = Path(__file__).parents[2] / "examples" / "village.jpg"
 
 
 def distances(points: np.ndarray, line: np.ndarray) -> np.ndarray:
@@ -91,7 +95,7 @@ def test_paper_has_even_ground_and_a_photo_from_above_has_none() -> None:
     squared = photographed(drawn(ruled(sheet(), squared=True), wave(), 12))
     assert has_even_ground(squared)
     assert has_even_ground(on_desk(squared, (85, 135, 185))[0])
-    assert not has_even_ground(cv2.imread("examples/village.jpg"))
+    assert not has_even_ground(cv2.imread(str(VILLAGE)))
 
 
 def test_a_small_sheet_on_a_textured_desk_has_even_ground() -> None:

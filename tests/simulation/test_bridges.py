@@ -17,6 +17,7 @@ from tests.simulation.test_same_bytes import bytes_of, drives
 
 EASTWARD = "route: [(-150m, 0m), (190m, 0m)]"
 SOUTHWARD = "route: [(0m, 150m), (0m, -190m)]"
+STAYS = "drive with traffic { go_around: false }"
 FAST = "start_speed: 14m/s, drive with lane_follow { speed: 14m/s }"
 MEET = f"agent below is car on town {{ {EASTWARD}, {FAST} }}\n" + (
     f"agent above is car on town {{ {SOUTHWARD}, {FAST} }}"
@@ -53,7 +54,7 @@ def test_traffic_below_is_neither_a_leader_nor_somebody_to_yield_to(
 
 
 def test_a_bridge_has_leaders_of_its_own(tmp_path: Path) -> None:
-    agents = f"agent ego is car on town {{ {SOUTHWARD}, drive with traffic }}\n" + (
+    agents = f"agent ego is car on town {{ {SOUTHWARD}, {STAYS} }}\n" + (
         "agent broken is car on town { route: [(-2m, 0m), (0m, -190m)], start_speed: 0m/s }"
     )
     trace = driven(bridge_scenes(tmp_path, agents))
@@ -65,7 +66,7 @@ def test_a_bridge_has_leaders_of_its_own(tmp_path: Path) -> None:
 def test_who_comes_down_a_ramp_stops_behind_who_stands_at_its_end(tmp_path: Path) -> None:
     """The ramp leaves the bridge and ends at the street below."""
     agents = (
-        "agent ego is car on town { route: [(0m, 150m), (190m, 0m)], drive with traffic }\n"
+        f"agent ego is car on town {{ route: [(0m, 150m), (190m, 0m)], {STAYS} }}\n"
         "agent broken is car on town { route: [(140m, 0m), (190m, 0m)], start_speed: 0m/s }"
     )
     trace = driven(bridge_scenes(tmp_path, agents, ramp={}), 40.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from .driven_roads import drive
 
 STREET = "road street { draw with segments { pieces: [straight(300m)] }, lanes: 2 }\n"
@@ -53,9 +55,14 @@ def test_traffic_stops_for_a_car_that_backs_into_its_lane() -> None:
       drive with reverse { distance: 4m, when: distance(ego, backer) < 25m }
     }
     agent ego is car on street at 5m { drive with traffic }
-    """, duration=20)  # fmt: skip
+    """, duration=45)  # fmt: skip
     assert trace.events == ()
-    assert trace.agents["ego"].speed[-1] < 0.1
+    ego, backer = trace.agents["ego"], trace.agents["backer"]
+    assert ego.speed[ego.station < 82].min() < 0.1
+    # It took it for something parked before, and goes around where it stands now.
+    beside = np.abs(ego.x - backer.x[-1]) < 0.5
+    assert beside.any()
+    assert ego.y[beside].min() > 1.5
 
 
 def test_traffic_lets_a_van_out_that_backs_and_turns_before_it() -> None:

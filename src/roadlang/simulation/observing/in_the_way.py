@@ -72,4 +72,7 @@ class InTheWay:
             to_line = right_of_way.junctions(world, agents)[0]
             return Reasons(ahead(agents), to_line)
 
-        return self._stranded.look(world, rows, right_of_way.obeys, reasons)
+        changes = self._stranded.look(world, rows, right_of_way.obeys, reasons)
+        if changes:  # the same agents may stand somewhere else than before
+            self._all = None
+        return changes

@@ -18,7 +18,8 @@ from .sorted_groups import sorted_groups
 INTERVAL = 0.1
 """Seconds from one look at a scene to the next."""
 STILL, PATIENCE = 0.1, 5.0
-"""m/s, and seconds for which who is slower has to stand until it counts as broken down."""
+"""m/s, ahead or back, and seconds for which who is slower has to stand until it counts as broken
+down."""
 SUSPECT, SPARE = 1.0, 1.3
 """Seconds from which on that may be, and meters more that others keep behind it: to pull out."""
 BEHIND = 12.0
@@ -80,7 +81,7 @@ class Stranded:
         self, world: World, agents: Integers, may: Booleans,
         reasons: Callable[[Integers], Reasons],
     ) -> bool:  # fmt: skip
-        still = may & (world.motion.speed < STILL)[agents]
+        still = may & (np.abs(world.motion.speed) < STILL)[agents]
         stood = np.where(still, self._stood[agents] + INTERVAL, 0.0)
         self._stood[agents] = stood = np.minimum(stood, world.age[agents])
         self.suspects[agents] = stood >= SUSPECT
