@@ -324,7 +324,7 @@ image plan from """
 network town from plan
 agent ego is car on town { route: [choice(left, right), left, left], drive with traffic }
 '''
-    with pytest.raises(DiagnosticError, match="from no lane of `town` can `ego` go"):
+    with pytest.raises(DiagnosticError, match="no lane of `town` lets `ego` go"):
         testing.sample(text)
 
 

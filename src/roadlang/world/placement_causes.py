@@ -67,4 +67,4 @@ def _without_turns(actor: ScenarioActor, candidates: CandidateBatch) -> str | No
     if leads_on(lanes, allowed, [part.turn(0) for part in parts]):
         return None
     turns = ", then ".join(f"`{part.word(0)}`" for part in parts)
-    return f"from no lane of `{actor.on}` can `{actor.name}` go {turns} at its next junctions"
+    return f"no lane of `{actor.on}` lets `{actor.name}` go {turns} at its next junctions"

@@ -135,7 +135,7 @@ def _deciding(actor: SceneActor) -> Call:
 
 
 def _not_written(call: Call, actor: SceneActor) -> DiagnosticError:
-    help_ = f"it drives `{actor.name}`; another simulator may have it (`--engine`)"
+    help_ = f"`{actor.name}` uses it; another simulator may support it (`--engine`)"
     engine = "the embedded engine"
     return DiagnosticError(
         diagnose(Code.UNSUPPORTED_CONTROLLER, kind=call.kind, engine=engine, help=help_)

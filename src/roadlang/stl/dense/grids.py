@@ -121,7 +121,7 @@ class GridSignals:
             place = f"position {position_text(float(trace.positions[index]))}"
             raise stl_error(
                 Code.NON_FINITE_SIGNAL, name=name, value=float(values[index]), place=place,
-                help="no line leads to an infinite value: use the semantics `held` or `sampled`",
+                help="an infinite value cannot be interpolated: use `held` or `sampled` semantics",
             )  # fmt: skip
         values = np.asarray(values, dtype=np.float64)
         whole = PiecewiseLinear(
