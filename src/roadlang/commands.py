@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
 from .cli.finite_range import FiniteRange
-from .cli.output_files import FormatFile
+from .cli.output_files import FormatFile, keep_inputs
 from .cli.quantities import pixel_size, seconds
 
 if TYPE_CHECKING:
@@ -79,6 +79,7 @@ __all__ = [
     "inserted",
     "is_at_point",
     "judge_so_far",
+    "keep_inputs",
     "moved_places_of",
     "nearest_on_road",
     "network_motion",

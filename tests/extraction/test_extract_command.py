@@ -147,3 +147,25 @@ def test_each_file_is_written_only_where_it_is_asked_for(circuit: Any) -> None:
     }
     assert "1 road (" in done.output
     assert "schema" not in done.output
+
+
+@pytest.mark.parametrize("option", ["-o", "--mask"])
+def test_the_picture_is_never_written_over(circuit: Any, option: str) -> None:
+    picture = circuit[1] / "circuit.png"
+    before = picture.read_bytes()
+    done = run(picture, option, picture)
+    assert done.exit_code == 2
+    assert "circuit.png would be written over" in done.output
+    assert picture.read_bytes() == before
+
+
+def test_places_are_finite_numbers(circuit: Any) -> None:
+    done = run(circuit[1] / "circuit.png", "--through", "nan,1")
+    assert done.exit_code == 2
+    assert "'nan,1' is not X,Y" in done.output
+
+
+def test_an_option_that_a_kind_requires_is_asked_for(circuit: Any) -> None:
+    done = run(circuit[1] / "circuit.png", "--with", "onnx")
+    assert done.exit_code == 2
+    assert "`--with onnx` needs `model`: give `--model`." in done.output

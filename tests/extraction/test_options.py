@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
 import pytest
 
-from roadlang.api import Picture
+from roadlang.api import OptionError, Picture
 from roadlang_standard.extract_aerial import Aerial
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
@@ -44,7 +45,10 @@ def requests(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
         ({"width": 7.0}, {"width": 14.0}),
         ({"through": ((5.0, 6.0),)}, {"through": ((5.0, 6.0),)}),
         ({"leave_out": (BOX,)}, {"leave_out": (BOX,)}),
-        ({"only_through": True}, {"only_through": True}),
+        (
+            {"through": ((5.0, 6.0),), "only_through": True},
+            {"through": ((5.0, 6.0),), "only_through": True},
+        ),
         ({"resolution": "unknown"}, {"meters_per_pixel": None}),
         ({"resolution": 0.2}, {"meters_per_pixel": 0.2}),
     ],
@@ -56,6 +60,36 @@ def test_options_for_photos(
 ) -> None:
     kind(**options).extract(PHOTO)
     assert requests == [Request(**{"meters_per_pixel": 0.5, **request_})]
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        ({"through": ((5.0, 6.0), (1e9, 6.0))}, "(1e+09px, 6px), but the picture has 120 x 90 px"),
+        ({"leave_out": (((200.0, 0.0), (300.0, 50.0)),)}, "but the picture has 120 x 90 px"),
+        ({"leave_out": (((-9.0, -9.0), (-3.0, -3.0)),)}, "but the picture has 120 x 90 px"),
+        ({"width": 61.0}, "`width` is 122 px at 0.5 m/px, but the picture has 120 x 90 px"),
+        ({"only_through": True}, "`only_through` needs `through`"),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("kind", [Aerial, Auto])
+def test_hints_lie_in_the_picture(kind: Any, options: dict[str, Any], reason: str) -> None:
+    """The border itself, which a click may round to, is in it."""
+    with pytest.raises(OptionError, match=re.escape(reason)):
+        kind(**options).extract(PHOTO)
+
+
+def test_a_click_on_the_border_is_in_the_picture(requests: list[Any]) -> None:
+    Auto(through=((-0.5, 0.0), (120.0, 90.0)), width=60.0).extract(PHOTO)
+    assert len(requests) == 1
+
+
+def test_boxes_that_a_drawing_does_not_use_are_told() -> None:
+    drawing = np.full((90, 120, 3), 255, np.uint8)
+    drawing[40:50] = 40
+    found = Auto(leave_out=(BOX,)).extract(Picture(drawing, 0.5))
+    assert found.remarks[1].startswith("`leave_out` is not used, it is for photos")
 
 
 def test_the_shortest_dead_end_of_photos_is_in_meters(requests: list[Any]) -> None:

@@ -55,7 +55,7 @@ def huge_png(path: Path, side: int) -> Path:
     return path
 
 
-@pytest.mark.parametrize("ending", ["png", "jpg", "tif", "bmp", "webp"])
+@pytest.mark.parametrize("ending", ["png", "jpg", "tif", "bmp", "webp", "jp2"])
 def test_the_usual_formats_are_read_in_color(tmp_path: Path, ending: str) -> None:
     found = opened(written(tmp_path / f"a.{ending}", shown()))
     assert found.pixels.shape == (40, 60, 3)
@@ -152,6 +152,27 @@ def test_damage_anywhere_is_refused_or_survived(
     except DiagnosticError as error:
         codes = {"RL401", "RL402", "RL403", "RL404", "RL405"}
         assert error.diagnostics[0].code in codes  # noqa: PT017
+
+
+@pytest.mark.parametrize(
+    ("start", "help"),
+    [
+        (b"GIF89a", "it is a GIF: save the frame that shows the road as PNG"),
+        (b"\0\0\0\x20ftypavif", "it is an AVIF picture: save it as PNG or JPEG"),
+        (b"\0\0\0\x20ftypheic", "it is a HEIC picture: save it as PNG or JPEG"),
+        (b"<!DOCTYPE html><p>404", "it is a web page: the download may have failed"),
+        (b"version https://git-lfs.github.com/spec/v1", "`git lfs pull` fetches the picture"),
+    ],
+    ids=lambda value: value[:12] if isinstance(value, str) else "",
+)
+def test_a_file_that_is_no_picture_says_what_it_is(tmp_path: Path, start: bytes, help: str) -> None:
+    path = tmp_path / "a.png"
+    path.write_bytes(start + b"\0" * 64)
+    with pytest.raises(DiagnosticError) as caught:
+        opened(path)
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL402"
+    assert help in found.help[0]
 
 
 def geotiff(path: Path, scale: float, unit: int, model: int = 1) -> Path:

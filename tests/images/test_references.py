@@ -47,6 +47,19 @@ def test_values_are_in_their_entry_or_behind_it(
     assert tags.numbers(301) == ()
 
 
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_a_big_tiff_has_wider_places(order: str) -> None:
+    start = (b"II+\0" if order == "<" else b"MM\0+") + struct.pack(f"{order}HHQ", 8, 0, 16)
+    width = struct.pack(f"{order}HHQQ", 256, 16, 1, 640)
+    scale = struct.pack(f"{order}HHQQ", 33550, 12, 2, 16 + 8 + 2 * 20)
+    content = start + struct.pack(f"{order}Q", 2) + width + scale
+    tags = TiffTags(content + struct.pack(f"{order}dd", 0.5, 0.25))
+    assert tags.numbers(256) == (640,)
+    assert tags.numbers(33550) == (0.5, 0.25)
+    with pytest.raises(TiffError):
+        TiffTags(content).numbers(33550)
+
+
 def test_what_is_no_number_or_too_many_is_nothing() -> None:
     many = 10_001
     content = bytearray(tiff("<", {300: ("H", (1,)), 301: ("H", (2,)), 302: ("B", (1,) * 10_000)}))

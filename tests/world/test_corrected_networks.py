@@ -37,6 +37,10 @@ def test_a_drawn_road_closes_a_gap() -> None:
     assert scene.roads["whole"].length == pytest.approx(117.0, abs=0.5)
 
 
+def test_a_drawn_road_may_lead_out_of_the_picture() -> None:
+    assert len(roads("drawn: [[(30px, 2px), (45px, 20px)]]")) == 4
+
+
 def test_a_dismissed_road_is_gone() -> None:
     assert len(roads("dismissed: [[(5px, 2px)]]")) == 1
 
@@ -64,6 +68,8 @@ def test_a_pixel_without_a_road_is_said() -> None:
         ("network town from plan { confirmed: [(uniform(1px, 2px), 2px)] }", "RL229"),
         ("network a from plan\nnetwork town from a { dismissed: [[(1px, 2px)]] }", "RL219"),
         ("network town from plan { drawn: [[(1px, 2px), (1px, 2px)]] }", "RL472"),
+        ("network town from plan { drawn: [[(1px, 2px), (1e9px, 2px)]] }", "RL472"),
+        ("network town from plan { drawn: [[(1px, 2px), (1px, -41px)]] }", "RL472"),
     ],
 )
 def test_what_cannot_be_is_an_error(text: str, code: str) -> None:

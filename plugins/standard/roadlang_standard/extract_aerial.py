@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
-from roadlang.api import Extractor, Flag, Length, ListOf, Number, PixelPoint, Scale, list_of, option
+from roadlang.api import Extractor, Flag, Length, ListOf, Number, PixelPoint, Scale, option
 
-from .extract_contour import in_pixels
+from .extract_contour import in_pixels, road_width
+from .photo_hints import Box, check_hints, check_only_through
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
     from .extraction.road_net import Net
-
-Box = Annotated[ListOf[PixelPoint], list_of(PixelPoint, at_least=2)]
-"""Two opposite corners."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +48,9 @@ class Aerial(Extractor):
         help="assumed ground resolution; `auto` is the scale of the image",
     )
 
+    def __post_init__(self) -> None:
+        check_only_through(self.only_through, self.through)
+
     def extract(self, picture: Picture) -> Extraction:
         return self.read(picture)
 
@@ -61,6 +62,7 @@ class Aerial(Extractor):
         from .extraction.pixels import pixels_of
         from .extraction.pixels_to_meters import extraction
 
+        check_hints(self.through, self.leave_out, picture)
         if self.method == "classical":
             return extraction(picture, roads_by_ribbons(pixels_of(picture, self.name)))
         resolution = {"auto": picture.scale, "unknown": None}.get(
@@ -68,7 +70,7 @@ class Aerial(Extractor):
         )
         request = Request(
             threshold=None if self.threshold == "auto" else float(self.threshold),
-            width=in_pixels(self.width, picture),
+            width=road_width(self.width, picture),
             through=tuple(self.through),
             leave_out=tuple(tuple(box) for box in self.leave_out),
             only_through=self.only_through,

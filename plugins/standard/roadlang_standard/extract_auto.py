@@ -7,12 +7,17 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 from roadlang.api import Extractor, Flag, Length, ListOf, Number, PixelPoint, Scale, option
 
-from .extract_aerial import Box
+from .photo_hints import Box, check_hints, check_only_through
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
     from .extract_aerial import Aerial
+
+_UNUSED_BOXES = (
+    "`leave_out` is not used, it is for photos: `extract with aerial` reads any picture as one, and"
+    " `dismissed` of a network takes away roads of any picture"
+)
 
 
 @dataclass(frozen=True)
@@ -39,24 +44,29 @@ class Auto(Extractor):
         help="assumed ground resolution of a photo; `auto` is the scale of the image",
     )
 
+    def __post_init__(self) -> None:
+        check_only_through(self.only_through, self.through)
+
     def extract(self, picture: Picture) -> Extraction:
         from dataclasses import replace
 
-        from .extract_contour import in_pixels
+        from .extract_contour import road_width
         from .extract_pixels import Pixel
 
+        check_hints(self.through, self.leave_out, picture)
         if picture.characters is not None or picture.legend:
             kind = "typed grid" if picture.characters is not None else "drawing with a legend"
-            found = Pixel(thickness=in_pixels(self.width, picture)).extract(picture)
+            found = Pixel(thickness=road_width(self.width, picture)).extract(picture)
         else:
             kind, found = self._seen(picture)
         article = "an" if kind[0] in "aeiou" else "a"
-        return replace(found, remarks=(f"read as {article} {kind}", *found.remarks))
+        unused = (_UNUSED_BOXES,) if self.leave_out and kind != "photo" else ()
+        return replace(found, remarks=(f"read as {article} {kind}", *unused, *found.remarks))
 
     def _seen(self, picture: Picture) -> tuple[str, Extraction]:
         """What sort of picture without a legend it is, and its roads."""
         from .extract_aerial import Aerial
-        from .extract_contour import Contour, in_pixels
+        from .extract_contour import Contour, road_width
         from .extraction.drawing import roads_of_drawing
         from .extraction.map_tiles import roads_of_map
         from .extraction.paper import roads_on_paper
@@ -64,7 +74,7 @@ class Auto(Extractor):
         from .extraction.pixels_to_meters import extraction
 
         assert picture.pixels is not None
-        seen, width = picture_kind(picture.pixels), in_pixels(self.width, picture)
+        seen, width = picture_kind(picture.pixels), road_width(self.width, picture)
         if self.threshold == "auto" and not self.through and seen.name != MASK:
             on_paper = roads_on_paper(picture.pixels, width)
             if on_paper is not None:

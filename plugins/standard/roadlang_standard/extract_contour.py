@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from roadlang.api import Extractor, Flag, Length, Number, Pixels, Word, option
+from roadlang.api import Extractor, Flag, Length, Number, OptionError, Pixels, Word, option
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
@@ -51,7 +51,7 @@ class Contour(Extractor):
             road=self.road,
             between=self.edges,
             spline=self.spline,
-            width=in_pixels(self.width, picture),
+            width=road_width(self.width, picture),
             min_length=in_pixels(self.min_length, picture),
         )
         found = roads_by_contour(pixels_of(picture, "contour"), chain)
@@ -61,3 +61,18 @@ class Contour(Extractor):
 def in_pixels(meters: Any, picture: Picture) -> float | None:
     """A length in pixels of the picture, None if it is not given."""
     return None if meters is None else float(meters) / picture.scale
+
+
+def road_width(meters: Any, picture: Picture) -> float | None:
+    """The option `width` in pixels, None if it is not given.
+
+    Raises OptionError for a road wider than the picture.
+    """
+    pixels, most = in_pixels(meters, picture), max(picture.width, picture.height)
+    if pixels is not None and pixels > most:
+        raise OptionError(
+            "width",
+            f"is {pixels:.4g} px at {picture.scale:g} m/px, but the picture has "
+            f"{picture.width} x {picture.height} px",
+        )
+    return pixels

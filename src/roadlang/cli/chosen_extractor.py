@@ -5,10 +5,13 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any
 
+import click
+
 from ..diagnostics import Code
 
 if TYPE_CHECKING:
     from ..ir.picture import Extraction, Picture
+    from ..plugins.options import OptionSchema
     from ..plugins.registry import KindEntry
 
 
@@ -17,7 +20,8 @@ def extracted(
 ) -> tuple[Extraction, float]:
     """Run the kind with those of the options that were given; what it found, its CPU seconds.
 
-    Raises DiagnosticError RL425 for a kind that is unknown, RL426 for an option that it lacks.
+    Raises DiagnosticError RL425 for a kind that is unknown, RL426 for an option that it lacks,
+    `click.UsageError` for one that it needs.
     """
     from ..diagnostics import DiagnosticError, diagnose
     from ..plugins.guard import plugin_guard
@@ -28,7 +32,8 @@ def extracted(
     with plugin_guard(entry, None):
         kind = entry.load()
     options = _options(picture, scale, arguments)
-    fields = {option.name for option in schema_of(kind)}
+    schema = schema_of(kind)
+    fields = {option.name for option in schema}
     unfit = sorted(set(options) - fields - {"resolution"})
     if unfit:
         raise DiagnosticError(
@@ -38,6 +43,7 @@ def extracted(
                 option=f"--{unfit[0].replace('_', '-')}",
             )
         )
+    _check_required(arguments["kind"], schema, options)
     with plugin_guard(entry, None):
         extractor: Any = kind(**{key: value for key, value in options.items() if key in fields})
         _load()
@@ -46,6 +52,20 @@ def extracted(
         seconds = time.process_time() - started
     check_extraction(found, entry, None)
     return found, seconds
+
+
+def _check_required(kind: str, schema: tuple[OptionSchema, ...], options: dict[str, Any]) -> None:
+    """Raises `click.UsageError` for an option that the kind requires and that was not given."""
+    for option in schema:
+        if option.required and option.name not in options:
+            flag = f"--{option.name.replace('_', '-')}"
+            known = any(flag in parameter.opts for parameter in _parameters())
+            where = f"give `{flag}`" if known else "set it in a scene file, in `extract with`"
+            raise click.UsageError(f"`--with {kind}` needs `{option.name}`: {where}.")
+
+
+def _parameters() -> list[click.Parameter]:
+    return click.get_current_context().command.params
 
 
 def _extractor(name: str) -> KindEntry:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,7 @@ from ..diagnostics import Code
 from . import exit_codes
 from .console import echo, report
 from .finite_range import FiniteRange
-from .output_files import FormatFile
+from .output_files import FormatFile, keep_inputs
 from .quantities import pixel_size, pixels
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ class _Numbers(click.ParamType):  # type: ignore[type-arg, unused-ignore]
             numbers = tuple(float(part) for part in str(value).split(","))
         except ValueError:
             numbers = ()
-        if len(numbers) != self.count:
+        if len(numbers) != self.count or not all(map(math.isfinite, numbers)):
             self.fail(f"{value!r} is not {self.name}", parameter, context)
         return numbers
 
@@ -127,6 +128,8 @@ def command(
         _edit(images, edit, settings["scale"], not no_browser)
         return
     output = None if output == "-" else output
+    read = [*images, *([] if settings["model"] is None else [settings["model"]])]
+    keep_inputs([name for name in (output, overlay, mask) if name is not None], read)
 
     from ..ir.picture import Picture
     from .chosen_extractor import extracted

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -23,3 +24,15 @@ class FormatFile(click.Path):
             ending = f"name a file that ends in `{self.endings[0]}`"
             self.fail(f"this writes {self.format_name}: {ending}, not {value!r}.", param, ctx)
         return super().convert(value, param, ctx)
+
+
+def keep_inputs(written: Iterable[str | Path], read: Iterable[str | Path]) -> None:
+    """Raises `click.UsageError` where a file would be written over one that is read."""
+    inputs = [Path(name) for name in read if Path(name).exists()]
+    for path in map(Path, written):
+        for source in inputs:
+            if path.exists() and path.samefile(source):
+                raise click.UsageError(
+                    f"{path.name} would be written over {source}, which it is made from: choose "
+                    "another name for the output"
+                )

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..files.matching import files_matching
+from ..files.picture_formats import READABLE, other_content
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file
@@ -91,9 +92,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     content = read_input(path, written, span)
     header = read_header(content)
     if header is None:
-        raise _refusal(
-            Code.NOT_AN_IMAGE, span, written, help="PNG, JPEG, TIFF, BMP, PNM and WebP can be read"
-        )
+        raise _refusal(Code.NOT_AN_IMAGE, span, written, help=(other_content(content), READABLE))
     _check_size(header, written, span)
     if not is_complete(header.format, content):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
@@ -133,7 +132,7 @@ def _check_size(header: ImageHeader, written: str, span: Span | None) -> None:
             span,
             written,
             size=size,
-            help=f"{most}: cut the road out, or make it smaller",
+            help=(f"{most}: cut the road out, or make it smaller",),
         )
     if min(header.width, header.height) < LEAST_SIDE:
         raise _refusal(Code.IMAGE_TOO_SMALL, span, written, size=size)
@@ -144,13 +143,13 @@ def _refusal(
     span: Span | None,
     written: str,
     *,
-    help: str = "",
+    help: tuple[str, ...] = (),
     reason: str = "",
     size: str = "",
     format: str = "",
 ) -> DiagnosticError:
     path = None if span is not None else written
-    hints = (help,) if help else ()
+    hints = tuple(filter(None, help))
     return DiagnosticError(
         diagnose(
             code, span, help=hints, path=path, file=written, reason=reason, size=size, format=format

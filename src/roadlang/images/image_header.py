@@ -5,9 +5,18 @@ from __future__ import annotations
 
 import re
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from .tiff import TiffError, TiffTags
+from ..files.picture_formats import picture_format
+from .tiff import TiffTags
+
+_LAST_CHUNK = 8
+"""bytes of the last chunk of a PNG file from its name on"""
+_CODESTREAM = b"\xff\x4f\xff\x51"
+"""the first bytes of JPEG 2000's data"""
+_Size = tuple[int, int]
+"""width and height in pixels"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,32 +29,22 @@ class ImageHeader:
 
 
 def read_header(content: bytes) -> ImageHeader | None:
-    """Format and size; None for what is no PNG, JPEG, TIFF, BMP, PNM or WebP file."""
-    try:
-        if content.startswith(b"\x89PNG\r\n\x1a\n"):
-            return ImageHeader("PNG", *struct.unpack(">II", content[16:24]))
-        if content.startswith(b"\xff\xd8\xff"):
-            return _jpeg(content)
-        if content[:4] in (b"II*\x00", b"MM\x00*"):
-            tags = TiffTags(content)
-            return ImageHeader("TIFF", int(tags.numbers(256)[0]), int(tags.numbers(257)[0]))
-        if content.startswith(b"BM"):
-            width, height = struct.unpack("<ii", content[18:26])
-            return ImageHeader("BMP", abs(width), abs(height))
-        if content[:1] == b"P" and content[1:2] in _PNM:
-            return _pnm(content)
-        if content[:4] == b"RIFF" and content[8:12] == b"WEBP":
-            return _webp(content)
-    except (struct.error, IndexError, TiffError):
+    """Format and size; None for what is no picture that can be read."""
+    name = picture_format(content)
+    if name is None:
         return None
-    return None
+    try:
+        size = _SIZES[name](content)
+    except (struct.error, IndexError, ValueError):
+        return None
+    return None if size is None else ImageHeader(name, *size)
 
 
 def is_complete(format: str, content: bytes) -> bool:
     """Whether the end of the file is there."""
     if format == "PNG":
-        return b"IEND" in content[-64:]
-    if format == "JPEG":
+        return 0 <= content.rfind(b"IEND", -64) <= len(content) - _LAST_CHUNK
+    if format in ("JPEG", "JPEG 2000"):
         return b"\xff\xd9" in content[-65536:]
     if format == "BMP":
         return len(content) >= int(struct.unpack("<I", content[2:6])[0]) * 0.99
@@ -57,11 +56,26 @@ def is_complete(format: str, content: bytes) -> bool:
         values = width * height * (3 if content[1:2] == b"6" else 1)
         return len(content) - header.end() >= values * (2 if most > 255 else 1)
     if format == "WebP":
-        return len(content) >= int(struct.unpack("<I", content[4:8])[0])
+        return len(content) >= int(struct.unpack("<I", content[4:8])[0]) + 8
     return True
 
 
-def _jpeg(content: bytes) -> ImageHeader | None:
+def _png(content: bytes) -> _Size:
+    width, height = struct.unpack(">II", content[16:24])
+    return width, height
+
+
+def _tiff(content: bytes) -> _Size:
+    tags = TiffTags(content)
+    return int(tags.numbers(256)[0]), int(tags.numbers(257)[0])
+
+
+def _bmp(content: bytes) -> _Size:
+    width, height = struct.unpack("<ii", content[18:26])
+    return abs(width), abs(height)
+
+
+def _jpeg(content: bytes) -> _Size | None:
     at = 2
     while at + 9 < len(content):
         if content[at] != 0xFF:
@@ -71,37 +85,53 @@ def _jpeg(content: bytes) -> ImageHeader | None:
             at += 1
         elif 0xC0 <= marker <= 0xCF and marker not in (0xC4, 0xC8, 0xCC):
             height, width = struct.unpack(">HH", content[at + 5 : at + 9])
-            return ImageHeader("JPEG", width, height)
+            return width, height
         else:
             at += 2 + int(struct.unpack(">H", content[at + 2 : at + 4])[0])
     # Cut off before its size is told: a picture all the same.
-    return ImageHeader("JPEG", 8, 8)
+    return 8, 8
 
 
-_PNM = b"2356"
-"""gray and color, as text and as bytes"""
 _GAP = rb"(?:[ \t\r\n]|#[^\n]*\n)+"
 _PNM_HEADER = re.compile(rb"P[2356]" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)\s")
 
 
-def _pnm(content: bytes) -> ImageHeader | None:
+def _pnm(content: bytes) -> _Size | None:
     """PGM and PPM files, which maps of robots are."""
     found = _PNM_HEADER.match(content)
     if found is None:
         return None
     width, height, most = map(int, found.groups())
-    return ImageHeader("PNM", width, height) if 0 < most < 65536 else None
+    return (width, height) if 0 < most < 65536 else None
 
 
-def _webp(content: bytes) -> ImageHeader | None:
+def _webp(content: bytes) -> _Size | None:
     chunk = content[12:16]
     if chunk == b"VP8X":
         width = int.from_bytes(content[24:27], "little") + 1
-        return ImageHeader("WebP", width, int.from_bytes(content[27:30], "little") + 1)
+        return width, int.from_bytes(content[27:30], "little") + 1
     if chunk == b"VP8 ":
         width, height = struct.unpack("<HH", content[26:30])
-        return ImageHeader("WebP", width & 0x3FFF, height & 0x3FFF)
+        return width & 0x3FFF, height & 0x3FFF
     if chunk == b"VP8L":
         bits = int.from_bytes(content[21:25], "little")
-        return ImageHeader("WebP", (bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1)
+        return (bits & 0x3FFF) + 1, (bits >> 14 & 0x3FFF) + 1
     return None
+
+
+def _jpeg_2000(content: bytes) -> _Size:
+    """Of the codestream (ITU-T T.800, A.5.1), bare or in the boxes of a JP2 file."""
+    at = content.index(_CODESTREAM)
+    right, bottom, left, top = struct.unpack(">IIII", content[at + 8 : at + 24])
+    return right - left, bottom - top
+
+
+_SIZES: dict[str, Callable[[bytes], _Size | None]] = {
+    "PNG": _png,
+    "JPEG": _jpeg,
+    "TIFF": _tiff,
+    "BMP": _bmp,
+    "PNM": _pnm,
+    "WebP": _webp,
+    "JPEG 2000": _jpeg_2000,
+}

@@ -1,11 +1,16 @@
-"""The tags of the first page of a TIFF file (TIFF 6.0, section 2)."""
+"""The tags of the first page of a TIFF file (TIFF 6.0, section 2), or of a BigTIFF file, whose
+places and counts have 64 bits."""
 
 from __future__ import annotations
 
 import struct
 
-_FORMATS = {1: "B", 3: "H", 4: "I", 11: "f", 12: "d"}
+_FORMATS = {1: "B", 3: "H", 4: "I", 11: "f", 12: "d", 16: "Q"}
 _MOST_VALUES = 10_000
+_BIG = 43
+_NARROW, _WIDE = ("I", "H", 12, 4), ("Q", "Q", 20, 8)
+"""How places and the number of tags are written, the bytes of a tag, and those of its values that
+stand in it."""
 
 
 class TiffError(ValueError):
@@ -19,12 +24,15 @@ class TiffTags:
         self._content = content
         self._order = "<" if content[:2] == b"II" else ">"
         self._entries: dict[int, tuple[int, int, int]] = {}
-        (start,) = self._unpack("I", 4)
-        (count,) = self._unpack("H", start)
-        for index in range(count):
-            at = start + 2 + 12 * index
-            tag, kind, values = self._unpack("HHI", at)
-            self._entries[tag] = (kind, values, at + 8)
+        is_big = self._unpack("H", 2) == (_BIG,)
+        self._place, counted, length, self._room = _WIDE if is_big else _NARROW
+        (start,) = self._unpack(self._place, 8 if is_big else 4)
+        (count,) = self._unpack(counted, start)
+        first = start + struct.calcsize("=" + counted)
+        for index in range(min(count, _MOST_VALUES)):
+            at = first + length * index
+            tag, kind, values = self._unpack(f"HH{self._place}", at)
+            self._entries[tag] = (kind, values, at + length - self._room)
 
     def numbers(self, tag: int) -> tuple[float, ...]:
         """The values of a tag; empty where it is not there or holds no numbers."""
@@ -34,12 +42,12 @@ class TiffTags:
         if kind not in _FORMATS or count > _MOST_VALUES:
             return ()
         layout = f"{count}{_FORMATS[kind]}"
-        if struct.calcsize(layout) > 4:
-            (at,) = self._unpack("I", at)
+        if struct.calcsize("=" + layout) > self._room:
+            (at,) = self._unpack(self._place, at)
         return self._unpack(layout, at)
 
     def _unpack(self, layout: str, at: int) -> tuple[int, ...]:
         try:
             return struct.unpack_from(self._order + layout, self._content, at)
-        except struct.error as error:
+        except (struct.error, OverflowError) as error:
             raise TiffError(str(error)) from None

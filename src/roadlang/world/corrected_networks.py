@@ -28,15 +28,16 @@ def corrected_extraction(
     DiagnosticError RL472 for points that are no curve.
     """
     options = network.options
+    what = f"{network.name}.drawn"
     if not any(name in options for name in OPTIONS):
         return found
     drawn, dismissed = (_lines(options.get(name), picture, candidates) for name in OPTIONS[:2])
     confirmed = options.get("confirmed")
     points = np.zeros((0, 2)) if confirmed is None else _points(confirmed, picture, candidates)
     try:
+        _check_drawn(drawn, picture)
         after = corrected(found.network, Corrections(drawn, dismissed, points))
     except GeometryError as error:
-        what = f"{network.name}.drawn"
         raise DiagnosticError(
             diagnose(Code.IMPOSSIBLE_GEOMETRY, network.span, what=what, reason=str(error))
         ) from error
@@ -52,6 +53,22 @@ def corrected_extraction(
         confidences=(),
         warnings=(*found.warnings, *missed),
     )
+
+
+def _check_drawn(lines: tuple[Floats, ...], picture: Picture) -> None:
+    """A drawn road may lead out of the picture, but no farther than the picture is long.
+
+    Raises GeometryError.
+    """
+    size = np.array([picture.width, picture.height])
+    for points in map(picture.to_pixels, lines):
+        outside = np.maximum(-points, points - size).max(axis=1)
+        x, y = points[outside.argmax()]
+        if outside.max() > size.max():
+            width, height = size
+            raise GeometryError(
+                f"({x:.7g}px, {y:.7g}px) is far outside of the picture of {width} x {height} px"
+            )
 
 
 def _missed(network: ScenarioNetwork, at: tuple[float, float], picture: Picture) -> Diagnostic:

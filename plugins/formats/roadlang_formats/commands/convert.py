@@ -49,7 +49,7 @@ def command(source: str, target: str, kind: str | None) -> None:
     FILE is a map (.xodr, .osm, ...), a scene (.json) or a scene file (.rl). The extension of
     OUTPUT selects its format: .xodr, .svg, .json, or that of any other `emit`.
     """
-    from roadlang.commands import emitted_files, write_all
+    from roadlang.commands import emitted_files, keep_inputs, write_all
 
     from .opening import opened
 
@@ -59,7 +59,7 @@ def command(source: str, target: str, kind: str | None) -> None:
     files = emitted_files(output, scene.record, scene.registry)
     stem = _stem(path.name, output, list(files))
     files = _renamed(files, scene.record.stem, stem)
-    _keep_source(Path(source), [path.parent / f"{stem}.{ending}" for ending in files])
+    keep_inputs([path.parent / f"{stem}.{ending}" for ending in files], [source])
     for written in write_all(path.parent, {f"{stem}.{end}": files[end] for end in sorted(files)}):
         echo(f"{written}: {len(written.read_bytes()):,} bytes")
 
@@ -81,16 +81,6 @@ def _one_output(text: str) -> str:
     if len(outputs) != 1:
         raise click.UsageError(f"--emit {text!r}: name one format; `convert` writes one")
     return outputs[0]
-
-
-def _keep_source(source: Path, written: list[Path]) -> None:
-    """Raises `click.UsageError` where a file would be written over the one that is read."""
-    for path in written:
-        if path.exists() and source.exists() and path.samefile(source):
-            raise click.UsageError(
-                f"{path.name} would be written over {source}, which it is made from: choose "
-                "another name for OUTPUT"
-            )
 
 
 def _kind(name: str) -> str:

@@ -7,20 +7,14 @@ from pathlib import Path
 
 from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
 from ...files.matching import files_matching
+from ...files.picture_formats import NEEDED, READABLE, other_content, picture_format
 from ...files.reading import UnreadableFile, read_start
 
 _MOST_SHOWN = 4
-PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm", ".webp")
-_SIGNATURES = (
-    b"\x89PNG\r\n\x1a\n",
-    b"\xff\xd8\xff",
-    b"BM",
-    *(b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+"),
-    *(b"P2", b"P3", b"P5", b"P6"),
-    b"RIFF",
+PICTURE_SUFFIXES = (
+    *(".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".pgm", ".ppm", ".webp"),
+    *(".jp2", ".j2k"),
 )
-"""First bytes of PNG, JPEG, BMP, TIFF, PNM and WebP files."""
-_NO_PICTURE = "it is not an image in PNG, JPEG, BMP, TIFF, PNM or WebP format"
 
 
 def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnostic:
@@ -71,17 +65,15 @@ def _missing_tiles(folder: Path, span: Span, written: str) -> Diagnostic:
 
 def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagnostic | None:
     try:
-        head = read_start(target, 16)
+        head = read_start(target, NEEDED)
     except UnreadableFile as error:
         if error.is_missing:
             return missing_file(target.parent, target.name, span, written)
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=error.reason)
     if not head:
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is empty")
-    if picture and not _looks_like_a_picture(head):
-        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=_NO_PICTURE)
+    if picture and picture_format(head) is None:
+        reason, help_ = "it is not an image that can be read", (other_content(head), READABLE)
+        shown = tuple(filter(None, help_))
+        return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=reason, help=shown)
     return None
-
-
-def _looks_like_a_picture(head: bytes) -> bool:
-    return head.startswith(_SIGNATURES)
