@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from html import escape
@@ -161,25 +161,29 @@ def _text(content: str) -> str:
 
 
 def _polyline(line: Floats, color: str, width: float) -> str:
-    if not np.isfinite(line).all():
-        line = line[np.isfinite(line).all(axis=1)]
-    points = " ".join(["%.1f,%.1f"] * len(line)) % tuple(line.ravel().tolist())
+    return _joined(_points(line[np.isfinite(line).all(axis=1)]), color, width)
+
+
+def _joined(points: Sequence[str], color: str, width: float) -> str:
     return (
-        f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="{width:.1f}"'
-        ' stroke-linejoin="round"/>'
+        f'<polyline points="{" ".join(points)}" fill="none" stroke="{color}"'
+        f' stroke-width="{width:.1f}" stroke-linejoin="round"/>'
     )
+
+
+def _points(line: Floats) -> list[str]:
+    return ("%.1f,%.1f " * len(line) % tuple(line.ravel().tolist())).split()
 
 
 def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
     """Runs of samples of one color."""
     is_there = np.isfinite(line).all(axis=1)
-    line, robustness = line[is_there], robustness[is_there]
-    shares = color_shares(robustness)
+    points, shares = _points(line[is_there]), color_shares(robustness[is_there])
     edges = np.flatnonzero(np.diff(shares)) + 1
     begins = [0, *edges.tolist()]
     for first, end in zip(begins, [*begins[1:], len(shares)], strict=True):
         color = robustness_color(float(shares[first]))
-        yield _polyline(line[first : end + 1], color, width)
+        yield _joined(points[first : end + 1], color, width)
 
 
 def color_shares(robustness: Floats) -> Floats:

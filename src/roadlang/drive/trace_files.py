@@ -6,7 +6,7 @@ import csv
 import io
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 _TIGHT = (",", ":")
+_FORMAT = "%.9g"
 _FIRST_SCHEMA = "roadlang.trace/1"
 """The first version has `cross_track` for `cross_track_error`; it is still read."""
 ADDED_COLUMNS = (
@@ -44,16 +45,16 @@ def to_csv(trace: Trace) -> str:
     """One row for each agent at each time; SI units and radians, 9 significant digits."""
     names = recorded_columns(trace.agents.values())
     header = ",".join(("time", "agent", *names))
-    time = _shown(trace.time)
-    tables = [
-        map(",".join, zip(time, agent, *columns, strict=True))
-        for agent, columns in (
-            ([_field(name)] * len(time), [_shown(getattr(agent, c)) for c in names])
-            for name, agent in trace.agents.items()
-        )
-    ]
-    rows = chain.from_iterable(zip(*tables, strict=True))
-    return "\n".join([header, *rows, ""])
+    times = _cells(trace.time)
+    lines: list[str] = []
+    varying: list[Sequence[Any]] = []
+    for name, agent in trace.agents.items():  # the rows of one time
+        cells = [_cells(getattr(agent, column)) for column in names]
+        shown = [times[0], _field(name).replace("%", "%%"), *(text for text, _ in cells)]
+        lines.append(",".join(shown) + "\n")
+        varying += [values for _, values in (times, *cells) if values is not None]
+    rows = "".join(lines) * len(trace.time)
+    return f"{header}\n{rows % tuple(chain.from_iterable(zip(*varying, strict=True)))}"
 
 
 def _field(text: str) -> str:
@@ -128,16 +129,19 @@ def _numbers(values: np.ndarray[Any, Any]) -> str:
     return f"[{floats_text(values.tolist(), ',')}]"
 
 
-def _shown(values: np.ndarray[Any, Any]) -> list[str]:
-    """Each with 9 significant digits; what is not finite is empty."""
+def _cells(values: np.ndarray[Any, Any]) -> tuple[str, Sequence[Any] | None]:
+    """How each row shows its value, and the values; a text and None where all are the same. 9
+    significant digits; what is not finite is empty."""
     import numpy as np
 
     values = np.asarray(values, dtype=np.float64)
     bits = values.view(np.int64)
     if len(bits) > 1 and (bits == bits[0]).all():  # as most columns of counts are
-        return _shown(values[:1]) * len(bits)
-    numbers = values.tolist()
-    texts = ("%.9g\n" * len(numbers) % tuple(numbers)).split("\n")[:-1]
+        return _shown(float(values[0])), None
     if np.isfinite(values).all():
-        return texts
-    return [text if math.isfinite(x) else "" for text, x in zip(texts, numbers, strict=True)]
+        return _FORMAT, values.tolist()
+    return "%s", list(map(_shown, values.tolist()))
+
+
+def _shown(value: float) -> str:
+    return _FORMAT % value if math.isfinite(value) else ""

@@ -10,23 +10,32 @@ from .arrays import Floats, Integers
 def simplified(points: Floats, tolerance: float) -> Integers:
     """Indices of the points (n, 2) of a line that stays within `tolerance` of all of them (Ramer
     1972; Douglas and Peucker 1973)."""
-    selected = np.zeros(len(points), dtype=bool)
-    selected[[0, -1]] = True
-    open_ = [(0, len(points) - 1)]
-    while open_:
-        first, last = open_.pop()
-        if last - first < 2:
-            continue
-        inner = points[first + 1 : last] - points[first]
-        chord = points[last] - points[first]
-        length = float(np.hypot(*chord))
-        if length > 0.0:
-            gaps = np.abs(inner[:, 0] * chord[1] - inner[:, 1] * chord[0]) / length
-        else:
-            gaps = np.hypot(inner[:, 0], inner[:, 1])
-        farthest = int(np.argmax(gaps))
-        if gaps[farthest] > tolerance:
-            middle = first + 1 + farthest
-            selected[middle] = True
-            open_ += [(first, middle), (middle, last)]
-    return np.flatnonzero(selected)
+    selected = np.unique([0, len(points) - 1])
+    while len(points) > 2:
+        farthest, gaps = _farthest(points, selected)  # of all stretches at once
+        split = farthest[gaps > tolerance]
+        if not len(split):
+            break
+        selected = np.sort(np.concatenate([selected, split]))
+    return selected
+
+
+def _farthest(points: Floats, ends: Integers) -> tuple[Integers, Floats]:
+    """Of each stretch from one of the ascending `ends` to the next, the first point that is
+    farthest from its chord, and how far that is."""
+    first, last = ends[:-1], ends[1:]
+    counts = last - first
+    inner = points[first[0] : last[-1]] - np.repeat(points[first], counts, axis=0)
+    chord = points[last] - points[first]
+    length = np.hypot(chord[:, 0], chord[:, 1])
+    across = inner[:, 0] * np.repeat(chord[:, 1], counts)
+    across -= inner[:, 1] * np.repeat(chord[:, 0], counts)
+    lengths = np.repeat(length, counts)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        gaps = np.abs(across) / lengths
+    closed = ~(lengths > 0.0)
+    if closed.any():
+        gaps[closed] = np.hypot(inner[closed, 0], inner[closed, 1])
+    most = np.maximum.reduceat(gaps, first)
+    at_most = np.flatnonzero(~(gaps < np.repeat(most, counts)))
+    return at_most[np.searchsorted(at_most, first)], most
