@@ -4,7 +4,6 @@ begin with the few points of a road."""
 from __future__ import annotations
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 from scipy.linalg.lapack import dgtsv
 
 from roadlang.geometry import Floats
@@ -18,6 +17,9 @@ def splined(station: Floats, points: Floats, at: Floats, closed: bool = False) -
     point.
     """
     if closed or len(points) < 4:
+        # Here: it takes a tenth of a second to import, and most pictures have no closed road.
+        from scipy.interpolate import CubicSpline
+
         ends = "periodic" if closed else "not-a-knot"
         return np.asarray(CubicSpline(station, points, bc_type=ends)(at))
     step = np.diff(station)[:, None]

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from .counted_colors import color_codes, counted
 from .tones import Image
 
 Mask = NDArray[np.bool_]
@@ -30,8 +31,7 @@ def legend_proposal(image: Image, roads: Mask) -> str | None:
 
     `roads`: the pixels that were taken for road.
     """
-    codes = image[..., 0].astype(np.int32) | image[..., 1].astype(np.int32) << 8
-    codes |= image[..., 2].astype(np.int32) << 16
+    codes = color_codes(image)
     road = _commonest(codes[roads]) if roads.any() else None
     if road is None:
         return None
@@ -47,13 +47,13 @@ def legend_proposal(image: Image, roads: Mask) -> str | None:
 
 
 def _commonest(codes: NDArray[np.int32]) -> int:
-    values, counts = np.unique(codes, return_counts=True)
+    values, counts = counted(codes)
     return int(values[counts.argmax()])
 
 
 def _spots(codes: NDArray[np.int32], roads: Mask, road: int) -> Iterator[tuple[int, int]]:
     """Colors, the most frequent first, and how many spots each has."""
-    values, counts = np.unique(codes, return_counts=True)
+    values, counts = counted(codes)
     order = np.argsort(-counts, kind="stable")[:_MOST_COLORS]
     if counts[order].sum() < _COVERED * codes.size:
         return
@@ -62,7 +62,7 @@ def _spots(codes: NDArray[np.int32], roads: Mask, road: int) -> Iterator[tuple[i
         if color in (paper, road) or count < _LEAST_PIXELS:
             continue
         here = codes == color
-        if (here & roads).sum() > 0.5 * count:
+        if np.count_nonzero(here & roads) > 0.5 * count:
             continue
         found = _count(here)
         if found:
@@ -71,8 +71,12 @@ def _spots(codes: NDArray[np.int32], roads: Mask, road: int) -> Iterator[tuple[i
 
 def _count(here: Mask) -> int:
     """How many spots there are of a color; none where any of it is no spot."""
-    inner = cv2.erode(here.astype(np.uint8), np.ones((3, 3), np.uint8))
-    _, _, stats, _ = cv2.connectedComponentsWithStats(inner, connectivity=8)
+    inner = cv2.erode(here.view(np.uint8), np.ones((3, 3), np.uint8))
+    x, y, width, height = cv2.boundingRect(inner)
+    if not width:
+        return 0
+    around = inner[y : y + height, x : x + width]
+    _, _, stats, _ = cv2.connectedComponentsWithStats(around, connectivity=8)
     areas = stats[1:, cv2.CC_STAT_AREA]
     sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]]
     large = areas >= _LEAST_PIXELS

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .counted_colors import color_codes, counted_colors
 from .masks import without_specks
 from .skeleton import skeleton
-from .tones import Image, Layer, away_from, is_near, median_color
+from .tones import Image, Layer, away_from
 
 _FLAT = 6
 """Gray levels within which a neighborhood of 3 x 3 pixels is of one tone."""
@@ -56,22 +57,23 @@ def flat_colors(image: Image) -> list[NDArray[np.float64]]:
     """The colors (3,) BGR of the even parts of a picture (h, w, 3), most frequent first."""
     kernel = np.ones((3, 3), np.uint8)
     blue, green, red = cv2.split(cv2.subtract(cv2.dilate(image, kernel), cv2.erode(image, kernel)))
-    flat = image[cv2.max(cv2.max(blue, green), red) <= _FLAT]
-    cell = (flat >> _BITS).astype(np.int32)
-    code = (cell[:, 0] * _LEVELS + cell[:, 1]) * _LEVELS + cell[:, 2]
-    counts = np.bincount(code, minlength=_LEVELS**3)
+    is_flat = cv2.max(cv2.max(blue, green), red) <= _FLAT
+    flat = counted_colors(color_codes(image)[is_flat])
+    blue, green, red = (flat.colors >> _BITS).astype(np.int32).T
+    cell = (blue * _LEVELS + green) * _LEVELS + red
+    counts = flat.binned(cell, _LEVELS**3)
     least = 0.5 * _LEAST * image.shape[0] * image.shape[1]
     frequent = np.flatnonzero(counts >= least)
-    left = np.ones(len(flat), bool)
+    left = np.ones(len(cell), bool)
     colors: list[NDArray[np.float64]] = []
     for peak in frequent[np.argsort(counts[frequent], kind="stable")][::-1][: 8 * _MOST]:
         if len(colors) == _MOST:
             break
-        members = left & (code == peak)
-        if members.sum() < least:
+        members = left & (cell == peak)
+        if flat.number(members) < least:
             continue
-        color = median_color(flat[members])
-        left &= ~is_near(flat, color, _FLAT)
+        color = flat.median(members)
+        left &= ~flat.near(color, _FLAT)
         colors.append(color)
     return colors
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
+from .counted_colors import color_codes, counted_colors
 from .drawing import between_lines
 from .even_ground import has_even_ground
 from .found_network import FoundNetwork
@@ -84,9 +85,9 @@ def _has_one_light_color(light: Layer) -> bool:
 def _is_flat(image: Image, seen: Booleans) -> bool:
     """Whether most of what is seen has exactly one color: it was drawn on a screen."""
     chosen = thinned(seen.astype(np.uint8), 100_000) > 0
-    sample = thinned(image, 100_000)[chosen].astype(np.int16)
-    middle = np.median(sample, axis=0)
-    return bool((np.abs(sample - middle).max(axis=1) <= _SAME).mean() > _EXACT)
+    sample = counted_colors(color_codes(thinned(image, 100_000))[chosen])
+    same = sample.near(sample.median(np.ones(len(sample.counts), bool)), _SAME)
+    return bool(sample.number(same) > _EXACT * sample.counts.sum())
 
 
 def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from .drawing import between_lines, likeness
 from .found_network import FoundNetwork
@@ -34,9 +36,12 @@ def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
     """Roads (pixels) of a picture (h, w, 3) whose road differs from all else by its tone."""
     gray = _gray(image, chain)
     if chain.blur > 0:
-        gray = cv2.GaussianBlur(gray, (0, 0), chain.blur)
-    level = chain.threshold * 255 if chain.threshold is not None else _otsu(gray)
-    light = _soft(gray, level)
+        layer: Layer = cv2.GaussianBlur(gray.astype(np.float32), (0, 0), chain.blur)
+        level = _level(np.clip(layer, 0, 255).astype(np.uint8), chain)
+        light = _soft(layer, level)
+    else:
+        level = _level(gray, chain)
+        light = _soft_by_levels(gray, level)
     if light is None:
         empty = np.zeros(gray.shape, bool)
         return FoundNetwork(np.zeros((0, 2)), (), empty, "contour", ("the picture has one tone",))
@@ -45,9 +50,9 @@ def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
     return replace(found, scores={"threshold": round(level / 255, 4)})
 
 
-def _gray(image: Image, chain: ContourSteps) -> Layer:
+def _gray(image: Image, chain: ContourSteps) -> Image:
     """Gray; or, where no threshold is given and gray parts no tones, distance to the paper."""
-    gray: Layer = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.float32)
+    gray: Image = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
     if chain.threshold is not None or chain.road != "auto":
         return gray
     plan = tones(image)
@@ -57,23 +62,44 @@ def _gray(image: Image, chain: ContourSteps) -> Layer:
     paper, other = (plan.colors[i] for i in (plan.paper, 1 if plan.paper == 0 else 0))
     if abs(float((paper - other) @ weights)) > 40:
         return gray
-    return away_from(image, paper).astype(np.float32)
+    return away_from(image, paper)
 
 
-def _otsu(gray: Layer) -> float:
-    plain = np.clip(gray, 0, 255).astype(np.uint8)
-    level, _ = cv2.threshold(plain, 0, 255, cv2.THRESH_BINARY | cv2.THRESH_OTSU)
+def _level(gray: Image, chain: ContourSteps) -> float:
+    """The gray, 0..255, that parts road from ground."""
+    if chain.threshold is not None:
+        return chain.threshold * 255
+    level, _ = cv2.threshold(gray, 0, 255, cv2.THRESH_BINARY | cv2.THRESH_OTSU)
     return float(level) + 0.5
 
 
+def _soft_by_levels(gray: Image, level: float) -> Layer | None:
+    """As `_soft`, worked out once for each of 256 levels of gray (h, w)."""
+    counts = np.bincount(_sampled(gray).ravel(), minlength=256)
+    levels = np.arange(256, dtype=np.float32)
+    is_low = levels < level
+    if not counts[is_low].any() or not counts[~is_low].any():
+        return None
+    usual = [float(np.median(np.repeat(levels[side], counts[side]))) for side in (is_low, ~is_low)]
+    return np.asarray(cv2.LUT(gray, _lightness(levels, level, *usual)))
+
+
 def _soft(gray: Layer, level: float) -> Layer | None:
-    """Lightness in 0..1, the level at one half, linear between the usual tones of both sides."""
-    step = max(1, int(np.sqrt(gray.size / 400_000)))
-    sample = gray[::step, ::step]
+    """Lightness (h, w) in 0..1, the level at one half, linear between the usual tones of both
+    sides; None if one has none."""
+    sample = _sampled(gray)
     low, high = sample[sample < level], sample[sample >= level]
     if not len(low) or not len(high):
         return None
-    dark, bright = float(np.median(low)), float(np.median(high))
+    return _lightness(gray, level, float(np.median(low)), float(np.median(high)))
+
+
+def _sampled(gray: NDArray[Any]) -> NDArray[Any]:
+    step = max(1, int(np.sqrt(gray.size / 400_000)))
+    return gray[::step, ::step]
+
+
+def _lightness(gray: Layer, level: float, dark: float, bright: float) -> Layer:
     below = (gray - level) / max(level - dark, 0.5)
     above = (gray - level) / max(bright - level, 0.5)
     return np.clip(0.5 + 0.5 * np.where(gray < level, below, above), 0, 1).astype(np.float32)

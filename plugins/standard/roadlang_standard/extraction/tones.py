@@ -8,6 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from .counted_colors import color_codes, counted_colors
+
 Image = NDArray[np.uint8]
 Layer = NDArray[np.float32]
 
@@ -31,24 +33,24 @@ class Tones:
 
 def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0) -> Tones:
     """The dominant colors of a picture (h, w, 3), found in a coarse color histogram."""
-    sample = thinned(image, 120_000).reshape(-1, 3)
-    coarse = (sample >> _BINS).astype(np.int64)
-    cell = (coarse[:, 0] << 6) | (coarse[:, 1] << 3) | coarse[:, 2]
-    counts = np.bincount(cell, minlength=512)
-    left = np.ones(len(sample), bool)
+    sample = counted_colors(color_codes(thinned(image, 120_000)))
+    total = int(sample.counts.sum())
+    blue, green, red = (sample.colors >> _BINS).astype(np.int32).T
+    cell = (blue << 6) | (green << 3) | red
+    left = np.ones(len(cell), bool)
     colors: list[NDArray[np.float64]] = []
     shares: list[float] = []
-    for peak in np.argsort(counts)[::-1][: 3 * most]:
+    for peak in np.argsort(sample.binned(cell, 512))[::-1][: 3 * most]:
         members = left & (cell == peak)
-        if members.mean() < least or len(colors) == most:
+        if sample.number(members) / total < least or len(colors) == most:
             continue
-        color = median_color(sample[members])
-        close = left & is_near(sample, color, near - 0.5)  # medians are whole numbers or halves
+        color = sample.median(members)
+        close = left & sample.near(color, near - 0.5)  # medians are whole numbers or halves
         colors.append(color)
-        shares.append(float(close.mean()))
+        shares.append(sample.number(close) / total)
         left &= ~close
     if not colors:
-        colors, shares = [median_color(sample)], [1.0]
+        colors, shares = [sample.median(left)], [1.0]
     stacked = np.array(colors)
     rim = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]]).astype(float)
     nearest = np.abs(rim[:, None] - stacked[None]).max(axis=2).argmin(axis=1)
@@ -56,23 +58,10 @@ def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0)
     return Tones(stacked, np.array(shares), int(np.argmax(votes)))
 
 
-def median_color(colors: Image) -> NDArray[np.float64]:
-    """The median (3,) of many colors (n, 3): by counting, which is faster than to sort them."""
-    middle = [(len(colors) - 1) // 2, len(colors) // 2]
-    totals = [np.cumsum(np.bincount(channel, minlength=256)) for channel in colors.T]
-    return np.array([np.searchsorted(total, middle, side="right").mean() for total in totals])
-
-
-def is_near(colors: Image, color: NDArray[np.float64], most: float) -> NDArray[np.bool_]:
-    """Which of many colors (n, 3) are off a color by at most so much in each channel."""
-    low, high = np.ceil(color - most), np.floor(color + most)
-    return np.asarray(cv2.inRange(colors[:, None], low, high)[:, 0] > 0)
-
-
 def away_from(image: Image, color: NDArray[np.float64]) -> Image:
     """How far each pixel (h, w) is from a color, in its worst channel, 0..255."""
-    flat = np.full(image.shape, np.clip(color, 0, 255).round(), np.uint8)
-    blue, green, red = cv2.split(cv2.absdiff(image, flat))
+    flat = np.clip(color, 0, 255).round().tolist()
+    blue, green, red = (cv2.absdiff(*each) for each in zip(cv2.split(image), flat, strict=True))
     return np.asarray(cv2.max(cv2.max(blue, green), red))
 
 
