@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -16,10 +17,10 @@ def path(tmp_path: Path) -> Path:
 
 
 def test_a_resumed_journal_is_added_to_and_never_written_anew(path: Path) -> None:
-    JournalFile(path, "key", resume=False).append([b"1", b"2"])
+    JournalFile(path, "key", resume=False, parse=bytes).append([b"1", b"2"])
     inode, before = path.stat().st_ino, path.read_bytes()
-    later = JournalFile(path, "key", resume=True)
-    assert later.lines == [b"1", b"2"]
+    later = JournalFile(path, "key", resume=True, parse=bytes)
+    assert later.entries == [b"1", b"2"]
     assert path.read_bytes() == before
     later.append([b"3"])
     assert path.read_bytes() == before + b"3\n"
@@ -28,41 +29,56 @@ def test_a_resumed_journal_is_added_to_and_never_written_anew(path: Path) -> Non
 
 @pytest.mark.parametrize("cut", range(1, 8))
 def test_a_line_that_was_not_finished_is_cut_off(path: Path, cut: int) -> None:
-    JournalFile(path, "key", resume=False).append([b'{"a": 1}', b'{"b": 2}'])
+    JournalFile(path, "key", resume=False, parse=bytes).append([b'{"a": 1}', b'{"b": 2}'])
     path.write_bytes(path.read_bytes()[:-cut])
-    later = JournalFile(path, "key", resume=True)
-    assert later.lines == [b'{"a": 1}']
+    later = JournalFile(path, "key", resume=True, parse=bytes)
+    assert later.entries == [b'{"a": 1}']
     later.append([b'{"c": 3}'])
-    assert JournalFile(path, "key", resume=True).lines == [b'{"a": 1}', b'{"c": 3}']
+    assert JournalFile(path, "key", resume=True, parse=bytes).entries == [b'{"a": 1}', b'{"c": 3}']
 
 
 def test_a_journal_without_a_line_is_gone_on_with(path: Path) -> None:
-    JournalFile(path, "key", resume=False)
-    later = JournalFile(path, "key", resume=True)
-    assert later.lines == []
+    JournalFile(path, "key", resume=False, parse=bytes)
+    later = JournalFile(path, "key", resume=True, parse=bytes)
+    assert later.entries == []
     later.append([b"1"])
-    assert JournalFile(path, "key", resume=True).lines == [b"1"]
+    assert JournalFile(path, "key", resume=True, parse=bytes).entries == [b"1"]
 
 
 def test_a_header_without_its_line_break_gets_one(path: Path) -> None:
-    JournalFile(path, "key", resume=False)
+    JournalFile(path, "key", resume=False, parse=bytes)
     path.write_bytes(path.read_bytes().rstrip(b"\n"))
-    JournalFile(path, "key", resume=True).append([b"1"])
-    assert JournalFile(path, "key", resume=True).lines == [b"1"]
+    JournalFile(path, "key", resume=True, parse=bytes).append([b"1"])
+    assert JournalFile(path, "key", resume=True, parse=bytes).entries == [b"1"]
 
 
 def test_the_journal_of_something_else_stays_as_it_is(path: Path) -> None:
-    JournalFile(path, "key", resume=False).append([b"1"])
+    JournalFile(path, "key", resume=False, parse=bytes).append([b"1"])
     before = path.read_bytes()
     with pytest.raises(DiagnosticError):
-        JournalFile(path, "other", resume=True)
+        JournalFile(path, "other", resume=True, parse=bytes)
     assert path.read_bytes() == before
 
 
-def test_lines_are_read_of_any_key_but_damaged_and_unfinished_ones_are_not(path: Path) -> None:
-    JournalFile(path, "key", resume=False).append([b'{"a": 1}', b'{"b": 2}'])
-    path.write_bytes(path.read_bytes() + b'{"c": \n{"d": 4}\n{"e": 5}')
-    assert read_lines(path) == [b'{"a": 1}', b'{"b": 2}', b'{"d": 4}']
+def test_lines_are_read_of_any_key_but_unfinished_ones_are_not(path: Path) -> None:
+    JournalFile(path, "key", resume=False, parse=bytes).append([b'{"a": 1}', b"{"])
+    path.write_bytes(path.read_bytes() + b'{"e": 5}')
+    assert read_lines(path) == [(2, b'{"a": 1}'), (3, b"{")]
+
+
+@pytest.mark.parametrize("damage", [b'{"c": ', b"{}", b'"text"', b'{"a": "b"}', b""])
+def test_damaged_lines_are_told_and_taken_out(path: Path, damage: bytes) -> None:
+    def parse(line: bytes) -> int:
+        return int(json.loads(line)["a"]) + 0
+
+    JournalFile(path, "key", False, parse).append([b'{"a": 1}', damage, b'{"a": 3}'])
+    later = JournalFile(path, "key", True, parse)
+    assert later.entries == [1, 3]
+    (warning,) = later.diagnostics
+    assert warning.code == "RL724"
+    assert "line 3 of" in warning.message
+    assert JournalFile(path, "key", True, parse).diagnostics == ()
+    assert read_lines(path) == [(2, b'{"a": 1}'), (3, b'{"a": 3}')]
 
 
 @pytest.mark.parametrize("header", [b'{"schema": "other"}', b"[]", b'"text"'])

@@ -79,7 +79,7 @@ def test_a_line_that_is_none_is_named(tmp_path: Path) -> None:
     (tmp_path / JOURNAL_FILE).write_text(HEADER + '{"row": {}}\n')
     with pytest.raises(DiagnosticError, match="RL721") as caught:
         list(_entries(tmp_path, ""))
-    assert "in one of its lines, `scene` is missing" in caught.value.diagnostics[0].message
+    assert "line 2: `record` is missing" in caught.value.diagnostics[0].message
 
 
 def test_several_runs_stand_for_the_first_of_them(tmp_path: Path) -> None:

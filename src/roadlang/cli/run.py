@@ -214,6 +214,7 @@ class RunBatch:
 
         key = _digest([origin[0], *([] if self._outputs is None else self._outputs)], task)
         folder = RunFolder(self._folder(run), key, origin[1], self._resume, backends)
+        report(folder.diagnostics)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: list[Any] = []
         with ProgressBar("drives") as progress:

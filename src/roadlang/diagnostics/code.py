@@ -259,6 +259,7 @@ class Code:
     BROKEN_RESULTS: Final = "RL721"
     NOT_A_FAILURE: Final = "RL722"
     OTHER_SCENE: Final = "RL723"
+    DAMAGED_JOURNAL: Final = "RL724"
     NOT_A_REWARD: Final = "RL730"
     NO_SUCH_AGENT: Final = "RL731"
     PROGRAM_FAILED: Final = "RL740"

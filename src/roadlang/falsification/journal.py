@@ -8,6 +8,7 @@ from typing import Protocol
 
 import msgspec
 
+from ..diagnostics import Diagnostic
 from ..files.journal import JournalFile
 from .evaluator import Proposal
 from .outcome import Outcome
@@ -15,6 +16,11 @@ from .outcome import Outcome
 
 class Journal(Protocol):
     """Where outcomes are kept while a search goes on."""
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with those of an earlier search."""
+        ...
 
     def known(self, proposal: Proposal) -> Outcome | None:
         """The outcome of a candidate that was evaluated before."""
@@ -27,6 +33,8 @@ class Journal(Protocol):
 
 class NoJournal:
     """Keeps nothing."""
+
+    diagnostics: tuple[Diagnostic, ...] = ()
 
     def known(self, proposal: Proposal) -> Outcome | None:
         """None: nothing is known."""
@@ -44,10 +52,14 @@ class SearchJournal:
     """
 
     def __init__(self, path: Path, key: str, resume: bool) -> None:
-        self._file = JournalFile(path, key, resume)
         decoder = msgspec.json.Decoder(Outcome)
-        outcomes = (decoder.decode(line) for line in self._file.lines)
-        self._known = {outcome.index: outcome for outcome in outcomes}
+        self._file = JournalFile(path, key, resume, decoder.decode)
+        self._known = {outcome.index: outcome for outcome in self._file.entries}
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """A warning of lines that cannot be read (RL724)."""
+        return self._file.diagnostics
 
     def known(self, proposal: Proposal) -> Outcome | None:
         """The outcome of that number, where its point is the same."""

@@ -3,35 +3,46 @@
 from __future__ import annotations
 
 import json
-import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Generic, TypeVar
 
-from ..diagnostics import Code, DiagnosticError, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from .not_written import not_written
+from .writing import write_file
+
+T = TypeVar("T")
 
 SCHEMA = "roadlang.journal/1"
 JOURNAL_FILE = "journal.jsonl"
 """Its name in the folder that `run` or `falsify` writes."""
+UNUSABLE = (ValueError, KeyError, TypeError, AttributeError)
+"""What reading a line raises that is no JSON, or of another form."""
+_FIRST_LINE = 2
+"""Number of the line below the header."""
+_MOST_SHOWN = 5
 _ANEW = "choose another folder with `-o`, or leave out `--resume` to start over"
 
 
-class JournalFile:
+class JournalFile(Generic[T]):
     """A header with a key, then lines of JSON. A line that was not finished is left out.
 
-    `lines` are those of an earlier run with the same key, where `resume` says to go on with it;
-    otherwise the file is begun anew. Raises `DiagnosticError` RL702 where the file has another key,
-    RL460 where it cannot be written.
+    `entries` are what `parse` makes of the lines of an earlier run with the same key, where
+    `resume` says to go on with it; otherwise the file is begun anew. A line that `parse` refuses
+    with ValueError, KeyError, TypeError or AttributeError was changed: it is taken out of the file,
+    and `diagnostics` warns of it (RL724). Raises `DiagnosticError` RL702 where the file has another
+    key, RL460 where it cannot be written.
     """
 
-    def __init__(self, path: Path, key: str, resume: bool) -> None:
+    def __init__(self, path: Path, key: str, resume: bool, parse: Callable[[bytes], T]) -> None:
         self.path = path
         header = json.dumps({"schema": SCHEMA, "key": key}).encode()
-        self.lines: list[bytes] = []
+        self.entries: list[T] = []
+        self.diagnostics: tuple[Diagnostic, ...] = ()
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             if resume and path.exists():
-                self.lines = _finished(path, header)
+                self._read(header, parse)
             else:
                 path.write_bytes(header + b"\n")
         except OSError as error:
@@ -45,35 +56,38 @@ class JournalFile:
         except OSError as error:
             raise not_written(self.path, error) from error
 
+    def _read(self, header: bytes, parse: Callable[[bytes], T]) -> None:
+        content = self.path.read_bytes()
+        first, *lines = content.split(b"\n")
+        if first != header:
+            raise DiagnosticError(diagnose(Code.OTHER_JOURNAL, path=str(self.path), help=_ANEW))
+        kept, damaged = [], []
+        for number, line in enumerate(lines[:-1], _FIRST_LINE):
+            try:
+                self.entries.append(parse(line))
+            except UNUSABLE:
+                damaged.append(number)
+            else:
+                kept.append(line)
+        whole = b"".join(line + b"\n" for line in (header, *kept))
+        if whole != content:  # what was not finished would run into the next line
+            write_file(self.path, whole)
+        if damaged:
+            self.diagnostics = (_damaged(self.path, damaged),)
 
-def read_lines(path: Path) -> list[bytes]:
-    """The finished lines of a journal, whatever its key. Raises `OSError`, and `ValueError` for a
-    file that is no journal."""
+
+def _damaged(path: Path, numbers: list[int]) -> Diagnostic:
+    shown = ", ".join(map(str, numbers[:_MOST_SHOWN]))
+    more = f" and {len(numbers) - _MOST_SHOWN} more" if len(numbers) > _MOST_SHOWN else ""
+    where = f"line{'s' if len(numbers) > 1 else ''} {shown}{more}"
+    return diagnose(Code.DAMAGED_JOURNAL, path=str(path), lines=where)
+
+
+def read_lines(path: Path) -> list[tuple[int, bytes]]:
+    """The finished lines of a journal with their numbers, whatever its key. Raises `OSError`, and
+    `ValueError` for a file that is no journal."""
     first, *lines = path.read_bytes().split(b"\n")
     header = json.loads(first)
     if not isinstance(header, dict) or header.get("schema") != SCHEMA:
         raise ValueError("it is not a journal of roadlang")
-    return [line for line in lines[:-1] if _is_json(line)]
-
-
-def _finished(path: Path, header: bytes) -> list[bytes]:
-    """The finished lines below the header. Only a line without its end is cut off: it would run
-    into the next one."""
-    content = path.read_bytes()
-    first, *lines = content.split(b"\n")
-    if first != header:
-        raise DiagnosticError(diagnose(Code.OTHER_JOURNAL, path=str(path), help=_ANEW))
-    if not lines:
-        with path.open("ab") as file:
-            file.write(b"\n")
-    elif lines[-1]:
-        os.truncate(path, len(content) - len(lines[-1]))
-    return [line for line in lines[:-1] if _is_json(line)]
-
-
-def _is_json(line: bytes) -> bool:
-    try:
-        json.loads(line)
-    except ValueError:
-        return False
-    return True
+    return list(enumerate(lines[:-1], _FIRST_LINE))

@@ -12,7 +12,7 @@ import msgspec
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..drive.standing import with_objects
 from ..drive.trace_files import from_json
-from ..files.journal import JOURNAL_FILE, read_lines
+from ..files.journal import JOURNAL_FILE, UNUSABLE, read_lines
 from ..files.reading import UnreadableFile, read_file
 from ..ir.encoding import scene_from_json
 from ..ir.results_record import RESULTS_FILE, RESULTS_SCHEMA, ResultsRecord
@@ -54,13 +54,22 @@ def read_drive(stem: Path) -> tuple[Scene, Trace]:
     return scene, with_objects(trace, scene)
 
 
-def read_journal(folder: Path) -> list[bytes]:
-    """The lines of the journal. Raises RL721."""
-    path = folder / JOURNAL_FILE
+def read_journal(folder: Path, parse: Callable[[bytes], T]) -> list[T]:
+    """What `parse` makes of the lines of the journal. Raises RL721, which names the line."""
+    path, found = folder / JOURNAL_FILE, []
     try:
-        return read_lines(path)
+        lines = read_lines(path)
     except (OSError, ValueError) as error:
         raise broken(path, reason_of(error)) from error
+    for number, line in lines:
+        try:
+            found.append(parse(line))
+        except UNUSABLE as error:
+            known = isinstance(error, KeyError)
+            reason = reason_of(error) if known else "it is no JSON that roadlang writes"
+            fault = broken(path, f"line {number}: {reason}")
+            raise fault from error
+    return found
 
 
 def read_typed(path: Path, kind: type[T]) -> T:

@@ -14,7 +14,7 @@ from ..ir.results_record import RESULTS_FILE, ResultsRecord
 from ..ir.scene import file_stem
 from ..judging.badness import badness
 from ..plugins.registry import Registry
-from .reading import broken, read_journal, read_record, reason_of
+from .reading import read_journal, read_record
 from .results import ResultRow, Results, ShownDrive
 from .shown_drives import MOST_FAILING, MOST_SAFE, shown_drive
 
@@ -87,16 +87,13 @@ def _runs(folder: Path) -> list[Path]:
 
 
 def _entries(folder: Path, run: str) -> Iterator[_Entry]:
-    latest: dict[int, _Entry] = {}
-    for line in read_journal(folder):
-        try:
-            found = json.loads(line)
-            scene = int(found["row"]["scene"])
-            measures = found.get("measures", {})
-            latest[scene] = _Entry(run, found["row"], found["record"]["expectations"], measures)
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            reason = f"in one of its lines, {reason_of(error)}"
-            raise broken(folder / "journal.jsonl", reason) from error
+    def entry(line: bytes) -> tuple[int, _Entry]:
+        found = json.loads(line)
+        measures = found.get("measures", {})
+        judged = found["record"]["expectations"]
+        return int(found["row"]["scene"]), _Entry(run, found["row"], judged, measures)
+
+    latest = dict(read_journal(folder, entry))
     return iter([latest[scene] for scene in sorted(latest)])
 
 

@@ -13,7 +13,7 @@ from ..falsification.outcome_rows import row_of
 from ..falsification.statistics import best_so_far, coverage, failure_rate
 from ..ir.results_record import ResultsRecord
 from ..plugins.registry import Registry
-from .reading import broken, read_journal, read_typed
+from .reading import read_journal, read_typed
 from .results import ResultRow, Results, ShownDrive
 from .shown_drives import MOST_FAILING, shown_drive
 
@@ -79,11 +79,7 @@ def read_search(folder: Path, record: ResultsRecord, registry: Registry) -> Resu
 
 
 def _outcomes(folder: Path, evaluations: int) -> Sequence[Outcome]:
-    decoder = msgspec.json.Decoder(Outcome)
-    try:
-        found = [decoder.decode(line) for line in read_journal(folder)]
-    except msgspec.MsgspecError as error:
-        raise broken(folder / "journal.jsonl", str(error)) from error
+    found = read_journal(folder, msgspec.json.Decoder(Outcome).decode)
     latest = {outcome.index: outcome for outcome in found if outcome.index < evaluations}
     return [latest[number] for number in sorted(latest)]
 

@@ -121,12 +121,18 @@ class Falsification:
     """What a search came to. `outcomes` are all evaluated candidates in their order."""
 
     def __init__(
-        self, loaded: LoadedScenario, plan: Plan, evaluator: Evaluator, result: SearchResult
+        self,
+        loaded: LoadedScenario,
+        plan: Plan,
+        evaluator: Evaluator,
+        result: SearchResult,
+        remarks: tuple[Diagnostic, ...] = (),
     ) -> None:
         self.loaded = loaded
         self.plan = plan
         self.evaluator = evaluator
         self.outcomes = result.outcomes
+        self._remarks = remarks
         self.failures = tuple(
             Failure(rank, outcome, self) for rank, outcome in enumerate(result.failures, 1)
         )
@@ -176,16 +182,21 @@ class Falsification:
     @cached_property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Warnings of windows that hold no sample of the roads (RL308, RL313) or of a drive: one in
-        which nothing is violated, if there is one. Others may end before their windows begin."""
+        which nothing is violated, if there is one: others may end before their windows begin. And
+        of lines of the journal that cannot be read (RL724)."""
         looked_at = sorted(self.driven, key=lambda outcome: outcome.is_failure)[:1]
         if not looked_at:
-            return ()
+            return self._remarks
         (outcome,) = looked_at
         told = {Code.WINDOW_BETWEEN_SAMPLES}
         told |= set() if outcome.is_failure else {Code.WINDOWS_BEYOND_END}
         of_roads = self.evaluator.window_warnings(Proposal(outcome.index, outcome.point))
         drives = self.safe_drives if len(self.safe_drives) else self._driven([self.scene(outcome)])
-        found = (*of_roads, *(each for each in drives.diagnostics if each.code in told))
+        found = (
+            *self._remarks,
+            *of_roads,
+            *(each for each in drives.diagnostics if each.code in told),
+        )
         return tuple(dict.fromkeys(found))
 
     def scene(self, outcome: Outcome) -> Scene:
@@ -282,4 +293,4 @@ def falsified(
     with WorkerPool(evaluator, workers) as pool:
         expired = deadline(plan.seconds)
         result = search_failures(plan, axes, pool, expects, journal, workers.progress, expired)
-    return Falsification(loaded, plan, evaluator, result)
+    return Falsification(loaded, plan, evaluator, result, journal.diagnostics)

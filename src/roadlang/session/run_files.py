@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..diagnostics import Diagnostic
 from ..drive.input_files import input_files
 from ..drive.reading_files import reading_files
 from ..falsification.descriptors import measures, protagonist
@@ -47,12 +48,18 @@ class RunFolder:
     ) -> None:
         self._folder = folder
         self._backends = backends
-        self._journal = JournalFile(folder / JOURNAL_FILE, key, resume)
+        self._journal = JournalFile(folder / JOURNAL_FILE, key, resume, _entry)
         write_file(folder / RESULTS_FILE, provenance)
-        entries = [json.loads(line) for line in self._journal.lines]
         self.finished: dict[int, Mapping[str, Any]] = {
-            entry["row"]["scene"]: entry for entry in entries if self._has_files(entry)
+            entry["row"]["scene"]: entry
+            for entry in self._journal.entries
+            if self._has_files(entry)
         }
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """A warning of lines of the journal that cannot be read (RL724)."""
+        return self._journal.diagnostics
 
     def add(self, drives: DriveSet) -> None:
         """Write the files of drives, all of them or none, and then their lines in the journal."""
@@ -107,6 +114,14 @@ class RunFolder:
         stem = file_stem(entry["row"]["scene"])
         paths = [*(stem + end for end in _ENDINGS), *entry.get("files", ())]
         return all((self._folder / path).is_file() for path in paths)
+
+
+def _entry(line: bytes) -> Mapping[str, Any]:
+    """A line of the journal, with what is read of it."""
+    entry: Mapping[str, Any] = json.loads(line)
+    if not isinstance(entry["row"]["scene"], int) or not entry["record"].keys() >= {"expectations"}:
+        raise ValueError("its JSON has another form than what roadlang writes")
+    return entry
 
 
 def record_of(drive: Drive) -> dict[str, Any]:
