@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -97,9 +98,36 @@ def test_draws_go_to_their_simplest_values_or_half_way_while_the_first_violation
 
 def test_influences_are_of_the_first_violation_with_draws_at_their_medians() -> None:
     evaluator: Any = Formula(lambda x, y, z: (x - 1.0 + 0.1 * y, z - 1.0))
-    found = influences(evaluator.outcome((0.0, 0.0, 0.0)), evaluator, ["x", "y", "z"])
+    listed = influences(evaluator.outcome((0.0, 0.0, 0.0)), evaluator, ["x", "y", "z"])
+    found = {item.draws: item.robustness for item in listed}
     assert found == pytest.approx({
         ("x", "y"): -0.45, ("x",): -0.5, ("x", "z"): -0.5, ("y",): -0.95, ("y", "z"): -0.95,
         ("z",): -1.0,
     })  # fmt: skip
     assert list(found) == [("x", "y"), ("x",), ("x", "z"), ("y",), ("y", "z"), ("z",)]
+    assert not any(item.holds for item in listed)
+
+
+def test_an_expectation_that_holds_with_robustness_zero_holds() -> None:
+    """As `always (ego.contacts == 0)` does: its robustness is never above 0."""
+    evaluator: Any = Formula(lambda x, y, z: (0.0 if x == 0.5 else -1.0, 1.0))
+    failure = evaluator.outcome((0.0, 0.0, 0.0))
+    found = {item.draws: item.holds for item in influences(failure, evaluator, ["x", "y", "z"])}
+    assert found[("x",)] is True
+    assert found[("y",)] is False
+
+
+def test_infinite_robustness_and_no_scene_are_told_apart() -> None:
+    class Endless(Formula):
+        def outcome(self, point: tuple[float, ...]) -> Outcome:
+            found = super().outcome(point)
+            if point[0] == 0.5:
+                return replace(found, expectations={"a": None}, violated=())
+            return replace(found, violation=1.0, expectations={}) if point[1] == 0.5 else found
+
+    evaluator: Any = Endless(lambda x, y, z: (-1.0, 1.0))
+    failure = evaluator.outcome((0.0, 0.0, 0.0))
+    singles = [item for item in influences(failure, evaluator, "xyz") if len(item.draws) == 1]
+    assert [(item.draws, item.holds) for item in singles] == [
+        (("x",), True), (("z",), False), (("y",), None),
+    ]  # fmt: skip

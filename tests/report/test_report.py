@@ -329,18 +329,23 @@ def test_cells_of_the_table_are_values_as_json_has_them(search: Path) -> None:
 
 
 def test_pairs_of_draws_are_told_that_hold_where_neither_does_alone(copy: Path) -> None:
-    medians = {
-        ("a",): None, ("b",): 0.5, ("c",): -1.0,
-        ("a", "c"): 0.25, ("a", "b"): 0.5, ("c", "d"): None, ("c", "e"): 0.0,
+    medians: dict[tuple[str, ...], tuple[float | None, bool | None]] = {
+        ("a",): (None, None), ("b",): (0.0, True), ("c",): (-1.0, False), ("a", "c"): (0.0, True),
+        ("a", "b"): (0.5, True), ("c", "d"): (None, None), ("c", "e"): (0.0, False),
     }  # fmt: skip
-    listed = [{"draws": draws, "robustness": rho} for draws, rho in medians.items()]
+    listed = [
+        {"draws": draws, "robustness": rho, "holds": holds}
+        for draws, (rho, holds) in medians.items()
+    ]
     record = {"expectation": "slow", "unit": "m/s", "medians": listed}
     first = min((copy / "failures").glob("[0-9][0-9][0-9][0-9].json"))
     first.with_suffix(".explanation.json").write_text(json.dumps(record))
     told = [
         found for drive in data_of(write_report(copy))["drives"] if (found := drive["explanation"])
     ]
-    expected = [["a", None], ["b", 0.5], ["c", -1.0], ["a + c", 0.25]]
+    expected = [
+        ["a", None, None], ["b", 0.0, True], ["c", -1.0, False], ["a + c", 0.0, True],
+    ]  # fmt: skip
     assert told == [{"expectation": "slow", "unit": "m/s", "medians": expected}]
 
 

@@ -28,16 +28,17 @@ def _lines(record: Mapping[str, Any]) -> list[str]:
 
     name, medians = record["expectation"], record["medians"]
     singles = [item for item in medians if len(item["draws"]) == 1]
-    holding = {item["draws"][0] for item in singles if _holds(item)}
+    holding = {item["draws"][0] for item in singles if item["holds"]}
     pairs = [item for item in medians if len(item["draws"]) == 2 and not holding & {*item["draws"]}]
     head = f"{style('violated', fg='red')}  {name}: {record['text']}"
     rho = plain(quantity(record["robustness"], record["unit"]))
     lines = [f"{head}  robustness {rho}", *_moment(record["moment"])]
     lines += ["", f"robustness of {name} with a random value at its median, the others as they are"]
     lines += _rows(singles, record["unit"])
-    if any(map(_holds, pairs)):
+    helping = [item for item in pairs if item["holds"]]
+    if helping:
         lines += ["", "with two at their medians, of those that do not help alone"]
-        lines += _rows([item for item in pairs if _holds(item)], record["unit"])
+        lines += _rows(helping, record["unit"])
     elif not holding:
         lines += ["", "neither one of them nor a pair of those that matter most makes it hold"]
     return lines
@@ -53,18 +54,20 @@ def _moment(moment: Mapping[str, Any] | None) -> list[str]:
 
 
 def _rows(items: Sequence[Mapping[str, Any]], unit: str) -> list[str]:
-    from ..report.numbers import plain, quantity
-
     rows = []
     for item in items[:_SHOWN]:
-        rho = item["robustness"]
-        number = "no scene" if rho is None else plain(quantity(rho, unit))
-        word = style("holds", fg="green") if _holds(item) else ""
+        word = style("holds", fg="green") if item["holds"] else ""
+        number = _number(item, unit)
         rows.append(f"  {number:>11}  {' + '.join(item['draws'])}  {word}".rstrip())
     more = len(items) - _SHOWN
     return [*rows, f"  ... and {more} more"] if more > 0 else rows
 
 
-def _holds(item: Mapping[str, Any]) -> bool:
-    rho: float | None = item["robustness"]
-    return rho is not None and rho > 0.0
+def _number(item: Mapping[str, Any], unit: str) -> str:
+    from ..report.numbers import plain, quantity
+
+    if item["holds"] is None:
+        return "no scene"
+    if item["robustness"] is None:
+        return "inf" if item["holds"] else "-inf"
+    return plain(quantity(item["robustness"], unit))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import combinations
 
 from .evaluator import Evaluator, Proposal
@@ -58,20 +59,36 @@ def _moved(outcome: Outcome, axis: int, at: float) -> Proposal:
     return Proposal(outcome.index, point)
 
 
+@dataclass(frozen=True)
+class Influence:
+    """The violated expectation with some draws at their medians, the others as they are."""
+
+    draws: tuple[str, ...]
+    robustness: float | None
+    """None where it is infinite, or there is no such scene"""
+    holds: bool | None
+    """whether the expectation holds then; None where a requirement is violated"""
+
+
 def influences(
     failure: Outcome, evaluator: Evaluator, axes: Sequence[str]
-) -> Mapping[tuple[str, ...], float | None]:
-    """The robustness of the violated expectation with each draw reset to its median, and with each
-    pair of those that matter most; the greatest first. None where a requirement is then violated.
-    """
+) -> tuple[Influence, ...]:
+    """Of each draw, and of each pair of those that matter most; the greatest robustness first."""
     name = failure.violated[0]
     singles = [(axis,) for axis in range(len(axes))]
     found = _tried(failure, singles, evaluator)
-    order = sorted(singles, key=lambda key: -_rho(found[key], name))
+    order = sorted(singles, key=lambda key: -_margin(found[key], name))
     leading = sorted(axis for (axis,) in order[:_MOST_PAIRED])
     found |= _tried(failure, list(combinations(leading, 2)), evaluator)
-    ranked = sorted(found, key=lambda key: (-_rho(found[key], name), len(key), key))
-    return {tuple(axes[axis] for axis in key): found[key].expectations.get(name) for key in ranked}
+    ranked = sorted(found, key=lambda key: (-_margin(found[key], name), len(key), key))
+    return tuple(
+        Influence(
+            tuple(axes[axis] for axis in key),
+            found[key].expectations.get(name),
+            name not in found[key].violated if found[key].is_valid else None,
+        )
+        for key in ranked
+    )
 
 
 def _tried(
@@ -85,6 +102,13 @@ def _reset(outcome: Outcome, axes: Sequence[int]) -> Proposal:
     """The same candidate with some coordinates at the medians; its other draws stay."""
     point = tuple(MEDIAN if axis in axes else v for axis, v in enumerate(outcome.point))
     return Proposal(outcome.index, point)
+
+
+def _margin(outcome: Outcome, name: str) -> float:
+    """The robustness, infinite where the expectation holds and has none that is finite."""
+    robustness = outcome.expectations.get(name)
+    holds = outcome.is_valid and name not in outcome.violated
+    return float("inf") if robustness is None and holds else _rho(outcome, name)
 
 
 def _rho(outcome: Outcome, name: str) -> float:

@@ -22,10 +22,12 @@ MOST_INFLUENCES = 8
 
 @dataclass(frozen=True)
 class Influence:
-    """The robustness with some draws at their medians; None where that is no valid scene."""
+    """The robustness with some draws at their medians, None where it is infinite, and whether the
+    expectation holds then, None where that is no valid scene."""
 
     draws: tuple[str, ...]
     robustness: float | None
+    holds: bool | None = False
 
 
 @dataclass(frozen=True)
@@ -69,22 +71,18 @@ def _explained(stem: Path) -> dict[str, Any] | None:
         return None
     found = read_typed(path, FailureExplanation)
     singles = [item for item in found.medians if len(item.draws) == 1]
-    holding = {name for item in singles if _holds(item) for name in item.draws}
+    holding = {name for item in singles if item.holds for name in item.draws}
     pairs = [
         item
         for item in found.medians
-        if len(item.draws) > 1 and _holds(item) and not holding & {*item.draws}
+        if len(item.draws) > 1 and item.holds and not holding & {*item.draws}
     ]
     listed = [*singles[:MOST_INFLUENCES], *pairs[:MOST_INFLUENCES]]
     return {
         "expectation": found.expectation,
         "unit": found.unit,
-        "medians": [[" + ".join(item.draws), item.robustness] for item in listed],
+        "medians": [[" + ".join(item.draws), item.robustness, item.holds] for item in listed],
     }
-
-
-def _holds(item: Influence) -> bool:
-    return item.robustness is not None and item.robustness > 0.0
 
 
 def _shown(value: Any, unit: str) -> tuple[Any, str]:

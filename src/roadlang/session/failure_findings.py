@@ -37,7 +37,6 @@ def explanation(failure: Failure) -> dict[str, Any]:
     """Which draws matter, the most important first, and the moment it went wrong."""
     outcome = failure.outcome
     name = outcome.violated[0]
-    found = failure.explain()
     return {
         "schema": EXPLANATION_SCHEMA,
         "expectation": name,
@@ -45,9 +44,7 @@ def explanation(failure: Failure) -> dict[str, Any]:
         "robustness": outcome.expectations[name],
         "unit": unit_of(failure),
         "moment": None if outcome.moment is None else dataclasses.asdict(outcome.moment),
-        "medians": [
-            {"draws": list(draws), "robustness": robustness} for draws, robustness in found.items()
-        ],
+        "medians": [dataclasses.asdict(found) for found in failure.influences],
     }
 
 

@@ -22,7 +22,7 @@ from ..falsification.plan import Plan
 from ..falsification.search_key import search_key
 from ..falsification.search_loop import SearchResult, search_failures
 from ..falsification.settings import plan_of
-from ..falsification.shrinking import influences, shrunk
+from ..falsification.shrinking import Influence, influences, shrunk
 from ..falsification.statistics import (
     Coverage,
     FailureRate,
@@ -104,6 +104,11 @@ class Failure:
         """Which draws matter: the robustness of the violated expectation with each of them reset to
         its median, and with pairs of those that matter most, the greatest first; None where a
         requirement is then violated."""
+        return {found.draws: found.robustness for found in self.influences}
+
+    @cached_property
+    def influences(self) -> tuple[Influence, ...]:
+        """What `explain` gives, and whether the expectation then holds."""
         evaluator = self._search.evaluator
         return influences(self.outcome, evaluator, evaluator.task.axes)
 

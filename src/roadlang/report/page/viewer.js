@@ -265,11 +265,17 @@ function foundByCommands({ name, shrunk, explanation }) {
     parts.push(make("p", {}, make("code", {}, `roadlang run ${name}.shrunk.json`)));
   }
   if (explanation) {
-    const rows = explanation.medians.map(([draws, value]) => [draws, value === null ? "no scene" : shown(value, explanation.unit), value > 0 ? "holds" : ""]);
+    const rows = explanation.medians.map(([draws, value, holds]) => [draws, ofMedian(value, holds, explanation.unit), holds ? "holds" : ""]);
     parts.push(make("h3", {}, "Which random values matter"));
     parts.push(make("p", {}, `Robustness of ${explanation.expectation} with these at their medians, the others as they are:`), list(rows));
   }
   return parts;
+}
+
+// The robustness with a draw at its median; `holds` is null where that is no scene.
+function ofMedian(value, holds, unit) {
+  if (holds === null) return "no scene";
+  return value === null ? (holds ? "inf" : "-inf") : shown(value, unit);
 }
 
 function list(rows) {
