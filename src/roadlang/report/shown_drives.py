@@ -21,7 +21,7 @@ MOST_INFLUENCES = 8
 
 
 @dataclass(frozen=True)
-class Influence:
+class ShownInfluence:
     """The robustness with some draws at their medians, None where it is infinite, and whether the
     expectation holds then, None where that is no valid scene."""
 
@@ -36,7 +36,7 @@ class FailureExplanation:
 
     expectation: str
     unit: str
-    medians: tuple[Influence, ...]
+    medians: tuple[ShownInfluence, ...]
 
 
 def shown_drive(

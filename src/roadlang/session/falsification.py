@@ -101,9 +101,9 @@ class Failure:
         return Failure(self.rank, shrunk(self.outcome, self._search.evaluator), self._search)
 
     def explain(self) -> Mapping[tuple[str, ...], float | None]:
-        """Which draws matter: the robustness of the violated expectation with each of them reset to
-        its median, and with pairs of those that matter most, the greatest first; None where a
-        requirement is then violated."""
+        """Which draws matter: the robustness of the violated expectation with each at its median,
+        and with pairs of those that matter most, the greatest first; None where it is not finite or
+        a requirement is then violated."""
         return {found.draws: found.robustness for found in self.influences}
 
     @cached_property
@@ -186,9 +186,8 @@ class Falsification:
 
     @cached_property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Warnings of windows that hold no sample of the roads (RL308, RL313) or of a drive: one in
-        which nothing is violated, if there is one: others may end before their windows begin. And
-        of lines of the journal that cannot be read (RL724)."""
+        """Warnings of lines of the journal (RL724), and of windows that hold no sample of the roads
+        (RL308, RL313) or of a drive: a safe one if there is one, since others may end early."""
         looked_at = sorted(self.driven, key=lambda outcome: outcome.is_failure)[:1]
         if not looked_at:
             return self._remarks
