@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from roadlang.envs import EnvSettings
+from roadlang.envs.seeds import seed_of
 
 
 def settings(**changes: Any) -> EnvSettings:
@@ -21,6 +23,29 @@ def test_an_episode_has_as_many_steps_as_fit_and_one_at_least(
     duration: float, step: float, limit: int
 ) -> None:
     assert EnvSettings(duration=duration, step=step).limit == limit
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    found = settings(
+        scenes=np.int64(3), scene_seed=np.uint8(4), agents=np.int32(2), step=np.float32(0.5),
+        violation_ends=np.bool_(True),
+    )  # fmt: skip
+    assert found == settings(scenes=3, scene_seed=4, agents=2, step=0.5, violation_ends=True)
+    assert type(found.scenes) is int
+    assert found.violation_ends is True
+
+
+@pytest.mark.parametrize("seed", [np.int64(4), np.uint8(4)])
+def test_seeds_of_resets_may_be_of_numpy(seed: Any) -> None:
+    assert seed_of(seed) == 4
+    assert type(seed_of(seed)) is int
+    assert seed_of(None) is None
+
+
+@pytest.mark.parametrize("seed", [1.0, "1", True])
+def test_what_is_no_seed_is_refused_by_name(seed: Any) -> None:
+    with pytest.raises(TypeError, match="`seed` must be an integer"):
+        seed_of(seed)
 
 
 def test_settings_are_checked() -> None:

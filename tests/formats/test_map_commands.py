@@ -40,6 +40,21 @@ def test_a_map_becomes_a_scene_and_a_map_again(town: Path, tmp_path: Path) -> No
     assert [road.length for road in outside] == [40.0, 40.0, 40.0]
 
 
+def test_extensions_may_be_in_capitals_and_names_stay_as_they_are_written(tmp_path: Path) -> None:
+    source, target = tmp_path / "TOWN.XODR", tmp_path / "AGAIN.XODR"
+    source.write_text(crossing())
+    assert ran("convert", str(source), str(target)).returncode == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"TOWN.XODR", "AGAIN.XODR"}
+
+
+def test_files_that_name_each_other_have_the_names_that_are_written(tmp_path: Path) -> None:
+    source, target = tmp_path / "TOWN.XODR", tmp_path / "A.XOSC"
+    source.write_text(crossing())
+    assert ran("convert", str(source), str(target)).returncode == 0
+    assert (tmp_path / "A.road.xodr").exists()
+    assert "A.road.xodr" in target.read_text()
+
+
 def test_streets_become_opendrive(tmp_path: Path) -> None:
     source, target = tmp_path / "town.osm", tmp_path / "town.xodr"
     source.write_text(osm(way(1, "31 33 35"), way(2, "13 33 53")))

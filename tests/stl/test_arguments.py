@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -18,12 +19,22 @@ STL: Any = stl
 RECORDINGS = [(TIME, SIGNALS)]
 TEXT = "always (x < a)"
 A = stl.Parameter("a", 0, 3)
+Y = stl.Variable("x")
 
 WRONG: list[tuple[Callable[[], Any], str]] = [
     (lambda: STL.parse(3), "`text` must be text, not 3"),
     (lambda: STL.Always(None, "x < 1").rho(TIME, SIGNALS), "`part of Always` must be a formula"),
     (lambda: STL.Always((0, 1), LOW), "`interval` must be an `Interval` or None, not (0, 1)"),
     (lambda: STL.Comparison("<", "x", 5).rho(TIME, SIGNALS), "`side of Comparison` must be a term"),
+    (
+        lambda: STL.Comparison("<", STL.Negate(5), Y).rho(TIME, SIGNALS),
+        "`part of Negate` must be a",
+    ),
+    (lambda: STL.Comparison("<", STL.Variable(5), Y).rho(TIME, SIGNALS), "`name of Variable` must"),
+    (
+        lambda: STL.Comparison("<", STL.Constant("a"), Y).rho(TIME, SIGNALS),
+        "`value of Constant` mu",
+    ),
     (lambda: STL.weighted_robustness(LOW, TIME, SIGNALS, None), "`weights` must be a map from"),
     (lambda: STL.sampling_error(LOW, TIME, SIGNALS, None, "held"), "`rates` must be a map"),
     (lambda: STL.StreamMonitor(STL.parse("x < 1")).push(0, None), "`values` must be a map"),
@@ -118,3 +129,16 @@ def test_monitors_say_what_they_watch_and_know() -> None:
     stream.push(0.0, {"x": 1.0})
     assert repr(online) == "<OnlineMonitor of always (x < 3): unknown, robustness in [-inf, 2]>"
     assert repr(stream) == "<StreamMonitor of eventually[0, 2] (x < 1): 1 sample, delay 2>"
+
+
+@pytest.mark.parametrize(
+    ("formula", "told"),
+    [
+        (lambda: STL.Comparison("<<", Y, Y), "`op` of Comparison must be one of `<`, `<=`,"),
+        (lambda: STL.Comparison("<", STL.Arithmetic("%", Y, Y), Y), "`op` of Arithmetic must be"),
+        (lambda: STL.Comparison("<", STL.Apply("sin", (Y,)), Y), "`function` of Apply must be one"),
+    ],
+)
+def test_operators_that_there_are_not_are_told(formula: Callable[[], Any], told: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(told)):
+        stl.Not(formula()).rho(TIME, SIGNALS)

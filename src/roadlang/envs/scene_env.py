@@ -13,6 +13,7 @@ from .episode_rewards import reward_function
 from .episodes import Episodes
 from .observed import Observed, observation_space, row_of
 from .scene_pool import Source, pool_of
+from .seeds import seed_of
 from .settings import EnvSettings, changed
 from .spaces import ACTIONS, checked_actions
 
@@ -52,7 +53,7 @@ class SceneEnv(gymnasium.Env[Observed, NDArray[np.float32]]):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Observed, dict[str, Any]]:
         """Begin one of the scenes; `options={"scene": 3}` says which, by its place in the list."""
-        super().reset(seed=seed)
+        super().reset(seed=seed_of(seed))
         scene = int(self.np_random.integers(len(self.pool.scenes)))
         if options is not None and "scene" in mapping("options", options):
             scene = _number(options["scene"], len(self.pool.scenes))

@@ -18,6 +18,7 @@ from .episode_rewards import reward_function
 from .observed import Observed, observation_space, row_of
 from .rows import Rows, rows_of
 from .scene_pool import Source, pool_of
+from .seeds import seed_of
 from .settings import EnvSettings, changed
 from .spaces import ACTIONS, checked_actions
 
@@ -146,11 +147,11 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
     def _seed(self, seed: int | Sequence[int | None] | None) -> None:
         if seed is None and self._generators:
             return
-        seeds: Sequence[int | None]
-        if seed is None or isinstance(seed, int):
-            seeds = [None if seed is None else seed + i for i in range(self.num_envs)]
+        if isinstance(seed, Sequence | np.ndarray):
+            seeds = [seed_of(each) for each in seed]
         else:
-            seeds = list(seed)
+            first = seed_of(seed)
+            seeds = [None if first is None else first + i for i in range(self.num_envs)]
         if len(seeds) != self.num_envs:
             raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
         self._generators = [seeding.np_random(seed)[0] for seed in seeds]

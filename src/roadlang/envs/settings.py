@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
+from numbers import Real
 from typing import Any
+
+import numpy as np
 
 from ..diagnostics import did_you_mean
 from ..geometry.arrays import Floats
@@ -55,13 +58,15 @@ class EnvSettings:
                 raise ValueError(f"{name} must be a number above 0, not {value!r}")
         for name, least in (("scenes", 1), ("scene_seed", 0), ("agents", 0)):
             value = getattr(self, name)
-            if not isinstance(value, int) or isinstance(value, bool) or value < least:
+            if not _is_whole(value) or value < least:
                 raise ValueError(
                     f"{name} must be a whole number of at least {least}, not {value!r}"
                 )
+            object.__setattr__(self, name, int(value))  # of numpy as well
         for name in ("off_road_ends", "violation_ends"):
-            if not isinstance(getattr(self, name), bool):
+            if not isinstance(getattr(self, name), bool | np.bool_):
                 raise ValueError(f"{name} must be True or False, not {getattr(self, name)!r}")
+            object.__setattr__(self, name, bool(getattr(self, name)))
         if not isinstance(self.agent, str | None):
             raise ValueError(f"agent must be the name of an agent or None, not {self.agent!r}")
         if not (self.reward is None or isinstance(self.reward, str) or callable(self.reward)):
@@ -109,4 +114,8 @@ def changed(settings: EnvSettings, changes: Mapping[str, Any], owner: str) -> En
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def _is_whole(value: Any) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)

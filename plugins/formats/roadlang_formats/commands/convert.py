@@ -57,10 +57,10 @@ def command(source: str, target: str, kind: str | None) -> None:
     output = _kind(path.name) if kind is None else _one_output(kind)
     scene = opened(source)
     files = emitted_files(output, scene.record, scene.registry)
-    stem = _stem(path.name, output, list(files))
-    files = _renamed(files, scene.record.stem, stem)
-    keep_inputs([path.parent / f"{stem}.{ending}" for ending in files], [source])
-    for written in write_all(path.parent, {f"{stem}.{end}": files[end] for end in sorted(files)}):
+    names = _names(path.name, output, list(files))
+    files = _renamed(files, scene.record.stem, names)
+    keep_inputs([path.parent / name for name in names.values()], [source])
+    for written in write_all(path.parent, {names[end]: files[end] for end in sorted(files)}):
         echo(f"{written}: {len(written.read_bytes()):,} bytes")
 
 
@@ -92,18 +92,20 @@ def _kind(name: str) -> str:
     return KINDS[max(fitting, key=len)]
 
 
-def _stem(name: str, output: str, endings: list[str]) -> str:
-    """The name of a file without its extension, which is one of `endings` of the output."""
+def _names(name: str, output: str, endings: list[str]) -> dict[str, str]:
+    """The names of files by their endings, one of which `name` has, in letters of any size."""
     if not endings:
         raise click.UsageError(f"`emit {output}` writes no file of a scene")
     fitting = [ending for ending in endings if name.lower().endswith(f".{ending}")]
     if not fitting:
         extensions = " or ".join(f".{ending}" for ending in endings)
         raise _unknown(name, f"this format is written with the extension {extensions}")
-    return name[: -len(max(fitting, key=len)) - 1]
+    named = max(fitting, key=len)
+    stem = name[: -len(named) - 1]
+    return {ending: name if ending == named else f"{stem}.{ending}" for ending in endings}
 
 
-def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, bytes]:
+def _renamed(files: Mapping[str, bytes], before: str, names: Mapping[str, str]) -> dict[str, bytes]:
     """Files that name each other, with the names that they get."""
     import json
     import re
@@ -113,11 +115,14 @@ def _renamed(files: Mapping[str, bytes], before: str, after: str) -> dict[str, b
         return dict(files)
     endings = sorted(files, key=len, reverse=True)
     pattern = re.compile(rf"{re.escape(before)}\.({'|'.join(map(re.escape, endings))})".encode())
-    plain, in_xml = json.dumps(after)[1:-1], escape(after, _QUOTES)
     renamed = {}
     for ending, content in files.items():
-        name = (plain if ending in _PROGRAMS else in_xml).encode().replace(b"\\", rb"\\")
-        renamed[ending] = pattern.sub(name + rb".\1", content)
+
+        def name(found: re.Match[bytes], ending: str = ending) -> bytes:
+            new = names[found[1].decode()]
+            return (json.dumps(new)[1:-1] if ending in _PROGRAMS else escape(new, _QUOTES)).encode()
+
+        renamed[ending] = pattern.sub(name, content)
     return renamed
 
 

@@ -1,12 +1,14 @@
-"""What formulas that a program builds are made of. All raise `TypeError` for anything else."""
+"""What formulas that a program builds are made of. All raise `TypeError` for anything else, and
+`ValueError` for a word that is no operator."""
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
-from ...diagnostics.arguments import wrong_type
+from ...diagnostics import did_you_mean
+from ...diagnostics.arguments import number, text, wrong_type
 from .interval import Interval
-from .terms import Term
+from .terms import Apply, Arithmetic, ArithmeticOperator, Constant, FunctionName, Term, Variable
 
 T = TypeVar("T")
 
@@ -20,11 +22,34 @@ def checked_part(whole: object, part: Any, formulas: type[T]) -> T:
 
 
 def checked_side(side: Any) -> Term:
-    """A side of a comparison."""
+    """A side of a comparison, with all that it is made of."""
     if not isinstance(side, Term):
         expected = "a term, such as `Variable('x')` or `Constant(5.0)`"
         raise wrong_type("side of Comparison", expected, side)
+    if isinstance(side, Constant):
+        number("value of Constant", side.value)
+    elif isinstance(side, Variable):
+        text("name of Variable", side.name)
+    elif isinstance(side, Arithmetic):
+        checked_operator(side, "op", side.op, get_args(ArithmeticOperator))
+    elif isinstance(side, Apply):
+        checked_operator(side, "function", side.function, get_args(FunctionName))
+    for part in side.parts:
+        if not isinstance(part, Term):
+            expected = "a term, such as `Variable('x')` or `Constant(5.0)`"
+            raise wrong_type(f"part of {type(side).__name__}", expected, part)
+        checked_side(part)
     return side
+
+
+def checked_operator(whole: object, name: str, word: Any, known: tuple[str, ...]) -> None:
+    """Raises `ValueError` for an operator or function that there is none of."""
+    if word not in known:
+        owner = type(whole).__name__
+        help_ = did_you_mean(str(word), known)
+        listed = ", ".join(f"`{each}`" for each in known)
+        hint = f": {help_[0]}" if help_ else ""
+        raise ValueError(f"`{name}` of {owner} must be one of {listed}, not {word!r}{hint}")
 
 
 def checked_interval(interval: Any) -> Interval | None:
