@@ -13,6 +13,8 @@ from roadlang.commands import echo, report
 from roadlang.commands import seconds as times
 from roadlang_godot.usual_port import USUAL_PORT
 
+from .watched_file import WatchedFile
+
 if TYPE_CHECKING:
     from concurrent.futures import Future
 
@@ -102,6 +104,7 @@ class Watcher:
 
         self._loaded = loaded
         self._file = str(loaded.path)
+        self._on_disk = WatchedFile(self._file)
         self._seed = seed
         self._road = road
         self._save = save
@@ -157,7 +160,7 @@ class Watcher:
         if self._compiling is not None and self._compiling.done():
             compiling, self._compiling = self._compiling, None
             self._change(live, compiling)
-        text = self._read()
+        text = self._on_disk.read(time.monotonic())
         if text is not None and text != self._saved:
             self._saved = text
             self._edited.replace(text)
@@ -212,14 +215,6 @@ class Watcher:
         poses = self._held.poses_in(self._edited.shown)
         live.change(scene, controllers, moved, handles, poses, waits=False)
         return True
-
-    def _read(self) -> str | None:
-        from roadlang.commands import DiagnosticError, read_scene_file
-
-        try:
-            return read_scene_file(self._file)
-        except DiagnosticError:
-            return None  # Editors that save by renaming leave a moment without a file.
 
     def _change(self, live: LiveScene, compiling: Future[CompiledEdit]) -> None:
         from roadlang.commands import DiagnosticError, edited_starts

@@ -21,7 +21,13 @@ def checked_part(whole: object, part: Any, formulas: type[T]) -> T:
     return part
 
 
-def checked_side(side: Any) -> Term:
+def checked_sides(comparison: Any, operators: tuple[str, ...]) -> tuple[Term, Term]:
+    """The sides of a comparison by one of these operators."""
+    _check_word(comparison, "op", comparison.op, operators)
+    return _checked_side(comparison.left), _checked_side(comparison.right)
+
+
+def _checked_side(side: Any) -> Term:
     """A side of a comparison, with all that it is made of."""
     if not isinstance(side, Term):
         expected = "a term, such as `Variable('x')` or `Constant(5.0)`"
@@ -31,18 +37,18 @@ def checked_side(side: Any) -> Term:
     elif isinstance(side, Variable):
         text("name of Variable", side.name)
     elif isinstance(side, Arithmetic):
-        checked_operator(side, "op", side.op, get_args(ArithmeticOperator))
+        _check_word(side, "op", side.op, get_args(ArithmeticOperator))
     elif isinstance(side, Apply):
-        checked_operator(side, "function", side.function, get_args(FunctionName))
+        _check_word(side, "function", side.function, get_args(FunctionName))
     for part in side.parts:
         if not isinstance(part, Term):
             expected = "a term, such as `Variable('x')` or `Constant(5.0)`"
             raise wrong_type(f"part of {type(side).__name__}", expected, part)
-        checked_side(part)
+        _checked_side(part)
     return side
 
 
-def checked_operator(whole: object, name: str, word: Any, known: tuple[str, ...]) -> None:
+def _check_word(whole: object, name: str, word: Any, known: tuple[str, ...]) -> None:
     """Raises `ValueError` for an operator or function that there is none of."""
     if word not in known:
         owner = type(whole).__name__

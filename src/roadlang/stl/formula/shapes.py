@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias, get_args
 from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
 from .interval import UNBOUNDED, Interval, NeighborWindow, Reach
-from .made_of import checked_interval, checked_operator, checked_part, checked_side
+from .made_of import checked_interval, checked_part, checked_sides
 from .terms import Term
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
 ComparisonOperator: TypeAlias = Literal["<", "<=", ">", ">=", "==", "!="]
-_OPERATORS = get_args(ComparisonOperator)
 
 
 class Formula(Evaluable):
@@ -32,10 +31,10 @@ class Formula(Evaluable):
     @property
     def variables(self) -> frozenset[str]:
         """Names of the signals the formula reads."""
-        comparisons = [node for node in self.walk() if isinstance(node, Comparison)]
-        for comparison in comparisons:
-            checked_operator(comparison, "op", comparison.op, _OPERATORS)
-        sides = (checked_side(side) for c in comparisons for side in (c.left, c.right))
+        comparisons = (node for node in self.walk() if isinstance(node, Comparison))
+        sides = (
+            side for c in comparisons for side in checked_sides(c, get_args(ComparisonOperator))
+        )
         return frozenset().union(*(side.variables for side in sides))
 
     @property
