@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .arrays import Floats, Integers, SharedArrays, cross, left_of, norm, wrapped
+from .tridiagonal import solve_tridiagonal
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,8 +171,6 @@ def _shifted(coefficients: Floats, by: Floats) -> Floats:
 
 def _open_slopes(steps: Floats, chords: Floats) -> Floats:
     """Derivatives at the knots of the not-a-knot spline (de Boor 1978, ch. IV)."""
-    from scipy.linalg import solve_banded
-
     count = len(steps) + 1
     if count == 2:
         return np.concatenate([chords, chords])
@@ -189,7 +188,7 @@ def _open_slopes(steps: Floats, chords: Floats) -> Floats:
     bands[1, -1], bands[2, -2] = steps[-2], steps[-2] + steps[-1]
     right[0] = _end_condition(steps[0], steps[1], chords[0], chords[1])
     right[-1] = _end_condition(steps[-1], steps[-2], chords[-1], chords[-2])
-    return np.asarray(solve_banded((1, 1), bands, right))
+    return solve_tridiagonal(bands, right)
 
 
 def _end_condition(outer: float, inner: float, outer_chord: Floats, inner_chord: Floats) -> Floats:
@@ -199,8 +198,6 @@ def _end_condition(outer: float, inner: float, outer_chord: Floats, inner_chord:
 
 def _periodic_slopes(steps: Floats, chords: Floats) -> Floats:
     """Derivatives at the knots of the periodic spline, by a rank-one correction of the cycle."""
-    from scipy.linalg import solve_banded
-
     before, chord_before = np.roll(steps, 1), np.roll(chords, 1, axis=0)
     diagonal = 2.0 * (before + steps)
     right = 3.0 * (steps[:, None] * chord_before + before[:, None] * chords)
@@ -212,7 +209,7 @@ def _periodic_slopes(steps: Floats, chords: Floats) -> Floats:
     bands[1, -1] -= corner_top * corner_bottom / pivot
     edge = np.zeros((len(steps), 1))
     edge[0, 0], edge[-1, 0] = pivot, corner_bottom
-    solved = np.asarray(solve_banded((1, 1), bands, np.concatenate([right, edge], axis=1)))
+    solved = solve_tridiagonal(bands, np.concatenate([right, edge], axis=1))
     plain, correction = solved[:, :2], solved[:, 2]
     share = corner_top / pivot
     factor = (plain[0] + share * plain[-1]) / (1.0 + correction[0] + share * correction[-1])
