@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .interval import UNBOUNDED, Interval
+from .made_of import ComparisonOperator
 from .measures import AtLeast, Count, Duration, Measured
 from .shapes import (
     BinaryTemporal,
     Comparison,
-    ComparisonOperator,
     Compound,
     Connective,
     Derived,

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar, get_args
+from typing import Any, Literal, TypeAlias, TypeVar, get_args
 
 from ...diagnostics import did_you_mean
 from ...diagnostics.arguments import number, text, wrong_type
 from .interval import Interval
 from .terms import Apply, Arithmetic, ArithmeticOperator, Constant, FunctionName, Term, Variable
+
+ComparisonOperator: TypeAlias = Literal["<", "<=", ">", ">=", "==", "!="]
 
 T = TypeVar("T")
 
@@ -21,9 +23,9 @@ def checked_part(whole: object, part: Any, formulas: type[T]) -> T:
     return part
 
 
-def checked_sides(comparison: Any, operators: tuple[str, ...]) -> tuple[Term, Term]:
-    """The sides of a comparison by one of these operators."""
-    _check_word(comparison, "op", comparison.op, operators)
+def checked_sides(comparison: Any) -> tuple[Term, Term]:
+    """The sides of a comparison, whose operator there is."""
+    _check_word(comparison, "op", comparison.op, get_args(ComparisonOperator))
     return _checked_side(comparison.left), _checked_side(comparison.right)
 
 

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, Literal, TypeAlias, get_args
+from typing import TYPE_CHECKING, ClassVar
 
 from ...syntax.operators import BY_WORD, Operator
 from .evaluable import Evaluable
 from .interval import UNBOUNDED, Interval, NeighborWindow, Reach
-from .made_of import checked_interval, checked_part, checked_sides
+from .made_of import ComparisonOperator, checked_interval, checked_part, checked_sides
 from .terms import Term
 
 if TYPE_CHECKING:
     from typing_extensions import Self
-
-ComparisonOperator: TypeAlias = Literal["<", "<=", ">", ">=", "==", "!="]
 
 
 class Formula(Evaluable):
@@ -31,11 +29,8 @@ class Formula(Evaluable):
     @property
     def variables(self) -> frozenset[str]:
         """Names of the signals the formula reads."""
-        comparisons = (node for node in self.walk() if isinstance(node, Comparison))
-        sides = (
-            side for c in comparisons for side in checked_sides(c, get_args(ComparisonOperator))
-        )
-        return frozenset().union(*(side.variables for side in sides))
+        pairs = (checked_sides(c) for c in self.walk() if isinstance(c, Comparison))
+        return frozenset().union(*(side.variables for pair in pairs for side in pair))
 
     @property
     def temporal(self) -> bool:
