@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.chains import chains, direction, heading
+from roadlang_standard.extraction.dead_ends import dead_ends
 from roadlang_standard.extraction.graph import Graph, Line, trace
 from roadlang_standard.extraction.graph_cleanup import (
     at_border,
@@ -17,7 +18,7 @@ from roadlang_standard.extraction.graph_cleanup import (
     join,
     prune,
 )
-from roadlang_standard.extraction.linking import attach, dead_ends
+from roadlang_standard.extraction.linking import attach
 from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, picture
 
 

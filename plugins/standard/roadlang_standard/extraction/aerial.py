@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Floats
 
 from .dead_end_extension import extend_dead_ends
+from .dead_ends import dead_ends
 from .drafting import Draft, draft, typical_width_of
 from .evidence_pruning import drop_unworthy, prune_by_discounted_length
 from .found_network import FoundNetwork
@@ -18,7 +19,7 @@ from .graph import Graph, trace
 from .graph_cleanup import contract, drop_loops, extend_to_border, join, prune
 from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
-from .linking import dead_ends, link
+from .linking import link
 from .masks import without_holes, without_specks
 from .photo_evidence import Seen, look, typical_width
 from .road_net import Net, road_net

@@ -13,10 +13,10 @@ from scipy.spatial import cKDTree
 from roadlang.geometry import Floats
 
 from .chains import direction
+from .dead_ends import DeadEnd, dead_end, dead_ends
 from .graph import Graph, Line, trace
 from .graph_cleanup import join, prune
 from .hysteresis import hysteresis
-from .linking import DeadEnd, dead_end, dead_ends
 from .skeleton import skeleton
 
 Layer = NDArray[np.float32]

@@ -159,15 +159,19 @@ def _along(layer: Layer, at: Layer) -> Layer:
 
 def typical_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:
     """Twice the median distance from the lines to the edge of the mask, weighted by length."""
-    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    return width_within(graph, cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5))
+
+
+def width_within(graph: Graph, inner: Layer) -> float:
+    """As `typical_width_of`, where it is known how far `inner` (h, w) pixels are from the edge."""
     samples = [resample(line.points, 2.0).round().astype(int) for line in graph.lines]
     if not samples:
         return 1.0
     x, y = np.vstack(samples).T
-    inside = (x >= 0) & (y >= 0) & (x < mask.shape[1]) & (y < mask.shape[0])
+    inside = (x >= 0) & (y >= 0) & (x < inner.shape[1]) & (y < inner.shape[0])
     radii = inner[y[inside], x[inside]]
-    radii = np.minimum(radii[radii > 0], max(mask.shape) / 2)
+    radii = np.minimum(radii[radii > 0], max(inner.shape) / 2)
     return float(max(1.0, 2 * np.median(radii) - 1)) if len(radii) else 1.0
 
 
-__all__ = ["Draft", "draft", "typical_width", "typical_width_of"]
+__all__ = ["Draft", "draft", "typical_width", "typical_width_of", "width_within"]

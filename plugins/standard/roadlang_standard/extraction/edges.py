@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
-from .smoothing import smooth_values
+from .smoothing import gradient, smooth_values
 
 _STEP = 0.25
-_ROWS = 4096
-"""So many points at a time: OpenCV takes no more than 32767."""
+_ROWS = 256
+"""So many points at a time: what is worked out for more does not stay in a processor's cache, and
+OpenCV takes no more than 32767."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +63,7 @@ def normals(points: Floats, closed: bool = False) -> Floats:
         around = np.vstack([points[-2:-1], points, points[1:2]])
         tangent = (around[2:] - around[:-2]) / 2
     else:
-        tangent = np.gradient(points, axis=0)
+        tangent = gradient(points)
     tangent = tangent / np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
     return np.column_stack([-tangent[:, 1], tangent[:, 0]])
 
@@ -73,20 +74,15 @@ def across(
     """The surface (h, w) along the normals of a polyline (n, 2), (n, m), so far `away` (m,) to the
     left of each point."""
     normal = normals(points, closed)
-    x, y = (
-        (points[:, axis, None] + away * normal[:, axis, None]).astype(np.float32) for axis in (0, 1)
-    )
-    pieces = [
-        cv2.remap(
-            surface,
-            x[i : i + _ROWS],
-            y[i : i + _ROWS],
-            cv2.INTER_LINEAR,
-            borderMode=cv2.BORDER_REPLICATE,
+    found = np.empty((len(points), len(away)), np.float32)
+    for first in range(0, len(points), _ROWS):
+        rows = slice(first, first + _ROWS)
+        x, y = (
+            (points[rows, axis, None] + away * normal[rows, axis, None]).astype(np.float32)
+            for axis in (0, 1)
         )
-        for i in range(0, len(points), _ROWS)
-    ]
-    return np.vstack(pieces)
+        found[rows] = cv2.remap(surface, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    return found
 
 
 def typical_width(found: Sides) -> float:

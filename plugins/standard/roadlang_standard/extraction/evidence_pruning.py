@@ -32,6 +32,7 @@ def discounted_length(line: Line, score: Layer, floor: float) -> float:
 def prune_by_discounted_length(graph: Graph, score: Layer, least: float, floor: float) -> None:
     """Cut dead ends worth less than `least` pixels, least worthy first, in place."""
     shape = (score.shape[0], score.shape[1])
+    values: dict[int, tuple[Line, float]] = {}  # with the lines: or another may get an id
     while True:
         degree = graph.degree()
         doomed: list[tuple[float, int]] = []
@@ -40,7 +41,9 @@ def prune_by_discounted_length(graph: Graph, score: Layer, least: float, floor: 
             if line.closed or len(free) != 1:
                 continue
             allowance = 0.5 if at_border(graph.nodes[free[0]], shape, 6.0) else 1.0
-            value = discounted_length(line, score, floor)
+            if id(line) not in values:
+                values[id(line)] = (line, discounted_length(line, score, floor))
+            value = values[id(line)][1]
             if value < allowance * least:
                 doomed.append((value, index))
         if not doomed:

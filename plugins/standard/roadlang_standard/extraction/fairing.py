@@ -50,7 +50,7 @@ def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floa
 
     A closed curve repeats its first point at the end, and so does the result.
     """
-    apart = np.r_[True, np.hypot(*np.diff(points, axis=0).T) > 1e-9]
+    apart = np.append(True, np.hypot(*(points[1:] - points[:-1]).T) > 1e-9)
     points = points[apart]
     if len(points) < 3:
         length = float(stations(points)[-1])

@@ -23,7 +23,8 @@ class Line:
     @property
     def length(self) -> float:
         """Pixels."""
-        return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
+        steps = self.points[1:] - self.points[:-1]
+        return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
 
     @property
     def closed(self) -> bool:
@@ -33,7 +34,7 @@ class Line:
 
 @dataclass
 class Graph:
-    """Nodes by id (x, y), and lines."""
+    """Nodes (x, y) by id, in the order of their ids, and lines."""
 
     nodes: dict[int, Floats] = field(default_factory=dict)
     lines: list[Line] = field(default_factory=list)
@@ -48,7 +49,7 @@ class Graph:
 
     def add_node(self, position: Floats) -> int:
         """A new node; its id."""
-        key = max(self.nodes, default=-1) + 1
+        key = next(reversed(self.nodes), -1) + 1
         self.nodes[key] = np.asarray(position, float)
         return key
 

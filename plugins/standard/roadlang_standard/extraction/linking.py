@@ -13,9 +13,9 @@ from scipy.sparse.csgraph import dijkstra
 
 from roadlang.geometry import Floats
 
-from .chains import direction
+from .dead_ends import TRUST_ALIGNED, DeadEnd, dead_ends, facing
 from .graph import Graph, Line
-from .graph_cleanup import at_border, join
+from .graph_cleanup import join
 from .smoothing import stations
 
 Layer = NDArray[np.float32]
@@ -27,23 +27,10 @@ _OUTSIDE = np.iinfo(np.int32).max
 _FLOOR = 0.05
 _BACK = 9.0
 """Cost of a pixel of the surface of the road that ends."""
-_FACING = 0.6
-"""Least cosine between a dead end's direction and the way to what it faces."""
 _STRAIGHT = 0.9
 """Least cosine between a dead end's direction and the way to where it leaves the picture."""
-_TRUST, _TRUST_ALIGNED, _LEAVING = 0.4, 0.15, 0.8
-"""Shares of its cost that a bridge counts: between facing ends, ends in one line, to the rim."""
-
-
-@dataclass(frozen=True)
-class DeadEnd:
-    """Where a line ends: node, place, direction onwards, the line's index and its side there."""
-
-    node: int
-    place: Floats
-    ahead: Floats
-    line: int
-    side: int
+_LEAVING = 0.8
+"""Share of its cost that a bridge to the rim counts."""
 
 
 @dataclass(frozen=True)
@@ -70,47 +57,16 @@ def link(graph: Graph, score: Layer, distance: float, worst: float, width: float
         owner = _owners(graph, coarse.shape, step)
         ends = dead_ends(graph, score.shape)
         found = (
-            _bridge(graph, end, _faced(end, ends, distance), price, owner, step, worst, width)
-            for end in ends
+            _bridge(graph, end, faced, price, owner, step, worst, width)
+            for end, faced in zip(ends, facing(ends, distance), strict=True)
         )
         bridges = [bridge for bridge in found if bridge is not None]
         if not bridges:
             return
+        degree = graph.degree()
         for bridge in sorted(bridges, key=lambda item: item.cost):
-            _build(graph, bridge)
+            _build(graph, bridge, degree)
         join(graph)
-
-
-def dead_ends(graph: Graph, shape: tuple[int, ...]) -> list[DeadEnd]:
-    """Where roads end within the picture (h, w)."""
-    degree = graph.degree()
-    return [
-        dead_end(graph, index, side)
-        for index, line in enumerate(graph.lines)
-        for side, node in ((0, line.start), (1, line.end))
-        if degree[node] == 1 and not at_border(graph.nodes[node], (shape[0], shape[1]), 6.0)
-    ]
-
-
-def dead_end(graph: Graph, index: int, side: int) -> DeadEnd:
-    """The start (side 0) or end (1) of a line as a dead end."""
-    line = graph.lines[index]
-    node = line.start if side == 0 else line.end
-    return DeadEnd(node, graph.nodes[node], -direction(line, side, 16.0), index, side)
-
-
-def _faced(end: DeadEnd, ends: list[DeadEnd], distance: float) -> list[tuple[Floats, float]]:
-    """Dead ends that this one runs toward and that run toward it, and the share they count."""
-    faced = []
-    for other in ends:
-        step = other.place - end.place
-        away = float(np.hypot(*step))
-        if other.node == end.node or not 0 < away <= distance:
-            continue
-        aligned = min(end.ahead @ step, other.ahead @ -step) / away
-        if aligned > _FACING:
-            faced.append((other.place, _TRUST_ALIGNED if aligned > _STRAIGHT else _TRUST))
-    return faced
 
 
 def _owners(graph: Graph, shape: tuple[int, ...], step: float) -> NDArray[np.int32]:
@@ -153,7 +109,7 @@ def _bridge(
     far, before = dijkstra(
         _grid(costs),
         indices=_CENTER,
-        limit=worst * _RADIUS / _TRUST_ALIGNED,
+        limit=worst * _RADIUS / TRUST_ALIGNED,
         return_predecessors=True,
     )
     share = _shares(faced, (x, y), step)
@@ -266,9 +222,12 @@ def _grid(costs: NDArray[np.float64]) -> csr_matrix:
     return csr_matrix((data, b, begins), shape=(flat.size, flat.size), copy=False)
 
 
-def _build(graph: Graph, bridge: Bridge) -> None:
-    """Add the bridge if its end is still open and its goal still there; split the goal."""
-    if graph.degree().get(bridge.node) != 1:
+def _build(graph: Graph, bridge: Bridge, degree: dict[int, int]) -> None:
+    """Add the bridge if its end is still open and its goal still there; split the goal.
+
+    The `degree` of the graph's nodes is kept up to date: to count anew would take long.
+    """
+    if degree.get(bridge.node) != 1:
         return
     if bridge.goal is None:
         node = graph.add_node(bridge.path[-1])
@@ -281,6 +240,9 @@ def _build(graph: Graph, bridge: Bridge) -> None:
     path = bridge.path.copy()
     path[0], path[-1] = graph.nodes[bridge.node], graph.nodes[node]
     graph.lines.append(Line(bridge.node, node, path, linked=1.0))
+    split = 0 if bridge.goal is None else 2
+    degree[bridge.node] += 1
+    degree[node] = degree.get(node, split) + 1
 
 
 def attach(graph: Graph, line: Line, point: Floats, snap: float = 4.0) -> int:

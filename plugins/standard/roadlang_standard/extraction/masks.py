@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .dead_end_stubs import drop_border_forks, drop_corners, lengthen_square_ends, stubs
-from .drafting import Draft, draft, typical_width_of
+from .drafting import Draft, draft, width_within
 from .drawn_confidence import with_doubts
 from .found_network import FoundNetwork
 from .graph import Graph, trace
@@ -80,8 +80,8 @@ def roads_of_surface(
 
 def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None) -> float:
     """Clean the graph of a mask's skeleton, in place; the usual width of its roads, pixels."""
-    typical = typical_width_of(graph, mask)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    typical = width_within(graph, inner)
     drop_corners(graph, inner, typical)
     if cover is not None:
         drop_border_forks(graph, inner)
@@ -96,7 +96,7 @@ def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None
         _bridge(graph, cover, typical, shortest)
     join_oblique_crossings(graph, typical)
     drop_crumbs(graph, min(2 * typical, 0.5 * max(mask.shape)))
-    typical = typical_width_of(graph, mask)
+    typical = width_within(graph, inner)
     lengthen_square_ends(graph, mask, typical)
     return typical
 

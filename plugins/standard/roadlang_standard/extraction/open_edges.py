@@ -7,9 +7,9 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
+from .dead_ends import DeadEnd, dead_ends
 from .graph import trace
 from .graph_cleanup import prune
-from .linking import DeadEnd, dead_ends
 from .skeleton import skeleton
 
 _WIDEST = 0.25
