@@ -39,6 +39,8 @@ def edit_roads(image: str, scene: str, scale: float | None, opens_browser: bool)
             note("closed")
         finally:
             server.shutdown()
+    if server.fault is not None:
+        raise server.fault
 
 
 def _write_scene(path: Path, image: str, scale: float | None) -> None:

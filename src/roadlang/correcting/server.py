@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from functools import cached_property
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -36,6 +37,14 @@ class CorrectionServer(ThreadingHTTPServer):
         self.roads = roads
         self.secret = secret
         self.done = Event()
+        self.fault: BaseException | None = None
+        """what failed here while a request was answered: a bug, for the command to raise"""
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A browser that goes away before its answer, as on a reload, is no fault."""
+        error = sys.exc_info()[1]
+        if not isinstance(error, ConnectionError):
+            self.fault = self.fault or error
 
     @property
     def address(self) -> str:
@@ -130,7 +139,7 @@ class _Handler(BaseHTTPRequestHandler):
             if any(len(line) < 2 for line in lines[0]) or not all(lines[1]):
                 return None
             return WrittenCorrections(lines[0], lines[1], _line(sent["confirmed"]))
-        except (ValueError, TypeError, KeyError, OverflowError):
+        except (ValueError, TypeError, KeyError, OverflowError, RecursionError):
             return None
 
     def _answer(self, content: dict[str, Any]) -> None:
