@@ -30,19 +30,23 @@ def system(pull: Floats, second: Floats, third: Floats) -> Floats:
     1, 2 and 3 points apart.
     """
     banded = np.zeros((len(pull), 4)).T  # by columns, as LAPACK reads it: else it is copied
-    a, b, c = _shifted(second, 2)
-    d, e, f, g = _shifted(third, 3)
-    banded[0] = pull + (a + 4.0 * b + c) + (d + 9.0 * e + 9.0 * f + g)
-    banded[1, :-1] = -2.0 * (b + c)[:-1] - (3.0 * e + 9.0 * f + 3.0 * g)[:-1]
-    banded[2, :-2] = second + (3.0 * f + 3.0 * g)[:-2]
+    two, three = _padded(second, 2), _padded(third, 3)
+    a, b, c = _shifted(two, 2)
+    d, _, _, g = _shifted(three, 3)
+    _, e3, f3, g3 = _shifted(3.0 * three, 3)
+    _, e9, f9, _ = _shifted(9.0 * three, 3)
+    banded[0] = pull + (a + 4.0 * b + c) + (d + e9 + f9 + g)
+    banded[1, :-1] = -2.0 * (b + c)[:-1] - (e3 + f9 + g3)[:-1]
+    banded[2, :-2] = second + (f3 + g3)[:-2]
     banded[3, :-3] = -third
     return banded
 
 
-def _shifted(values: Floats, order: int) -> list[Floats]:
-    """The values (n - order,) of the differences that end, and so on, and begin at each point."""
-    padded = _padded(values, order)
-    return [padded[k : k + len(values) + order] for k in range(order + 1)]
+def _shifted(padded: Floats, order: int) -> list[Floats]:
+    """Of padded values (n + order,) those of the differences that end, and so on, and begin at
+    each point."""
+    count = len(padded) - order
+    return [padded[k : k + count] for k in range(order + 1)]
 
 
 def _padded(values: Floats, order: int) -> Floats:

@@ -130,13 +130,15 @@ def _solved(row: FairLines) -> Floats:
     pins = np.array([offset for _, offset in row.seen.pins])
     found, outside = np.zeros(len(goal)), np.zeros(len(goal))
     flattest, evenest = 1e-2, 1e-3
+    inside = _INSIDE * goal
     for _ in range(_ROUNDS):
         flattest, evenest = max(_FLATTEST, flattest * _EASING), max(_EVENEST, evenest * _EASING)
         off = found - goal
         outside = (outside + (np.abs(off) > tolerance)) / 2  # halves: or points go in and out
-        pull = weight * (_INSIDE + _BEYOND * outside) + 1e-9
+        beyond = _BEYOND * outside
+        pull = weight * (_INSIDE + beyond) + 1e-9
         edge = goal + np.sign(off) * tolerance
-        pulled = weight * (_INSIDE * goal + _BEYOND * outside * edge)
+        pulled = weight * (inside + beyond * edge)
         pull[pinned], pulled[pinned] = _PINNED, _PINNED * pins
         second = differences(found, 2)
         curvature = row.bend + second / row.square

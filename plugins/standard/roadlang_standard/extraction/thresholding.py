@@ -75,13 +75,21 @@ def _level(gray: Image, chain: ContourSteps) -> float:
 
 def _soft_by_levels(gray: Image, level: float) -> Layer | None:
     """As `_soft`, worked out once for each of 256 levels of gray (h, w)."""
-    counts = np.bincount(_sampled(gray).ravel(), minlength=256)
+    sample = np.ascontiguousarray(_sampled(gray))
+    counts = cv2.calcHist([sample], [0], None, [256], [0, 256])[:, 0].astype(np.int64)
     levels = np.arange(256, dtype=np.float32)
     is_low = levels < level
     if not counts[is_low].any() or not counts[~is_low].any():
         return None
-    usual = [float(np.median(np.repeat(levels[side], counts[side]))) for side in (is_low, ~is_low)]
+    usual = [_median(levels[side], counts[side]) for side in (is_low, ~is_low)]
     return np.asarray(cv2.LUT(gray, _lightness(levels, level, *usual)))
+
+
+def _median(levels: Layer, counts: NDArray[np.int64]) -> float:
+    """Of levels (n,) in ascending order, each of which is there so many times (n,)."""
+    total = int(counts.sum())
+    middle = [(total - 1) // 2, total // 2]
+    return float(levels[np.searchsorted(np.cumsum(counts), middle, side="right")].mean())
 
 
 def _soft(gray: Layer, level: float) -> Layer | None:
