@@ -107,6 +107,11 @@ def lacking_road(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[int,
     return (copy, float(beyond[copy])) if is_known else None
 
 
+def is_unreached(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
+    """Whether, in the first candidate, no way in the network leads where a copy is to go."""
+    return bool((_lacking_of_lanes(actor, candidates)[0] == UNREACHED).any())
+
+
 def missing_lane(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[str, int] | None:
     """The road of a copy in the first candidate that does not have the lane that another decides
     for it, and the number of that lane; None where there is none."""

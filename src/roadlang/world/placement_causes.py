@@ -12,7 +12,7 @@ from .begins_with_turns import leads_on
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
 from .named_roads import named_lanes
-from .placement import missing_lane, room_among_others
+from .placement import is_unreached, missing_lane, room_among_others
 from .placement_faults import unknown_lane
 from .positions import names_another
 from .road_poses import WrittenPlace
@@ -38,7 +38,16 @@ def cause_of_place(actor: ScenarioActor, candidates: CandidateBatch) -> str | No
         return f"`{found[0]}` has no lane {found[1]} for `{actor.name}`"
     if actor.on not in candidates.scenario.networks or "route" not in actor.options:
         return None
-    return _without_turns(actor, candidates)
+    return _without_turns(actor, candidates) or _without_way(actor, candidates)
+
+
+def _without_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
+    """That no way leads through the points of a route from where another decides it to begin."""
+    if not names_another(actor, candidates.scenario):
+        return None
+    if not is_unreached(actor, candidates):
+        return None
+    return f"from where `{actor.name}` stands, no way in `{actor.on}` leads along its `route`"
 
 
 def beyond_road(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
