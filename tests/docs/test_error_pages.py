@@ -26,6 +26,7 @@ WITHOUT_EXAMPLE = {
     "RL505": "takes a Godot that is killed; see tests/godot",
     "RL516": "takes an installation without the package `websockets`",
     "RL612": "takes a count without known bounds, which `check` cannot compute",
+    "RL724": "takes the journal of an earlier run; see tests/files/test_journal.py",
     "RL730": "from Python alone; see tests/envs/test_scene_env.py",
     "RL731": "from Python alone; see tests/envs/test_scene_env.py",
     "RL704": "takes ten seconds without an answer; see tests/falsification/test_cluster.py",
