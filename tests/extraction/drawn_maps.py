@@ -76,6 +76,22 @@ def drawn_map(style: MapStyle, names: bool = True, river: int = 20) -> np.ndarra
     return np.ascontiguousarray(image[..., ::-1])
 
 
+def crowded(image: np.ndarray, style: MapStyle) -> np.ndarray:
+    """A drawn map with small houses wherever its land is wide enough, as towns have them."""
+    free = (image == style.land[::-1]).all(axis=2).astype(np.uint8)
+    crowded = image.copy()
+    for x, y in ((x, y) for y in range(4, 340, 20) for x in range(4, 460, 20)):
+        if free[y - 3 : y + 14, x - 3 : x + 14].all():
+            crowded[y : y + 11, x : x + 11] = style.building[::-1]
+    return crowded
+
+
+def stored(image: np.ndarray, quality: int) -> np.ndarray:
+    """What is read of a picture that was saved as JPEG."""
+    coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])[1]
+    return np.asarray(cv2.imdecode(coded, cv2.IMREAD_COLOR), np.uint8)
+
+
 def on_streets(points: np.ndarray, within: float = 3.0) -> np.ndarray:
     """Which points (n, 2) lie within so many pixels of a street."""
     return _near(points, np.vstack([dense(*street) for street in STREETS]), within)

@@ -8,6 +8,7 @@ import pytest
 
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.map_letters import letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
@@ -19,10 +20,13 @@ from tests.extraction.drawn_maps import (
     INK,
     LIGHT,
     PALE,
+    STREETS,
     MapStyle,
+    crowded,
     drawn_map,
     found_streets,
     on_streets,
+    stored,
 )
 
 STYLES = pytest.mark.parametrize("style", [LIGHT, PALE, DARK], ids=["light", "pale", "dark"])
@@ -30,6 +34,11 @@ STYLES = pytest.mark.parametrize("style", [LIGHT, PALE, DARK], ids=["light", "pa
 
 def points(found: FoundNetwork) -> np.ndarray:
     return np.vstack([road.points for road in found.roads])
+
+
+def roads_among(image: np.ndarray) -> list[MapTone]:
+    """The tones of a map that are roads."""
+    return road_tones(without_water(map_tones(image, flat_colors(image))), 360)
 
 
 @STYLES
@@ -50,8 +59,7 @@ def test_the_streets_of_a_map_are_one_network(style: MapStyle) -> None:
 
 @STYLES
 def test_roads_are_the_colors_of_streets_not_of_water_buildings_or_land(style: MapStyle) -> None:
-    image = drawn_map(style)
-    found = road_tones(map_tones(image, flat_colors(image)), 360)
+    found = roads_among(drawn_map(style))
     colors = {tuple(int(x) for x in tone.color[::-1]) for tone in found}
     assert colors == {style.street, style.main}
 
@@ -104,14 +112,50 @@ def test_names_are_seen_and_edges_of_streets_are_no_names() -> None:
 def test_a_map_twice_as_large_or_saved_as_jpeg_has_the_same_streets() -> None:
     image = drawn_map(LIGHT)
     large = roads_of_map(cv2.resize(image, None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC))
-    coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, 90])[1]
-    decoded = cv2.imdecode(coded, cv2.IMREAD_COLOR)
-    assert decoded is not None
-    saved = roads_of_map(np.asarray(decoded, np.uint8))
+    saved = roads_of_map(stored(image, 90))
     assert large is not None
     assert saved is not None
     assert found_streets((points(large) + 0.5) / 2 - 0.5).mean() > 0.95
     assert found_streets(points(saved)).mean() > 0.95
+
+
+@pytest.mark.parametrize("quality", [70, 85])
+@STYLES
+def test_a_map_full_of_houses_that_was_saved_as_jpeg_is_read_as_a_map(
+    style: MapStyle, quality: int
+) -> None:
+    """It has texture nearly everywhere, as a photo, and no color exactly, as paper."""
+    image = stored(crowded(drawn_map(style), style), quality)
+    assert Auto().extract(Picture(image, 0.5)).remarks[0] == "read as a rendered map"
+    found = roads_of_map(image)
+    assert found is not None
+    assert on_streets(points(found)).mean() > 0.95
+    assert found_streets(points(found)).mean() > 0.95
+
+
+def test_paper_in_even_light_has_no_exact_colors() -> None:
+    """Three shades of a sheet are no three colors of a map: they are in other places."""
+    sheet = np.full((300, 400, 3), 240, np.uint8)
+    sheet[:, 130:260], sheet[:, 260:] = 232, 224
+    assert not has_exact_colors(sheet)
+    map_like = np.full((300, 400, 3), 240, np.uint8)
+    map_like[::50] = map_like[1::50] = map_like[2::50] = map_like[3::50] = 232
+    map_like[20::50, 10:380] = map_like[21::50, 10:380] = map_like[22::50, 10:380] = 224
+    assert has_exact_colors(map_like)
+
+
+def test_what_streets_leave_of_a_park_is_no_road() -> None:
+    """A large park is no river among roads of its color, which its strips along a street are."""
+    image = drawn_map(LIGHT)
+    beside = np.zeros(image.shape[:2], np.uint8)
+    street = np.array(STREETS[1]).round().astype(np.int32)
+    cv2.polylines(beside, [street], False, 1, 34)
+    land = (image == LIGHT.land[::-1]).all(axis=2)
+    image[land & (beside > 0)] = LIGHT.park[::-1]
+    image[300:350, 360:460] = LIGHT.park[::-1]
+    assert LIGHT.park not in {
+        tuple(int(x) for x in tone.color[::-1]) for tone in roads_among(image)
+    }
 
 
 def test_auto_says_that_a_picture_is_a_rendered_map() -> None:

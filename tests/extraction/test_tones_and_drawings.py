@@ -101,6 +101,20 @@ def test_two_filled_roads_are_no_edge_lines() -> None:
     assert between_lines(ink) is None
 
 
+@pytest.mark.parametrize(("bulge", "is_road"), [(0, True), (15, True), (60, False)])
+def test_a_block_between_filled_roads_that_draw_near_at_both_ends_is_no_road(
+    bulge: int, is_road: bool
+) -> None:
+    x = np.linspace(50, 950, 200)
+    away = 20 + bulge * np.exp(-(((x - 500) / 90) ** 2))
+    ink = np.zeros((400, 1000), np.uint8)
+    for y in (200 - away, 200 + away):
+        cv2.polylines(ink, [np.column_stack([x, y]).round().astype(np.int32)], False, 1, 5)
+    ink[:, 48:53] = ink[:, 948:953] = 0
+    ink[180:221, 48:53] = ink[180:221, 948:953] = 1
+    assert (between_lines(ink > 0) is not None) == is_road
+
+
 def test_a_long_even_band_looks_more_like_a_road_than_a_blot() -> None:
     blot = np.zeros((100, 200), np.float32)
     cv2.circle(blot, (100, 50), 40, 1.0, -1)

@@ -76,7 +76,7 @@ class Auto(Extractor):
         assert picture.pixels is not None
         seen, width = picture_kind(picture.pixels), road_width(self.width, picture)
         if self.threshold == "auto" and not self.through and seen.name != MASK:
-            on_paper = roads_on_paper(picture.pixels, width)
+            on_paper = None if seen.exact else roads_on_paper(picture.pixels, width)
             if on_paper is not None:
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = roads_of_map(picture.pixels, width) if seen.drawn else None

@@ -12,7 +12,7 @@ from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
 from .map_letters import letters_of_map
-from .map_tones import flat_colors, map_tones
+from .map_tones import flat_colors, map_tones, tolerance_of
 from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
@@ -41,10 +41,11 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
 
     None if the picture has too few colors for a map, or if none of them looks like roads.
     """
-    colors = flat_colors(image)
+    tolerance = tolerance_of(image)
+    colors = flat_colors(image, tolerance)
     if len(colors) < _COLORS:
         return None
-    tones = without_water(map_tones(image, colors))
+    tones = without_water(map_tones(image, colors, tolerance))
     roads = road_tones(tones, min(image.shape[:2]))
     if not roads:
         return None

@@ -15,21 +15,36 @@ from .masks import without_specks
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from
 
-_FLAT = 6
-"""Gray levels within which a neighborhood of 3 x 3 pixels is of one tone."""
-_NEAR = 8
-"""Gray levels by which a pixel of a tone may be off it."""
 _LEAST, _MOST = 0.001, 32
 """Least share of the picture that a tone covers, and how many tones are looked at."""
 _BITS = 2
 _LEVELS = 256 >> _BITS
 
+_GRAY = 0.02
+"""Channels that differ by less, of 1, have no hue."""
 _THINNEST = 2.0
 """Ribbons are wider than this, in pixels: casings and footpaths are not."""
 _LONG = 5.0
 """A ribbon is longer than so many widths."""
 _SPECK = 8
 """Parts and holes of fewer pixels are not looked at."""
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """How exact the colors of a map are, in gray levels."""
+
+    flat: int
+    """Within it a neighborhood of 3 x 3 pixels is of one tone."""
+    same: int
+    """Colors that differ by no more are one tone."""
+    near: int
+    """A pixel of a tone may be off it by this."""
+
+
+EXACT, STORED = Tolerance(6, 6, 8), Tolerance(12, 8, 16)
+"""Of pictures that keep their colors, and of those that were stored as JPEG, whose blue is off most
+where a road meets something else."""
 
 
 @dataclass(frozen=True)
@@ -52,12 +67,22 @@ class MapTone:
     widest: float
     """width of its widest place, pixels"""
 
+    @property
+    def is_gray(self) -> bool:
+        """Whether it is black, gray or white."""
+        return float(np.ptp(self.color)) < _GRAY * 255
 
-def flat_colors(image: Image) -> list[NDArray[np.float64]]:
+
+def tolerance_of(image: Image) -> Tolerance:
+    """How exact the colors of a map (h, w, 3) are: those of a file that keeps them do not vary."""
+    spread = _spread(image)
+    even = spread[spread <= EXACT.flat]
+    return STORED if len(even) and np.median(even) > 0 else EXACT
+
+
+def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:
     """The colors (3,) BGR of the even parts of a picture (h, w, 3), most frequent first."""
-    kernel = np.ones((3, 3), np.uint8)
-    blue, green, red = cv2.split(cv2.subtract(cv2.dilate(image, kernel), cv2.erode(image, kernel)))
-    is_flat = cv2.max(cv2.max(blue, green), red) <= _FLAT
+    is_flat = _spread(image) <= tolerance.flat
     flat = counted_colors(color_codes(image)[is_flat])
     blue, green, red = (flat.colors >> _BITS).astype(np.int32).T
     cell = (blue * _LEVELS + green) * _LEVELS + red
@@ -73,15 +98,24 @@ def flat_colors(image: Image) -> list[NDArray[np.float64]]:
         if flat.number(members) < least:
             continue
         color = flat.median(members)
-        left &= ~flat.near(color, _FLAT)
+        left &= ~flat.near(color, tolerance.same)
         colors.append(color)
     return colors
 
 
-def map_tones(image: Image, colors: list[NDArray[np.float64]]) -> list[MapTone]:
+def _spread(image: Image) -> Image:
+    """How much the 3 x 3 pixels around each (h, w) vary, in their worst channel."""
+    kernel = np.ones((3, 3), np.uint8)
+    blue, green, red = cv2.split(cv2.subtract(cv2.dilate(image, kernel), cv2.erode(image, kernel)))
+    return np.asarray(cv2.max(cv2.max(blue, green), red))
+
+
+def map_tones(
+    image: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance = EXACT
+) -> list[MapTone]:
     """Where the `colors` of a rendered map (h, w, 3) are, and what shapes they have."""
     label = np.full(image.shape[:2], -1, np.int16)
-    best = np.full(image.shape[:2], _NEAR + 1, np.int16)
+    best = np.full(image.shape[:2], tolerance.near + 1, np.int16)
     for index, color in enumerate(colors):
         away = away_from(image, color).astype(np.int16)
         closer = away < best

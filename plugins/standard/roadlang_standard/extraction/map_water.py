@@ -42,14 +42,16 @@ class _Width:
 
 
 def without_water(tones: list[MapTone]) -> list[MapTone]:
-    """The tones of a map, those darker than its land without what looks like water among roads.
+    """The tones of a map, the grays darker than its land without what looks like water among roads.
 
-    Water is nowhere lighter than the land.
+    Water is nowhere lighter than the land. What has a hue and is wide is water or a park as a
+    whole: what other things leave of it would look like roads.
     """
     land = max(tones, key=lambda tone: float(tone.mask.sum()))
     dried = []
     for tone in tones:
-        water = _water(tone.mask) if tone.color.mean() < land.color.mean() else None
+        dark = tone.is_gray and tone.color.mean() < land.color.mean()
+        water = _water(tone.mask) if dark else None
         dried.append(tone if water is None else map_tone(tone.color, tone.mask & ~water))
     return dried
 

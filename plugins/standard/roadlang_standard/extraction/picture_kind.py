@@ -7,10 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.geometry import Booleans
-
 from .drawing import has_edge_lines
-from .map_tones import flat_colors
+from .exact_colors import has_exact_colors, is_shaded
 from .nodata import nodata
 from .tones import Image, away_from, flatness, thinned, tones
 
@@ -24,10 +22,6 @@ PHOTO, MASK, FILLED, EDGES, MAP = (
 
 _FLAT = 0.55
 """Photos have less than this share of pixels without texture."""
-_COLORS, _SAME, _EXACT, _OFF = 8, 5, 0.5, 1.8
-"""Of drawings, so many colors are, within so many gray levels, those of more than this share of the
-pixels, and these are off them by less on average: the sky, sand and what is out of focus in a photo
-have little texture, but shades. Drawings stored as JPEG are off by up to 1.4."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +31,8 @@ class PictureKind:
     name: str
     flat: float
     """Share of pixels without any texture."""
+    exact: bool = False
+    """Whether it was made on a screen, by several exact colors: it is no drawing on paper."""
 
     @property
     def drawn(self) -> bool:
@@ -46,35 +42,24 @@ class PictureKind:
 
 def picture_kind(image: Image) -> PictureKind:
     """Photos have texture nearly everywhere, drawings nearly nowhere."""
-    flat = flatness(image)
-    if flat < _FLAT:
+    flat, exact = flatness(image), has_exact_colors(image)
+    if flat < _FLAT and not exact:
         return PictureKind(PHOTO, flat)
     plan = tones(image, most=12)
     few = np.sort(plan.shares)[-6:].sum()
-    if few < 0.85 or _is_shaded(image) or _photo_with_margins(image):
+    if few < 0.85 or (not exact and (is_shaded(image) or _photo_with_margins(image))):
         return PictureKind(PHOTO, flat)
     paper = plan.colors[plan.paper]
     away = away_from(image, paper)
     marked = away > (100 if away.max() > 100 else 30)
     if has_edge_lines(marked):
-        return PictureKind(EDGES, flat)
+        return PictureKind(EDGES, flat, exact)
     colors = plan.colors[np.argsort(-plan.shares)]
     pure = _unmixed(colors)
     black_and_white = len(pure) <= 2 and all(min(c.max(), 255 - c.min()) < 40 for c in pure)
     if black_and_white and paper.mean() < 40:
-        return PictureKind(MASK, flat)
-    return PictureKind(MAP if len(pure) > 3 else FILLED, flat)
-
-
-def _is_shaded(image: Image, within: Booleans | None = None) -> bool:
-    """Whether most of a picture, or of what is `within` (h, w), has none of a few exact colors."""
-    small = image if within is not None else np.ascontiguousarray(thinned(image, 250_000))
-    off = np.full(small.shape[:2], 255, np.uint8)
-    for color in flat_colors(small)[:_COLORS]:
-        off = np.minimum(off, away_from(small, color))
-    off = off if within is None else off[within]
-    near = off <= _SAME
-    return bool(near.mean() < _EXACT or off[near].mean() > _OFF)
+        return PictureKind(MASK, flat, exact)
+    return PictureKind(MAP if len(pure) > 3 else FILLED, flat, exact)
 
 
 def _photo_with_margins(image: Image) -> bool:
@@ -84,7 +69,7 @@ def _photo_with_margins(image: Image) -> bool:
     margins = nodata(small)
     if margins is None or margins.mean() > 0.75:
         return False
-    return flatness(small, ~margins) < _FLAT and _is_shaded(small, ~margins)
+    return flatness(small, ~margins) < _FLAT and is_shaded(small, ~margins)
 
 
 def _unmixed(colors: NDArray[np.float64]) -> list[NDArray[np.float64]]:

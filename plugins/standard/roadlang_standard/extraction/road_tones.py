@@ -25,8 +25,6 @@ _LEAST = 0.5
 _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 220 / 360
 """Water is of these hues where it is also wide, or bluish up to the other one where it differs from
 the land in the other direction than roads do, darker or lighter."""
-_GRAY = 0.02
-"""Channels that differ by less, of 1, have no hue."""
 _WIDE = 1.5
 """Water is wider than so many roads."""
 _AREA = 4.3
@@ -66,14 +64,14 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
 
 def _is_plain(tone: MapTone) -> bool:
     """Whether a tone is black, gray or white, and nearly all ribbons."""
-    return float(np.ptp(tone.color)) / 255 < _GRAY and tone.ribbons >= _PLAIN_RIBBONS
+    return tone.is_gray and tone.ribbons >= _PLAIN_RIBBONS
 
 
 def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
     """Whether a ribbon is a river rather than a road of another class than `main`."""
     blue, green, red = tone.color / 255
     hue, _, _ = colorsys.rgb_to_hsv(red, green, blue)
-    if max(red, green, blue) - min(red, green, blue) < _GRAY:
+    if tone.is_gray:
         return False
     if _WATER_HUES[0] <= hue <= _WATER_HUES[1] and tone.width > _WIDE * main.width:
         return True

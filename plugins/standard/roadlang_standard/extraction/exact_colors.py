@@ -1,0 +1,73 @@
+"""Whether a picture was made on a screen: a few colors, exact and the same all over it."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+from .map_tones import flat_colors
+from .tones import Image, away_from, thinned
+
+_SAMPLE = 250_000
+"""Pixels that are looked at."""
+_COLORS, _SAME, _OFF = 8, 5, 1.8
+"""So many colors are looked at; pixels within so many gray levels have one of them, and are off it
+by less on average: the sky, sand, paper and what is out of focus in a photo have little texture,
+but shades. Drawings stored as JPEG are off by up to 1.7."""
+_HALF = 0.5
+"""What is not shaded has these colors on at least this share of its pixels."""
+_SEVERAL, _MOST, _MAP_OFF = 3, 0.6, 2.5
+"""A map has at least so many of them, on more than this share, and where it is full of houses and
+stored as JPEG is off them by up to this."""
+_BLOCKS, _FILLED, _EVEN, _NEAR = 4, 0.1, 2.5, 10
+"""The most frequent color is the same, within so many gray levels, in each of 4 x 4 blocks that
+have it (pixels within 10 gray levels) on a tenth of their area: paper is never lit so evenly."""
+
+
+def is_shaded(image: Image, within: Booleans | None = None) -> bool:
+    """Whether most of a picture (h, w, 3), or of what is `within` (h, w), has none of a few exact
+    colors."""
+    small = image if within is not None else np.ascontiguousarray(thinned(image, _SAMPLE))
+    share, off = _near(small, flat_colors(small)[:_COLORS], within)
+    return share < _HALF or off > _OFF
+
+
+def has_exact_colors(image: Image) -> bool:
+    """Whether a picture (h, w, 3) has several exact colors and the same land all over: a map that
+    was made on a screen, even where it was stored as JPEG and is full of houses."""
+    small = np.ascontiguousarray(thinned(image, _SAMPLE))
+    colors = flat_colors(small)[:_COLORS]
+    if len(colors) < _SEVERAL:
+        return False
+    share, off = _near(small, colors)
+    return share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0])
+
+
+def _near(
+    image: Image, colors: list[NDArray[np.float64]], within: Booleans | None = None
+) -> tuple[float, float]:
+    """The share of pixels that have one of the colors, and how far these are off it."""
+    off = np.full(image.shape[:2], 255, np.uint8)
+    for color in colors:
+        off = np.minimum(off, away_from(image, color))
+    off = off if within is None else off[within]
+    near = off <= _SAME
+    return float(near.mean()), float(off[near].mean()) if near.any() else 255.0
+
+
+def _is_even(image: Image, color: NDArray[np.float64]) -> bool:
+    """Whether a color is the same in all parts of a picture."""
+    near = (away_from(image, color) <= _NEAR).astype(np.uint8)
+    rows, columns = (np.linspace(0, size, _BLOCKS + 1).astype(int) for size in image.shape[:2])
+    means = [
+        cv2.mean(image[top:bottom, left:right], near[top:bottom, left:right])[:3]
+        for top, bottom in pairwise(rows)
+        for left, right in pairwise(columns)
+        if bottom > top and right > left and near[top:bottom, left:right].mean() > _FILLED
+    ]
+    return bool(means) and bool(np.ptp(np.array(means), axis=0).max() <= _EVEN)
