@@ -20,6 +20,9 @@ _WIDTHS = (5, 9, 13)
 _LENGTH = 21
 _SMALLER = 1 / 3
 """Scale at which a photo without fine detail is processed."""
+_STRIP, _REACH = 4, 40
+"""Strips are turned in pieces of so many of their shorter sides: what is turned as a whole fills
+little of its canvas. Pieces overlap by so many pixels, farther than ribbons reach."""
 _CHROMA = 0.03
 """How much a colorful pixel loses: asphalt is gray."""
 
@@ -63,12 +66,30 @@ def ribbon_evidence(image: Image) -> Layer:
     mean = cv2.GaussianBlur(light, (0, 0), 25)
     spread = np.sqrt(cv2.GaussianBlur((light - mean) ** 2, (0, 0), 25))
     even = (light - mean) / np.maximum(spread, 4.0)
-    best = np.zeros(light.shape, np.float32)
-    for angle in np.arange(_ANGLES) * 180.0 / _ANGLES:
-        np.maximum(best, _along(even, float(angle)), out=best)
+    is_tall = light.shape[0] > 2 * _piece(light.shape[1])
+    best = _best(even.T).T if is_tall else _best(even)
     best *= np.exp(-_CHROMA * np.maximum(chroma - np.median(chroma), 0))
     top = float(np.quantile(best, 0.985))
     return np.asarray(np.clip(best / max(top, 1e-3), 0, 1), np.float32)
+
+
+def _piece(short: int) -> int:
+    """The length of the pieces of a picture whose shorter side has so many pixels."""
+    return max(_STRIP * short, 10 * _REACH)
+
+
+def _best(even: Layer) -> Layer:
+    """The greatest response of ribbons at each pixel (h, w); a wide strip is seen in pieces."""
+    height, width = even.shape
+    piece = _piece(height) if width > 2 * _piece(height) else width
+    best = np.zeros(even.shape, np.float32)
+    for left in range(0, width, piece):
+        start = max(0, left - _REACH)
+        part = np.ascontiguousarray(even[:, start : left + piece + _REACH])
+        for angle in np.arange(_ANGLES) * 180.0 / _ANGLES:
+            response = _along(part, float(angle))[:, left - start : left - start + piece]
+            np.maximum(best[:, left : left + piece], response, out=best[:, left : left + piece])
+    return best
 
 
 def _along(even: Layer, angle: float) -> Layer:

@@ -18,6 +18,7 @@ from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
 from .graph import Graph, Line
 from .junction_points import Passing, extended, meeting_point
+from .sampled import sampled
 from .smoothing import resample, stations
 
 Layer = NDArray[np.float32]
@@ -151,10 +152,7 @@ def _road(
 
 def _along(layer: Layer, at: Layer) -> Layer:
     """The layer (h, w) at points (1, n, 2), (n,)."""
-    found = cv2.remap(
-        layer, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
-    )
-    return np.asarray(found[0], np.float32)
+    return np.asarray(sampled(layer, at[..., 0], at[..., 1])[0], np.float32)
 
 
 def typical_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:
@@ -170,7 +168,7 @@ def width_within(graph: Graph, inner: Layer) -> float:
     x, y = np.vstack(samples).T
     inside = (x >= 0) & (y >= 0) & (x < inner.shape[1]) & (y < inner.shape[0])
     radii = inner[y[inside], x[inside]]
-    radii = np.minimum(radii[radii > 0], max(inner.shape) / 2)
+    radii = np.minimum(radii[radii > 0], min(inner.shape) / 2)
     return float(max(1.0, 2 * np.median(radii) - 1)) if len(radii) else 1.0
 
 

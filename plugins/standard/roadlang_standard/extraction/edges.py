@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
+from .sampled import sampled
 from .smoothing import gradient, smooth_values
 
 _STEP = 0.25
 _ROWS = 256
-"""So many points at a time: what is worked out for more does not stay in a processor's cache, and
-OpenCV takes no more than 32767."""
+"""So many points at a time: what is worked out for more does not stay in a processor's cache."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +80,7 @@ def across(
             (points[rows, axis, None] + away * normal[rows, axis, None]).astype(np.float32)
             for axis in (0, 1)
         )
-        found[rows] = cv2.remap(surface, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        found[rows] = sampled(surface, x, y)
     return found
 
 

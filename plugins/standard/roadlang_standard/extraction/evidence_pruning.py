@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from .graph import Graph, Line
 from .graph_cleanup import at_border, components, join
+from .sampled import sampled
 from .smoothing import resample
 
 Layer = NDArray[np.float32]
@@ -16,11 +16,7 @@ Layer = NDArray[np.float32]
 def mean_evidence(line: Line, score: Layer) -> float:
     """Mean of the score (h, w) along a line."""
     at = resample(line.points, 2.0).astype(np.float32).reshape(1, -1, 2)
-    return float(
-        cv2.remap(
-            score, at[..., 0], at[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
-        ).mean()
-    )
+    return float(sampled(score, at[..., 0], at[..., 1]).mean())
 
 
 def discounted_length(line: Line, score: Layer, floor: float) -> float:

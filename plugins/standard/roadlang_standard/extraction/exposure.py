@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .nodata import nodata
+from .sampled import sampled
 
 _MEAN, _DEVIATION = 115.0, 50.0
 _WINDOW, _CELL = 384, 8
@@ -47,8 +48,8 @@ def even_view(image: NDArray[np.uint8]) -> EvenView:
         y = ((rows + 0.5) / _CELL - 0.5).astype(np.float32)
         at = np.tile(x, (len(y), 1)), np.repeat(y, width).reshape(-1, width)
         part = image[top : top + 256].astype(np.float32)
-        part *= _sampled(gain, *at)
-        part += _sampled(offset, *at)
+        part *= _in_channels(gain, *at)
+        part += _in_channels(offset, *at)
         np.clip(part, 0, 255, out=part)
         even[top : top + 256] = np.rint(part, out=part)
     if nothing is not None:
@@ -56,10 +57,9 @@ def even_view(image: NDArray[np.uint8]) -> EvenView:
     return EvenView(even, nothing)
 
 
-def _sampled(field: Layer, x: Layer, y: Layer) -> Layer:
+def _in_channels(field: Layer, x: Layer, y: Layer) -> Layer:
     """The field at places (h, w), for each of three channels (h, w, 3)."""
-    found = cv2.remap(field, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-    return np.asarray(cv2.merge([found] * 3), np.float32)
+    return np.asarray(cv2.merge([sampled(field, x, y)] * 3), np.float32)
 
 
 def _gain_and_offset(
