@@ -19,7 +19,8 @@ from roadlang.ir.scene import Call, Provenance, Scene, SceneActor, SceneRoad
 from roadlang.plugins.discovery import load_registry
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.calling.controllers import Driver
-from roadlang.simulation.observing.observing import Surroundings, View
+from roadlang.simulation.observing.observing import View
+from roadlang.simulation.observing.surroundings import Surroundings
 from roadlang.simulation.surroundings.leaders import Leaders
 from roadlang_godot.engines import engine
 

@@ -11,7 +11,8 @@ import pytest
 from roadlang import testing
 from roadlang.ir.observation import ObservationBatch
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.observing.observing import Surroundings, View
+from roadlang.simulation.observing.observing import View
+from roadlang.simulation.observing.surroundings import Surroundings
 
 STREET = """
 road main {

@@ -8,7 +8,8 @@ import pytest
 from roadlang import testing
 from roadlang.geometry import Floats
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.observing.observing import Surroundings, View
+from roadlang.simulation.observing.observing import View
+from roadlang.simulation.observing.surroundings import Surroundings
 from roadlang.simulation.state.world import World
 
 CROSSING = '''

@@ -15,7 +15,8 @@ from ..simulation.bends.leaning import LONG
 from ..simulation.building.world_building import world_of
 from ..simulation.calling.decision import Decision
 from ..simulation.controlling.driving import DriverGroup
-from ..simulation.observing.observing import Surroundings, View
+from ..simulation.observing.observing import View
+from ..simulation.observing.surroundings import Surroundings
 from ..simulation.signals.samples import Samples
 from ..simulation.state.world import World
 from ..simulation.surroundings.contacts import ContactDetector

@@ -18,9 +18,10 @@ from ..building.carried_state import Continued
 from ..calling.controllers import Driver
 from ..calling.decision import Decision
 from ..calling.option_columns import options_of
-from ..observing.observing import Surroundings, View
+from ..observing.observing import View
 from ..observing.sensing import Sensing
 from ..observing.single_agents import OthersSeen, observations
+from ..observing.surroundings import Surroundings
 from ..signals.triggers import PlacedCall, Triggers
 from ..state.world import World
 from ..vehicles.line_steering import line_steering

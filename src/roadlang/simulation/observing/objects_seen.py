@@ -17,6 +17,7 @@ from ..surroundings.leaders import Leaders
 from ..surroundings.oncoming_ways import comes_toward
 from ..surroundings.touches_ahead import touches_ahead
 from ..vehicles.poses import Poses
+from .surroundings import Surroundings
 
 CONNECTION = 3.5
 """Meters: the width of the way through a junction."""
@@ -25,7 +26,7 @@ CONNECTION = 3.5
 class ObjectsSeen:
     """Of all agents of a world, as long as that stands still."""
 
-    def __init__(self, world: World, poses: Poses, surroundings: Any) -> None:
+    def __init__(self, world: World, poses: Poses, surroundings: Surroundings) -> None:
         self._world, self._poses, self._surroundings = world, poses, surroundings
         self._ahead: Floats | None = None
 
