@@ -22,6 +22,7 @@ VERBS = (
     "drive",
     "drive_signal",
     "emit",
+    "extract",
     "falsify",
     "monitor",
     "object",
@@ -106,6 +107,7 @@ def plugin_files(name: str, verbs: Sequence[str]) -> dict[str, str]:
         "CLASS": "".join(word.capitalize() for word in name.split("_")),
         "DISTRIBUTION": f"roadlang-{name.replace('_', '-')}",
         "MODULE": module,
+        "CODE": name.replace("_", "").upper(),
         "ROADLANG": f"roadlang>={API_VERSION},<{_next_minor(API_VERSION)}",
     }
     scenes = {verb: _filled(f"{verb}.rl", words).strip() for verb in verbs}
@@ -114,7 +116,7 @@ def plugin_files(name: str, verbs: Sequence[str]) -> dict[str, str]:
     words["ENTRIES"] = "\n".join(
         f'"{verb}.{name}" = "{module}.{verb}_{name}:{words["CLASS"]}"' for verb in verbs
     )
-    words["SCENES"] = "\n".join(f'    "{v}": """\n{text}\n""",' for v, text in scenes.items())
+    words["SCENES"] = "\n".join(f'    "{v}": {_quoted(text)},' for v, text in scenes.items())
     texts = {
         "pyproject.toml": _filled("pyproject.toml", words),
         "README.md": _filled("README.md", words),
@@ -128,6 +130,12 @@ def plugin_files(name: str, verbs: Sequence[str]) -> dict[str, str]:
         texts[f"src/{module}/{verb}_{name}.py"] = _filled(f"{verb}.py", about)
         texts[f"tests/test_{verb}_{name}.py"] = _filled(f"{verb}_test.py", about)
     return texts
+
+
+def _quoted(text: str) -> str:
+    """A scene as a text of Python; pictures that are typed in it stand in double quotes."""
+    quotes = "'''" if '"""' in text else '"""'
+    return f"{quotes}\n{text}\n{quotes}"
 
 
 def _next_minor(version: str) -> str:
