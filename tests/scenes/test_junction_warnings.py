@@ -45,7 +45,7 @@ def test_where_all_roads_lie_inside_a_junction_they_are_named_and_nothing_else_i
 ) -> None:
     rows = "#...#\n.#.#.\n..#..\n.#.#.\n#...#"
     text = PLAN.replace("ROWS", rows).replace("4m/px", "1m/px").split("network bent")[0]
-    text = text.replace("from plan", "from plan { extract with auto { width: 9m } }")
+    text = text.replace("from plan", "from plan { extract with auto { width: 5m } }")
     assert {warning.code for warning in sample(text).warnings} == {"RL437"}
     assert not recwarn.list
 
