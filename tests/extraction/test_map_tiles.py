@@ -12,7 +12,15 @@ from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.map_letters import letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import MapTone, flat_colors, map_tone, map_tones
+from roadlang_standard.extraction.map_tones import (
+    EXACT,
+    STORED,
+    MapTone,
+    flat_colors,
+    map_tone,
+    map_tones,
+    tolerance_of,
+)
 from roadlang_standard.extraction.map_water import without_water
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import (
@@ -131,6 +139,26 @@ def test_a_map_full_of_houses_that_was_saved_as_jpeg_is_read_as_a_map(
     assert found is not None
     assert on_streets(points(found)).mean() > 0.95
     assert found_streets(points(found)).mean() > 0.95
+
+
+def test_noise_of_jpeg_is_no_tone_of_its_own() -> None:
+    """A wide road of a strong color, whose blue JPEG leaves in two shades."""
+    image = np.full((200, 300, 3), 245, np.uint8)
+    image[::25, :, :] = 255
+    image[80:94] = 109, 214, 253
+    image[80:94:3, ::2, 0] += 10
+    noisy = map_tones(
+        image, [np.array(c, float) for c in ((245,) * 3, (109, 214, 253), (119, 214, 253))], STORED
+    )
+    assert [tone.color[0] for tone in noisy] == [245, 109]
+    assert noisy[1].mask[80:94].all()
+
+
+def test_pictures_that_keep_their_colors_are_told_from_stored_ones() -> None:
+    image = drawn_map(LIGHT)
+    assert tolerance_of(image) is EXACT
+    assert tolerance_of(stored(image, 50)) is STORED
+    assert tolerance_of(stored(image, 95)) is STORED
 
 
 def test_paper_in_even_light_has_no_exact_colors() -> None:

@@ -24,9 +24,10 @@ _HALF = 0.5
 _SEVERAL, _MOST, _MAP_OFF = 3, 0.6, 2.5
 """A map has at least so many of them, on more than this share, and where it is full of houses and
 stored as JPEG is off them by up to this."""
-_BLOCKS, _FILLED, _EVEN, _NEAR = 4, 0.1, 2.5, 10
-"""The most frequent color is the same, within so many gray levels, in each of 4 x 4 blocks that
-have it (pixels within 10 gray levels) on a tenth of their area: paper is never lit so evenly."""
+_BLOCKS, _FILLED, _SPREAD, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
+"""Of 4 x 4 blocks, the most frequent color has a tenth of the area of at least 12 (paper has
+another color in a shadow), and is the same in each, within so many gray levels (pixels within 7):
+paper is never lit so evenly."""
 
 
 def is_shaded(image: Image, within: Booleans | None = None) -> bool:
@@ -70,4 +71,4 @@ def _is_even(image: Image, color: NDArray[np.float64]) -> bool:
         for left, right in pairwise(columns)
         if bottom > top and right > left and near[top:bottom, left:right].mean() > _FILLED
     ]
-    return bool(means) and bool(np.ptp(np.array(means), axis=0).max() <= _EVEN)
+    return len(means) >= _SPREAD and bool(np.ptp(np.array(means), axis=0).max() <= _EVEN)

@@ -20,12 +20,17 @@ _LEAST, _MOST = 0.001, 32
 _BITS = 2
 _LEVELS = 256 >> _BITS
 
+_BLOCK, _NOISY = 9, 0.26
+"""Within a block of an edge, JPEG leaves noise on more than this share of what is even; farther
+from edges it may leave none."""
 _GRAY = 0.02
 """Channels that differ by less, of 1, have no hue."""
 _THINNEST = 2.0
 """Ribbons are wider than this, in pixels: casings and footpaths are not."""
 _LONG = 5.0
 """A ribbon is longer than so many widths."""
+_SHAPED, _GRAIN = 0.2, 4.0
+"""Noise of a color is in ribbons to a smaller share than this, and no wider than so many pixels."""
 _SPECK = 8
 """Parts and holes of fewer pixels are not looked at."""
 
@@ -76,8 +81,16 @@ class MapTone:
 def tolerance_of(image: Image) -> Tolerance:
     """How exact the colors of a map (h, w, 3) are: those of a file that keeps them do not vary."""
     spread = _spread(image)
-    even = spread[spread <= EXACT.flat]
-    return STORED if len(even) and np.median(even) > 0 else EXACT
+    edges = (spread > EXACT.flat).astype(np.uint8)
+    near = (cv2.dilate(edges, np.ones((_BLOCK, _BLOCK), np.uint8)) > edges) & (spread <= EXACT.flat)
+    return STORED if near.any() and (spread[near] > 0).mean() > _NOISY else EXACT
+
+
+def without_jpeg_noise(image: Image) -> Image:
+    """A map (h, w, 3) with its hues evened: JPEG keeps them at half the size, and coarsely."""
+    light, red, blue = cv2.split(cv2.cvtColor(image, cv2.COLOR_BGR2YCrCb))
+    even = cv2.merge([light, cv2.medianBlur(red, 5), cv2.medianBlur(blue, 5)])
+    return np.asarray(cv2.cvtColor(even, cv2.COLOR_YCrCb2BGR))
 
 
 def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:
@@ -113,9 +126,21 @@ def _spread(image: Image) -> Image:
 def map_tones(
     image: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance = EXACT
 ) -> list[MapTone]:
-    """Where the `colors` of a rendered map (h, w, 3) are, and what shapes they have."""
+    """Where the `colors` of a rendered map (h, w, 3) are, and what shapes they have.
+
+    Of a picture that was stored as JPEG, colors without a shape are noise of others, which take
+    what is near enough to them.
+    """
+    tones = _tones_of(image, colors, tolerance.near)
+    shaped = [tone.color for tone in tones if tone.ribbons >= _SHAPED or tone.width > _GRAIN]
+    if tolerance is EXACT or len(shaped) == len(tones):
+        return tones
+    return _tones_of(image, shaped, tolerance.near)
+
+
+def _tones_of(image: Image, colors: list[NDArray[np.float64]], near: int) -> list[MapTone]:
     label = np.full(image.shape[:2], -1, np.int16)
-    best = np.full(image.shape[:2], tolerance.near + 1, np.int16)
+    best = np.full(image.shape[:2], near + 1, np.int16)
     for index, color in enumerate(colors):
         away = away_from(image, color).astype(np.int16)
         closer = away < best
