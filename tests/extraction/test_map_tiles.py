@@ -152,6 +152,8 @@ def test_noise_of_jpeg_is_no_tone_of_its_own() -> None:
     )
     assert [tone.color[0] for tone in noisy] == [245, 109]
     assert noisy[1].mask[80:94].all()
+    alone = map_tones(image, [np.array([119.0, 214.0, 253.0])], STORED)
+    assert len(alone) == 1
 
 
 def test_pictures_that_keep_their_colors_are_told_from_stored_ones() -> None:

@@ -133,9 +133,9 @@ def map_tones(
     """
     tones = _tones_of(image, colors, tolerance.near)
     shaped = [tone.color for tone in tones if tone.ribbons >= _SHAPED or tone.width > _GRAIN]
-    if tolerance is EXACT or len(shaped) == len(tones):
-        return tones
-    return _tones_of(image, shaped, tolerance.near)
+    if tolerance is STORED and 0 < len(shaped) < len(tones):
+        return _tones_of(image, shaped, tolerance.near)
+    return tones
 
 
 def _tones_of(image: Image, colors: list[NDArray[np.float64]], near: int) -> list[MapTone]:
