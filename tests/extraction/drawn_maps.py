@@ -86,7 +86,7 @@ def crowded(image: np.ndarray, style: MapStyle) -> np.ndarray:
     return crowded
 
 
-def stored(image: np.ndarray, quality: int) -> np.ndarray:
+def as_jpeg(image: np.ndarray, quality: int) -> np.ndarray:
     """What is read of a picture that was saved as JPEG."""
     coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])[1]
     return np.asarray(cv2.imdecode(coded, cv2.IMREAD_COLOR), np.uint8)

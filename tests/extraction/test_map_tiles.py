@@ -14,7 +14,7 @@ from roadlang_standard.extraction.map_letters import letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import (
     EXACT,
-    STORED,
+    LOSSY,
     MapTone,
     flat_colors,
     map_tone,
@@ -30,11 +30,11 @@ from tests.extraction.drawn_maps import (
     PALE,
     STREETS,
     MapStyle,
+    as_jpeg,
     crowded,
     drawn_map,
     found_streets,
     on_streets,
-    stored,
 )
 
 STYLES = pytest.mark.parametrize("style", [LIGHT, PALE, DARK], ids=["light", "pale", "dark"])
@@ -120,7 +120,7 @@ def test_names_are_seen_and_edges_of_streets_are_no_names() -> None:
 def test_a_map_twice_as_large_or_saved_as_jpeg_has_the_same_streets() -> None:
     image = drawn_map(LIGHT)
     large = roads_of_map(cv2.resize(image, None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC))
-    saved = roads_of_map(stored(image, 90))
+    saved = roads_of_map(as_jpeg(image, 90))
     assert large is not None
     assert saved is not None
     assert found_streets((points(large) + 0.5) / 2 - 0.5).mean() > 0.95
@@ -133,7 +133,7 @@ def test_a_map_full_of_houses_that_was_saved_as_jpeg_is_read_as_a_map(
     style: MapStyle, quality: int
 ) -> None:
     """It has texture nearly everywhere, as a photo, and no color exactly, as paper."""
-    image = stored(crowded(drawn_map(style), style), quality)
+    image = as_jpeg(crowded(drawn_map(style), style), quality)
     assert Auto().extract(Picture(image, 0.5)).remarks[0] == "read as a rendered map"
     found = roads_of_map(image)
     assert found is not None
@@ -148,19 +148,19 @@ def test_noise_of_jpeg_is_no_tone_of_its_own() -> None:
     image[80:94] = 109, 214, 253
     image[80:94:3, ::2, 0] += 10
     noisy = map_tones(
-        image, [np.array(c, float) for c in ((245,) * 3, (109, 214, 253), (119, 214, 253))], STORED
+        image, [np.array(c, float) for c in ((245,) * 3, (109, 214, 253), (119, 214, 253))], LOSSY
     )
     assert [tone.color[0] for tone in noisy] == [245, 109]
     assert noisy[1].mask[80:94].all()
-    alone = map_tones(image, [np.array([119.0, 214.0, 253.0])], STORED)
+    alone = map_tones(image, [np.array([119.0, 214.0, 253.0])], LOSSY)
     assert len(alone) == 1
 
 
-def test_pictures_that_keep_their_colors_are_told_from_stored_ones() -> None:
+def test_lossless_pictures_are_told_from_jpeg() -> None:
     image = drawn_map(LIGHT)
     assert tolerance_of(image) is EXACT
-    assert tolerance_of(stored(image, 50)) is STORED
-    assert tolerance_of(stored(image, 95)) is STORED
+    assert tolerance_of(as_jpeg(image, 50)) is LOSSY
+    assert tolerance_of(as_jpeg(image, 95)) is LOSSY
 
 
 def test_paper_in_even_light_has_no_exact_colors() -> None:
@@ -174,7 +174,7 @@ def test_paper_in_even_light_has_no_exact_colors() -> None:
     assert has_exact_colors(map_like)
 
 
-def test_what_streets_leave_of_a_park_is_no_road() -> None:
+def test_remnants_of_a_park_between_streets_are_no_roads() -> None:
     """A large park is no river among roads of its color, which its strips along a street are."""
     image = drawn_map(LIGHT)
     beside = np.zeros(image.shape[:2], np.uint8)

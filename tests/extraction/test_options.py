@@ -89,7 +89,7 @@ def test_boxes_that_a_drawing_does_not_use_are_told() -> None:
     drawing = np.full((90, 120, 3), 255, np.uint8)
     drawing[40:50] = 40
     found = Auto(leave_out=(BOX,)).extract(Picture(drawing, 0.5))
-    assert found.remarks[1].startswith("`leave_out` is not used, it is for photos")
+    assert found.remarks[1].startswith("`leave_out` is for photos and was ignored")
 
 
 def test_the_shortest_dead_end_of_photos_is_in_meters(requests: list[Any]) -> None:

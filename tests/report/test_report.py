@@ -14,16 +14,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import DiagnosticError
 from roadlang.drive.figure import COLOR_STEPS, robustness_color
 from roadlang.ir.results_record import RESULTS_FILE
 from roadlang.ir.trace import AgentTrace, Trace
-from roadlang.report.draw_charts import separation
 from roadlang.report.numbers import percent
 from roadlang.report.page_text import embedded, page_text
 from roadlang.report.report import read_results
@@ -151,19 +147,6 @@ def test_what_sets_failures_apart_is_their_speed(search: Path) -> None:
     part = text.partition('<section id="apart"')[2].partition("</section>")[0]
     names = re.findall(r"<figcaption><strong>([^<]+)</strong> (larger|smaller)", part)
     assert names[0] == ("ego/drive 1/speed", "larger")
-
-
-@given(arrays(np.float64, st.integers(2, 40), elements=st.integers(-5, 5).map(float)), st.data())
-def test_separation_compares_every_pair(values: np.ndarray, data: st.DataObject) -> None:
-    some = data.draw(st.sets(st.integers(0, len(values) - 1), min_size=1, max_size=len(values) - 1))
-    failed = np.isin(np.arange(len(values)), list(some))
-    pairs = np.sign(values[failed][:, None] - values[~failed][None, :])
-    assert separation(values.tolist(), failed) == pytest.approx(pairs.mean())
-
-
-def test_words_set_nothing_apart() -> None:
-    assert separation(["car", "truck", "car"], np.array([True, False, False])) == 0.0
-    assert separation([True, False, True], np.array([True, False, False])) == 0.0
 
 
 def test_the_same_results_give_the_same_bytes(copy: Path, search: Path) -> None:

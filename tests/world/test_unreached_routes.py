@@ -1,4 +1,4 @@
-"""A route that no way leads along, from where another agent decides it to begin, is told."""
+"""A route that cannot be followed from where another agent makes it start is named."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ agent ego is car on town at ahead_of(lead, 10m) { route: %s }
 def test_a_route_in_another_part_of_the_network_is_told() -> None:
     with pytest.raises(NoSceneError) as caught:
         testing.sample(TWO_PARTS % "[(260m, 5m), (262m, 110m)]", 1)
-    help_ = "from where `ego` stands, no way in `town` leads along its `route`"
+    help_ = "no path in `town` follows the `route` of `ego` from where it starts"
     assert help_ in caught.value.diagnostics[0].help
 
 

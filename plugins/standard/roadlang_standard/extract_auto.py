@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from .extract_aerial import Aerial
 
 _UNUSED_BOXES = (
-    "`leave_out` is not used, it is for photos: `extract with aerial` reads any picture as one, and"
-    " `dismissed` of a network takes away roads of any picture"
+    "`leave_out` is for photos and was ignored: use `extract with aerial` to read this picture as a"
+    " photo, or `dismissed` of the network to remove roads"
 )
 
 

@@ -47,7 +47,7 @@ def _without_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None
         return None
     if not is_unreached(actor, candidates):
         return None
-    return f"from where `{actor.name}` stands, no way in `{actor.on}` leads along its `route`"
+    return f"no path in `{actor.on}` follows the `route` of `{actor.name}` from where it starts"
 
 
 def beyond_road(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:

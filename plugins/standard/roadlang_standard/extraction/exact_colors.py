@@ -1,4 +1,4 @@
-"""Whether a picture was made on a screen: a few colors, exact and the same all over it."""
+"""Whether a picture was rendered: it has a few exact colors."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _HALF = 0.5
 _SEVERAL, _MOST, _MAP_OFF = 3, 0.6, 2.5
 """A map has at least so many of them, on more than this share, and where it is full of houses and
 stored as JPEG is off them by up to this."""
-_BLOCKS, _FILLED, _SPREAD, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
+_BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
 """Of 4 x 4 blocks, the most frequent color has a tenth of the area of at least 12 (paper has
 another color in a shadow), and is the same in each, within so many gray levels (pixels within 7):
 paper is never lit so evenly."""
@@ -39,8 +39,8 @@ def is_shaded(image: Image, within: Booleans | None = None) -> bool:
 
 
 def has_exact_colors(image: Image) -> bool:
-    """Whether a picture (h, w, 3) has several exact colors and the same land all over: a map that
-    was made on a screen, even where it was stored as JPEG and is full of houses."""
+    """Whether a picture (h, w, 3) has several exact colors, one of them everywhere: a rendered map,
+    even one that was saved as JPEG and is full of houses."""
     small = np.ascontiguousarray(thinned(image, _SAMPLE))
     colors = flat_colors(small)[:_COLORS]
     if len(colors) < _SEVERAL:
@@ -71,4 +71,4 @@ def _is_even(image: Image, color: NDArray[np.float64]) -> bool:
         for left, right in pairwise(columns)
         if bottom > top and right > left and near[top:bottom, left:right].mean() > _FILLED
     ]
-    return len(means) >= _SPREAD and bool(np.ptp(np.array(means), axis=0).max() <= _EVEN)
+    return len(means) >= _PRESENT and bool(np.ptp(np.array(means), axis=0).max() <= _EVEN)

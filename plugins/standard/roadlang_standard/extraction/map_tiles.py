@@ -12,7 +12,7 @@ from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
 from .map_letters import letters_of_map
-from .map_tones import STORED, flat_colors, map_tones, tolerance_of, without_jpeg_noise
+from .map_tones import LOSSY, flat_colors, map_tones, tolerance_of, without_jpeg_noise
 from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
@@ -42,7 +42,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     None if the picture has too few colors for a map, or if none of them looks like roads.
     """
     tolerance = tolerance_of(image)
-    if tolerance is STORED:
+    if tolerance is LOSSY:
         image = without_jpeg_noise(image)
     colors = flat_colors(image, tolerance)
     if len(colors) < _COLORS:

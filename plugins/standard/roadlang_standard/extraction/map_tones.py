@@ -47,9 +47,8 @@ class Tolerance:
     """A pixel of a tone may be off it by this."""
 
 
-EXACT, STORED = Tolerance(6, 6, 8), Tolerance(12, 8, 16)
-"""Of pictures that keep their colors, and of those that were stored as JPEG, whose blue is off most
-where a road meets something else."""
+EXACT, LOSSY = Tolerance(6, 6, 8), Tolerance(12, 8, 16)
+"""For lossless files, and for JPEG, whose blue is off most at the edges of roads."""
 
 
 @dataclass(frozen=True)
@@ -79,15 +78,16 @@ class MapTone:
 
 
 def tolerance_of(image: Image) -> Tolerance:
-    """How exact the colors of a map (h, w, 3) are: those of a file that keeps them do not vary."""
+    """How exact the colors of a map (h, w, 3) are: JPEG leaves noise at edges."""
     spread = _spread(image)
     edges = (spread > EXACT.flat).astype(np.uint8)
     near = (cv2.dilate(edges, np.ones((_BLOCK, _BLOCK), np.uint8)) > edges) & (spread <= EXACT.flat)
-    return STORED if near.any() and (spread[near] > 0).mean() > _NOISY else EXACT
+    return LOSSY if near.any() and (spread[near] > 0).mean() > _NOISY else EXACT
 
 
 def without_jpeg_noise(image: Image) -> Image:
-    """A map (h, w, 3) with its hues evened: JPEG keeps them at half the size, and coarsely."""
+    """A map (h, w, 3) with its chroma smoothed: JPEG has it at half the resolution, quantized
+    coarsely."""
     light, red, blue = cv2.split(cv2.cvtColor(image, cv2.COLOR_BGR2YCrCb))
     even = cv2.merge([light, cv2.medianBlur(red, 5), cv2.medianBlur(blue, 5)])
     return np.asarray(cv2.cvtColor(even, cv2.COLOR_YCrCb2BGR))
@@ -128,12 +128,11 @@ def map_tones(
 ) -> list[MapTone]:
     """Where the `colors` of a rendered map (h, w, 3) are, and what shapes they have.
 
-    Of a picture that was stored as JPEG, colors without a shape are noise of others, which take
-    what is near enough to them.
+    In a JPEG, a color that forms no shape is noise: its pixels go to the nearest color in reach.
     """
     tones = _tones_of(image, colors, tolerance.near)
     shaped = [tone.color for tone in tones if tone.ribbons >= _SHAPED or tone.width > _GRAIN]
-    if tolerance is STORED and 0 < len(shaped) < len(tones):
+    if tolerance is LOSSY and 0 < len(shaped) < len(tones):
         return _tones_of(image, shaped, tolerance.near)
     return tones
 

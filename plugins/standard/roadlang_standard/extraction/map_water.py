@@ -44,8 +44,8 @@ class _Width:
 def without_water(tones: list[MapTone]) -> list[MapTone]:
     """The tones of a map, the grays darker than its land without what looks like water among roads.
 
-    Water is nowhere lighter than the land. What has a hue and is wide is water or a park as a
-    whole: what other things leave of it would look like roads.
+    Water is nowhere lighter than the land. A colored tone is kept whole: without its wide part,
+    the remnants of a park between streets would look like roads.
     """
     land = max(tones, key=lambda tone: float(tone.mask.sum()))
     dried = []

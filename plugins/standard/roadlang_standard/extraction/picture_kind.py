@@ -32,7 +32,7 @@ class PictureKind:
     flat: float
     """Share of pixels without any texture."""
     exact: bool = False
-    """Whether it was made on a screen, by several exact colors: it is no drawing on paper."""
+    """Whether it was rendered in several exact colors: it is no photo of a drawing on paper."""
 
     @property
     def drawn(self) -> bool:
