@@ -11,6 +11,7 @@ import pytest
 
 import roadlang
 from roadlang.api import Picture, Scene
+from roadlang.geometry.pixel_map import PixelMap
 from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.svg import palette
 from roadlang_standard.svg.furniture import round_length
@@ -136,6 +137,16 @@ def test_the_photo_lies_with_its_lower_left_corner_at_the_origin() -> None:
     placed = [float(found[key]) for key in ("x", "y", "width", "height", "opacity")]
     assert placed == [105.0, 107.0, 500.0, 300.0, 0.75]
     assert beneath(Picture(None, 0.5, characters=("#",)), frame, 0.25) == ""
+
+
+def test_a_photo_whose_up_is_not_north_is_turned() -> None:
+    """Its right is north: each pixel of half a meter is 5 in the map, from (105, 507) up."""
+    upright = PixelMap((0.0, 1.0, 0.0, -1.0, 0.0, 99.0), 60, 100)
+    frame = Viewport(BoundingBox(-10.0, -10.0, 90.0, 40.0), 5.0, 7.0, 1000.0, 500.0)
+    drawn = beneath(Picture(np.zeros((60, 100, 3), np.uint8), 0.5, north_up=upright), frame, 0.25)
+    (matrix,) = re.findall(r'transform="matrix\(([^)]+)\)"', drawn)
+    assert [float(value) for value in matrix.split()] == [0.0, -5.0, 5.0, 0.0, 105.0, 407.0]
+    assert 'width="100" height="60"' in drawn
 
 
 def test_a_contact_sheet_names_the_nearest_miss_of_each_scene() -> None:

@@ -54,7 +54,7 @@ def test_each_stretch_of_a_road_says_how_sure_it_is() -> None:
     nodes = (Node(0, tuple(curve.at(0.0))), Node(1, tuple(curve.at(curve.length))))
     network = RoadNetwork(nodes, (Edge(1, 0, 1, curve, np.array([4.0]), 0.6),))
     found = Extraction(network, confidence=0.6, confidences=(np.repeat([1.0, 0.2], 50),))
-    (road,) = json.loads(as_json(picture, found, 0.5, 0.0, None))["roads"]
+    (road,) = json.loads(as_json(picture, found, True, 0.0, None))["roads"]
     assert len(road["confidences"]) == len(road["widths"])
     assert (road["confidences"][0], road["confidences"][-1]) == (1.0, 0.2)
     colors = re.findall(

@@ -15,6 +15,8 @@ import pytest
 from roadlang.geometry.local_projection import LocalProjection
 from roadlang.images.image_file import OpenedImage, open_image
 from roadlang.images.placed_pixels import _to_degrees
+from roadlang.ir.picture import Picture
+from roadlang.world.pictures import picture_of
 from tests.geometry.test_local_projection import kruger
 from tests.images.geotiffs import written_geotiff
 
@@ -33,14 +35,23 @@ def opened(path: Path) -> OpenedImage:
     return open_image(path, path.name, None)
 
 
+def picture(found: OpenedImage) -> Picture:
+    """What an extractor gets."""
+    assert found.scale is not None
+    return picture_of(found.shown, found.scale, "a")
+
+
+def spot(found: OpenedImage) -> np.ndarray:
+    """(2,) the middle of the square in what was opened."""
+    dark = 255.0 - found.pixels[..., 0]
+    rows, columns = np.indices(dark.shape)
+    return np.array([np.average(each, weights=dark) for each in (columns, rows)])
+
+
 def place_of_spot(found: OpenedImage) -> tuple[float, float]:
     """Latitude and longitude of the middle of the square, by origin and scale."""
     assert found.shown.origin is not None
-    assert found.scale is not None
-    dark = 255.0 - found.pixels[..., 0]
-    rows, columns = np.indices(dark.shape)
-    x = (np.average(columns, weights=dark) + 0.5) * found.scale
-    y = (len(dark) - 0.5 - np.average(rows, weights=dark)) * found.scale
+    x, y = picture(found).to_world(spot(found))
     return LocalProjection(*found.shown.origin).place(x, y)
 
 
@@ -59,7 +70,7 @@ def utm_corner() -> tuple[float, float]:
     return 500_000.0 + 0.9996 * x - 2.0 * MIDDLE[0], 0.9996 * y + 2.0 * MIDDLE[1]
 
 
-def test_a_geotiff_in_utm_is_turned_north_up(tmp_path: Path) -> None:
+def test_a_geotiff_in_utm_keeps_its_pixels_and_knows_how_north_is_turned(tmp_path: Path) -> None:
     """North of the grid is 1.94 degrees off here: 27 m at the other end of the picture."""
     x, y = utm_corner()
     numbers = {33550: (2.0, 2.0, 0.0), 33922: (0.0, 0.0, 0.0, x, y, 0.0)}
@@ -67,11 +78,12 @@ def test_a_geotiff_in_utm_is_turned_north_up(tmp_path: Path) -> None:
     found = opened(written_geotiff(tmp_path / "a.tif", shown(), keys, numbers))
     assert away(place_of_spot(found), (NORTH, EAST)) < 0.1
     assert found.scale == pytest.approx(2.0, rel=2e-4)
-    rows, _ = np.nonzero(found.pixels[..., 0] < 128)
-    assert len(rows) == pytest.approx(36, abs=6)
+    assert (found.pixels[..., 0] == shown()).all()
     turned = math.radians(EAST - 9.0) * math.sin(math.radians(NORTH))
-    assert found.pixels.shape[0] == pytest.approx(HEIGHT + WIDTH * math.sin(turned), abs=2)
-    assert (found.pixels[0, 0] == 255).all()
+    assert found.shown.north_up is not None
+    assert found.shown.north_up.height == pytest.approx(HEIGHT + WIDTH * math.sin(turned), abs=2)
+    assert found.shown.north_up.turn == pytest.approx(-turned, abs=2e-4)
+    assert found.shown.file is None
     assert found.shown.warning is None
 
 
@@ -148,7 +160,7 @@ class Grids:
     """Stands in for `pyproj`: a grid in hundredths of degrees, and one that it does not know."""
 
     class exceptions:
-        class CRSError(Exception):
+        class ProjError(Exception):
             pass
 
     class Transformer:
@@ -156,7 +168,7 @@ class Grids:
         def from_crs(grid: str, to: str, *, always_xy: bool) -> Any:
             assert (to, always_xy) == ("EPSG:4326", True)
             if grid != "EPSG:2056":
-                raise Grids.exceptions.CRSError
+                raise Grids.exceptions.ProjError
             return SimpleNamespace(transform=lambda x, y: (x / 100.0, y / 100.0))
 
 

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 from roadlang.api import Extractor, Flag, Length, ListOf, Number, PixelPoint, Scale, option
 
 from .extract_contour import in_pixels, road_width
-from .photo_hints import Box, check_hints, check_only_through
+from .photo_hints import (
+    Box,
+    boxes_in_picture,
+    check_hints,
+    check_only_through,
+    roads_in_picture,
+)
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
@@ -71,8 +77,8 @@ class Aerial(Extractor):
         request = Request(
             threshold=None if self.threshold == "auto" else float(self.threshold),
             width=road_width(self.width, picture),
-            through=tuple(self.through),
-            leave_out=tuple(tuple(box) for box in self.leave_out),
+            through=roads_in_picture(self.through, picture),
+            leave_out=boxes_in_picture(self.leave_out, picture),
             only_through=self.only_through,
             min_length=in_pixels(self.min_length, picture),
             meters_per_pixel=None if resolution is None else float(resolution),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import TYPE_CHECKING, Annotated
 
 from roadlang.api import ListOf, OptionError, PixelPoint, list_of
@@ -31,7 +32,7 @@ def check_hints(
     """
     if picture.pixels is None:
         return
-    height, width = picture.pixels.shape[:2]
+    width, height = picture.file_size
     size = f"the picture has {width} x {height} px"
     for x, y in through:
         if not (-1.0 <= x <= width and -1.0 <= y <= height):
@@ -43,3 +44,27 @@ def check_hints(
         if right < 0.0 or bottom < 0.0 or left > width or top > height:
             place = f"({left:g}px, {top:g}px) to ({right:g}px, {bottom:g}px)"
             raise OptionError("leave_out", f"has a box from {place}, but {size}")
+
+
+def roads_in_picture(through: Sequence[_Point], picture: Picture) -> tuple[_Point, ...]:
+    """Pixels of the file in the picture, which may have been drawn anew with square pixels."""
+    if picture.file is None:
+        return tuple(through)
+    return tuple(_moved(point, picture) for point in through)
+
+
+def boxes_in_picture(
+    boxes: Sequence[Sequence[_Point]], picture: Picture
+) -> tuple[tuple[_Point, ...], ...]:
+    """The same of boxes: the four corners of each, around which a new box lies."""
+    if picture.file is None:
+        return tuple(map(tuple, boxes))
+    sides = ([(min(axis), max(axis)) for axis in zip(*box, strict=True)] for box in boxes)
+    return tuple(tuple(_moved(corner, picture) for corner in product(*both)) for both in sides)
+
+
+def _moved(point: _Point, picture: Picture) -> _Point:
+    import numpy as np
+
+    x, y = picture.from_file(np.array(point, dtype=float)).tolist()
+    return x, y

@@ -88,7 +88,7 @@ def _options(picture: Picture, scale: float | None, arguments: dict[str, Any]) -
     if scale is None:
         options["resolution"] = "unknown"
     if arguments["width"] is not None:
-        options["width"] = arguments["width"] * picture.scale
+        options["width"] = arguments["width"] * picture.file_scale
     if arguments["leave_out"]:
         options["leave_out"] = tuple(((a, b), (c, d)) for a, b, c, d in arguments["leave_out"])
     for name in ("threshold", "through", "only_through", "model"):

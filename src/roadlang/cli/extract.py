@@ -131,20 +131,20 @@ def command(
     read = [*images, *([] if settings["model"] is None else [settings["model"]])]
     keep_inputs([name for name in (output, overlay, mask) if name is not None], read)
 
-    from ..ir.picture import Picture
+    from ..world.pictures import picture_of
     from .chosen_extractor import extracted
     from .extraction_files import as_json, as_mask, as_overlay
     from .extraction_geojson import as_geojson
 
     opened = _opened(images)
     scale = settings["scale"] if settings["scale"] is not None else opened.scale
-    picture = Picture(opened.pixels, scale or 1.0, path=images[0])
+    picture = picture_of(opened.shown, scale or 1.0, images[0])
     on_earth = output is not None and Path(output).suffix.lower() == ".geojson"
     place = _place(opened, origin, scale) if on_earth else None
     found, seconds = extracted(picture, scale, settings)
     if place is None:
-        tiles = images if len(images) > 1 else ()
-        document = as_json(picture, found, scale, seconds, _beside(mask, output), tiles)
+        beside = _beside(mask, output)
+        document = as_json(picture, found, scale is not None, seconds, beside, images)
     else:
         document = as_geojson(picture, found, place)
     shown = None if overlay is None else as_overlay(picture, found)

@@ -12,6 +12,7 @@ import cv2
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..images.mapped_pixels import mapped
 from ..ir.picture import Extraction, Picture
 from ..version import __version__
 
@@ -25,20 +26,21 @@ _LEVELS = 5
 def as_json(
     picture: Picture,
     found: Extraction,
-    scale: float | None,
+    is_scaled: bool,
     seconds: float,
     mask: str | None,
     tiles: Sequence[str] = (),
 ) -> str:
-    """Polylines, nodes, widths, confidence: all in pixels. `tiles`: the files of the picture, where
-    it was put together from several."""
+    """Polylines, nodes, widths, confidence: all in pixels of the file. `tiles`: the files that the
+    picture was put together from. `is_scaled`: its scale is known."""
     roads = _roads(picture, found)
-    nodes = picture.to_pixels(np.array([n.position for n in found.network.nodes]).reshape(-1, 2))
+    nodes = _pixels(picture, np.array([n.position for n in found.network.nodes]).reshape(-1, 2))
+    width, height = picture.file_size
     document: dict[str, Any] = {
         "schema": SCHEMA,
         "roadlang": __version__,
-        "image": {"path": picture.path, "width": picture.width, "height": picture.height},
-        "meters_per_pixel": scale,
+        "image": {"path": picture.path, "width": width, "height": height},
+        "meters_per_pixel": picture.file_scale if is_scaled else None,
         "polylines": [line for line, _ in roads],
         "roads": [record for _, record in roads],
         "nodes": [
@@ -50,7 +52,7 @@ def as_json(
         "remarks": list(found.remarks),
         "time_s": round(seconds, 3),
     }
-    if tiles:
+    if len(tiles) > 1:
         document["image"]["tiles"] = list(tiles)
     if mask is not None:
         document["mask"] = mask
@@ -66,12 +68,12 @@ def _roads(picture: Picture, found: Extraction) -> list[tuple[Any, dict[str, Any
             "start": edge.start,
             "end": edge.end,
             "closed": bool(edge.curve.closed),
-            "length": round(edge.length / picture.scale, 2),
+            "length": round(edge.length / picture.file_scale, 2),
             "widths": widths.round(2).tolist(),
             "confidence": round(float(edge.confidence), 4),
         }
         if index < len(found.width_errors) and np.isfinite(found.width_errors[index]):
-            record["width_error"] = round(found.width_errors[index] / picture.scale, 3)
+            record["width_error"] = round(found.width_errors[index] / picture.file_scale, 3)
         if index < len(found.confidences):
             record["confidences"] = _along(found, index, len(line)).round(3).tolist()
         roads.append((line.round(2).tolist(), record))
@@ -80,12 +82,22 @@ def _roads(picture: Picture, found: Extraction) -> list[tuple[Any, dict[str, Any
 
 def polyline(picture: Picture, edge: Any) -> tuple[Floats, Floats]:
     """A road's points (n, 2) about two pixels apart, and its widths there, in pixels."""
-    stations = edge.curve.stations(spacing=_STEP * picture.scale)
-    points = picture.to_pixels(edge.curve.at(stations))
-    widths = np.asarray(edge.width.at(stations)) / picture.scale
+    points, widths = in_meters(picture, edge)
+    return _pixels(picture, points), widths / picture.file_scale
+
+
+def in_meters(picture: Picture, edge: Any) -> tuple[Floats, Floats]:
+    """The same points of a road in the picture's meters, and its widths there."""
+    stations = edge.curve.stations(spacing=_STEP * picture.file_scale)
+    points, widths = edge.curve.at(stations), np.asarray(edge.width.at(stations))
     if edge.curve.closed:
         points, widths = np.vstack([points, points[:1]]), np.r_[widths, widths[:1]]
     return points, widths
+
+
+def _pixels(picture: Picture, points: Floats) -> Floats:
+    """Of the file, where points (n, 2) in meters are."""
+    return picture.to_file(picture.to_pixels(points))
 
 
 def _along(found: Extraction, index: int, count: int) -> Floats:
@@ -96,16 +108,19 @@ def _along(found: Extraction, index: int, count: int) -> Floats:
 
 
 def _object(picture: Picture, item: Any) -> dict[str, Any]:
-    x, y = picture.to_pixels(np.array([[item.x, item.y]]))[0]
-    sides = {"length": item.length / picture.scale, "width": item.width / picture.scale}
+    x, y = _pixels(picture, np.array([[item.x, item.y]]))[0]
+    scale = picture.file_scale
+    sides = {"length": item.length / scale, "width": item.width / scale}
     return {"kind": item.kind, "position": [round(x, 2), round(y, 2)], **sides}
 
 
 def as_mask(picture: Picture, found: Extraction) -> bytes:
     """The road surface as a PNG: 255 is road."""
-    canvas = np.zeros((picture.height, picture.width), np.uint8)
-    if found.mask is not None and found.mask.shape == canvas.shape:
-        canvas[found.mask] = 255
+    width, height = picture.file_size
+    canvas = np.zeros((height, width), np.uint8)
+    if found.mask is not None and found.mask.shape == (picture.height, picture.width):
+        covered = np.where(found.mask, np.uint8(255), np.uint8(0))
+        canvas = mapped(covered, picture.file, blends=False)
     else:
         for edge in found.network.edges:
             points, widths = polyline(picture, edge)
@@ -116,7 +131,7 @@ def as_mask(picture: Picture, found: Extraction) -> bytes:
 
 def as_overlay(picture: Picture, found: Extraction) -> str:
     """An SVG: the picture, the roads colored by confidence, their nodes."""
-    height, width = picture.height, picture.width
+    width, height = picture.file_size
     view = f'viewBox="-0.5 -0.5 {width} {height}" width="{width}" height="{height}"'
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" {view}>', _backdrop(picture)]
     parts.append('<g fill="none" stroke-linecap="round" stroke-linejoin="round">')
@@ -130,7 +145,7 @@ def as_overlay(picture: Picture, found: Extraction) -> str:
         parts += _stretches(points, _along(found, index, len(points)), edge.confidence)
     parts.append('</g><g fill="#ffffff" stroke="#1a237e" stroke-width="1">')
     for node in found.network.nodes:
-        x, y = picture.to_pixels(np.array([node.position]))[0]
+        x, y = _pixels(picture, np.array([node.position]))[0]
         parts.append(f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.6"/>')
     return "\n".join([*parts, "</g>", "</svg>", ""])
 
@@ -151,10 +166,11 @@ def _stretches(points: Floats, sure: Floats, whole: float) -> list[str]:
 def _backdrop(picture: Picture) -> str:
     if picture.pixels is None:
         return ""
-    height, width = picture.height, picture.width
+    width, height = picture.file_size
     factor = min(1.0, _OVERLAY_SIDE / max(height, width))
     size = (max(1, round(width * factor)), max(1, round(height * factor)))
-    small = cv2.resize(picture.pixels, size, interpolation=cv2.INTER_AREA)
+    shown = mapped(picture.pixels, picture.file)
+    small = cv2.resize(shown, size, interpolation=cv2.INTER_AREA)
     code = cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, 85])[1].tobytes()
     data = base64.b64encode(code).decode("ascii")
     place = f'x="-0.5" y="-0.5" width="{width}" height="{height}"'

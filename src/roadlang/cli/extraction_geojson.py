@@ -9,7 +9,7 @@ import numpy as np
 
 from ..geometry.local_projection import LocalProjection
 from ..ir.picture import Extraction, Picture
-from .extraction_files import polyline
+from .extraction_files import in_meters
 
 _DIGITS = 8
 """Decimals of degrees: a millimeter."""
@@ -32,19 +32,19 @@ def as_geojson(picture: Picture, found: Extraction, origin: tuple[float, float])
 
 
 def _feature(picture: Picture, edge: Any, projection: LocalProjection) -> dict[str, object]:
-    points, widths = polyline(picture, edge)
+    points, widths = in_meters(picture, edge)
     return {
         "type": "Feature",
         "id": f"road {edge.id}",
         "properties": {
             "highway": "road",
-            "width": round(float(np.median(widths)) * picture.scale, 2),
+            "width": round(float(np.median(widths)), 2),
             "length": round(edge.length, 2),
             "confidence": round(float(edge.confidence), 4),
         },
         "geometry": {
             "type": "LineString",
-            "coordinates": [_place(x, y, projection) for x, y in picture.to_world(points).tolist()],
+            "coordinates": [_place(x, y, projection) for x, y in points.tolist()],
         },
     }
 

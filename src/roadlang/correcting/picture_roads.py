@@ -92,7 +92,7 @@ class PictureRoads:
             after = corrected(self.network, world)
         except GeometryError as error:
             return {"error": f"This road cannot be drawn: {error}."}
-        missed = self.picture.to_pixels(np.array(after.missed).reshape(-1, 2))
+        missed = self._pixels(np.array(after.missed).reshape(-1, 2))
         return {
             "roads": [self._road(edge) for edge in after.network.edges],
             "missed": missed.round(1).tolist(),
@@ -112,11 +112,16 @@ class PictureRoads:
         replace_file(self.path, text)
 
     def _world(self, line: Line) -> Floats:
-        return self.picture.to_world(np.array(line, dtype=np.float64).reshape(-1, 2))
+        pixels = np.array(line, dtype=np.float64).reshape(-1, 2)
+        return self.picture.to_world(self.picture.from_file(pixels))
+
+    def _pixels(self, points: Floats) -> Floats:
+        """Of the file, where points (n, 2) in meters are."""
+        return self.picture.to_file(self.picture.to_pixels(points))
 
     def _road(self, edge: Any) -> dict[str, Any]:
-        curve, scale = edge.curve, self.picture.scale
-        points = self.picture.to_pixels(curve.at(curve.stations(spacing=_STEP * scale)))
+        curve, scale = edge.curve, self.picture.file_scale
+        points = self._pixels(curve.at(curve.stations(spacing=_STEP * scale)))
         points = np.vstack([points, points[:1]]) if curve.closed else points
         return {
             "id": edge.id,

@@ -14,6 +14,7 @@ from typing import Any
 import cv2
 
 from ..diagnostics import DiagnosticError
+from ..images.mapped_pixels import mapped
 from ..syntax.correction_edits import WrittenCorrections
 from .picture_roads import PictureRoads
 
@@ -53,17 +54,19 @@ class CorrectionServer(ThreadingHTTPServer):
 
     @cached_property
     def picture(self) -> bytes:
-        """The picture as a PNG file."""
-        pixels = self.roads.picture.pixels
-        assert pixels is not None
+        """The picture as a PNG file, in the pixels of its own file."""
+        picture = self.roads.picture
+        assert picture.pixels is not None
+        pixels = mapped(picture.pixels, picture.file)
         return bytes(cv2.imencode(".png", pixels, [cv2.IMWRITE_PNG_COMPRESSION, 3])[1].tobytes())
 
     def start(self) -> dict[str, Any]:
         """What the page is told when it opens."""
         corrections = self.roads.written()
+        width, height = self.roads.picture.file_size
         return {
-            "width": self.roads.picture.width,
-            "height": self.roads.picture.height,
+            "width": width,
+            "height": height,
             "file": self.roads.path.name,
             "network": self.roads.name,
             "found": self.roads.found_roads(),

@@ -1,9 +1,9 @@
-"""Pictures that say where on Earth they are: north up, of square pixels, with a known origin."""
+"""Pictures that say where on Earth they are: of square pixels, with a known origin."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,14 +12,14 @@ from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..geometry.arrays import Floats
 from ..geometry.earth_grids import ToDegrees, to_degrees
 from ..geometry.local_projection import LocalProjection
-from .border_color import border_color
+from ..geometry.pixel_map import PixelMap
 from .georeference import Georeference
 from .image_scale import FoundScale
 
 Pixels = NDArray[np.uint8]
 
 _LEAST_TURN = 0.5
-"""Pixels by which a picture may be off north or off square before it is drawn anew."""
+"""Pixels by which a picture may be off north, or off square, and is still taken as it is."""
 _MOST_PIXELS = 100_000_000
 _NEAR = 10_000.0
 """Meters from (0, 0) up to which a plan may be of no grid at all."""
@@ -28,22 +28,26 @@ _NO_GRID = "nothing says in which grid its coordinates are; write a `.prj` file,
 
 @dataclass(frozen=True, eq=False)
 class PlacedPixels:
-    """`pixels` with north up; `scale`: meters per pixel, where known; `origin`: latitude and
-    longitude in degrees of their lower left corner, where known; `warning`: why it is not."""
+    """`pixels` that are square on the ground; `scale`: meters per pixel, where known; `origin`:
+    latitude and longitude in degrees of the lower left corner of what they lie in, where known;
+    `warning`: why it is not; `file`: the pixels in their file, if they were drawn anew to be
+    square; `north_up`: in the upright rectangle around them, if up is not north."""
 
     pixels: Pixels
     scale: float | None
     origin: tuple[float, float] | None = None
     warning: Diagnostic | None = None
+    file: PixelMap | None = None
+    north_up: PixelMap | None = None
 
 
 def placed(
     pixels: Pixels, found: FoundScale | None, written: str, span: Span | None
 ) -> PlacedPixels:
-    """A picture as it lies on Earth; as it is, where nothing says that.
+    """A picture and how it lies on Earth, where something says that.
 
-    One that is turned, or whose pixels are not square, as those of degrees are not, is drawn anew;
-    what it does not show has the usual color of its border. `written` is its path in the scene.
+    One whose pixels are not square, as those of degrees are not, or that is mirrored, is drawn
+    anew. `written` is its path in the scene.
     """
     if found is None or found.reference is None:
         return PlacedPixels(pixels, None if found is None else found.meters)
@@ -56,7 +60,7 @@ def placed(
         return PlacedPixels(pixels, found.meters, None, _unknown(written, span, reason))
     height, width = pixels.shape[:2]
     try:
-        return _drawn(pixels, _Frame.of(reference, degrees, width, height))
+        return _squared(pixels, _Frame.of(reference, degrees, width, height))
     except (ArithmeticError, ValueError):
         warning = _unknown(written, span, "its coordinates are not on Earth")
         return PlacedPixels(pixels, found.meters, None, warning)
@@ -84,7 +88,7 @@ def _to_degrees(grid: str) -> tuple[ToDegrees | None, str]:
         return None, f'its grid {name} needs `pyproj`: pip install "roadlang[maps]"'
     try:
         transformer = pyproj.Transformer.from_crs(grid, "EPSG:4326", always_xy=True)
-    except pyproj.exceptions.CRSError:
+    except pyproj.exceptions.ProjError:
         return None, f"its grid {name} is not known to `pyproj`"
 
     def degrees(x: float, y: float) -> tuple[float, float]:
@@ -127,29 +131,52 @@ class _Frame:
         return right, up
 
 
-def _drawn(pixels: Pixels, frame: _Frame) -> PlacedPixels:
+def _squared(pixels: Pixels, frame: _Frame) -> PlacedPixels:
+    """Each pixel as wide as high, and not mirrored."""
     import cv2
 
     right, up = frame.sides
-    scale = math.sqrt(abs(float(right[0] * up[1] - right[1] * up[0])))
-    if not scale > 0.0:
+    wide, high = float(np.hypot(*right)), float(np.hypot(*up))
+    if not min(wide, high) > 0.0:
         raise ValueError("without area")
+    is_mirrored = right[0] * up[1] < right[1] * up[0]
+    stretched = abs(wide - high) * max(frame.width, frame.height)
+    if not is_mirrored and stretched < _LEAST_TURN * min(wide, high):
+        return _turned(pixels, frame)
+    side = min(wide, high)
+    columns, rows = round(frame.width * wide / side), round(frame.height * high / side)
+    if columns * rows > _MOST_PIXELS:
+        raise ValueError("too large")
+    across, down = frame.width / columns, frame.height / rows
+    matrix = (across, 0.0, (across - 1.0) / 2.0, 0.0, down, (down - 1.0) / 2.0)
+    corners = frame.corners
+    if is_mirrored:
+        matrix = (*matrix[:4], -down, frame.height - 1.0 - matrix[5])
+        pixels, corners = np.flipud(pixels), corners[[2, 3, 0, 1]]
+    drawn = np.asarray(cv2.resize(pixels, (columns, rows), interpolation=cv2.INTER_LINEAR))
+    square = _Frame(frame.origin, corners, columns, rows)
+    return replace(_turned(drawn, square), file=PixelMap(matrix, frame.width, frame.height))
+
+
+def _turned(pixels: Pixels, frame: _Frame) -> PlacedPixels:
+    """Square pixels, in the upright rectangle around them where up is not north."""
+    right, up = frame.sides
+    scale = math.sqrt(abs(float(right[0] * up[1] - right[1] * up[0])))
+    projection = LocalProjection(*frame.origin)
     size = np.array([frame.width, frame.height])
     # How far a corner is off, in pixels, if the picture is taken as it is.
     off = np.stack([right / scale - (1.0, 0.0), up / scale - (0.0, 1.0)]) * size[:, None]
     if np.abs(off).sum() < _LEAST_TURN:
-        return PlacedPixels(pixels, scale, frame.origin)
-    scale = min(float(np.hypot(*right)), float(np.hypot(*up)))
+        west, south = frame.corners[0].tolist()
+        return PlacedPixels(pixels, scale, projection.place(west, south))
     low, high = frame.corners.min(axis=0), frame.corners.max(axis=0)
     columns, rows = (int(count) for count in np.ceil((high - low) / scale))
-    if columns * rows > _MOST_PIXELS:
-        raise ValueError("too large")
-    # From the middle of a pixel to where it is, and from there to the middle of a new one.
+    # From the middle of a pixel to where it is, and from there to the upright rectangle.
     first = frame.corners[2] + (right - up) / 2.0 - low
     across, down = right / scale, -up / scale
     x, y = first / scale
-    matrix = np.array([[across[0], down[0], x - 0.5], [-across[1], -down[1], rows - y - 0.5]])
-    drawn = cv2.warpAffine(pixels, matrix, (columns, rows), flags=cv2.INTER_LINEAR,
-        borderMode=cv2.BORDER_CONSTANT, borderValue=border_color([pixels]))  # fmt: skip
-    origin = LocalProjection(*frame.origin).place(float(low[0]), float(low[1]))
-    return PlacedPixels(np.asarray(drawn, np.uint8), scale, origin)
+    matrix = (across[0], down[0], x - 0.5, -across[1], -down[1], rows - y - 0.5)
+    a, b, c, d, e, f = map(float, matrix)
+    upright = PixelMap((a, b, c, d, e, f), columns, rows)
+    origin = projection.place(float(low[0]), float(low[1]))
+    return PlacedPixels(pixels, scale, origin, north_up=upright)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..geometry import RoadNetwork
+    from ..geometry.pixel_map import PixelMap
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,11 @@ class Picture(Frozen):
     `legend` maps a character or a color ("#2e7d32", "white") to "road" or an object kind.
     `scale` is meters per pixel. Pixel (0, 0) has its center at image coordinates (0, 0); in the
     world the picture's bottom-left pixel corner is the origin, x east, y north.
+
+    Georeferenced pictures whose up is not north have `north_up`, the upright rectangle of pixels
+    around them, whose bottom-left corner is the origin then. Those whose pixels were not square
+    were drawn anew; `file` tells where the pixels are in the file. What users state and read is in
+    pixels of the file: see `from_file` and `to_file`.
     """
 
     pixels: NDArray[np.uint8] | None
@@ -31,6 +37,8 @@ class Picture(Frozen):
     legend: Mapping[str, str] = field(default_factory=dict)
     characters: tuple[str, ...] | None = None
     path: str = ""
+    file: PixelMap | None = None
+    north_up: PixelMap | None = None
 
     @property
     def height(self) -> int:
@@ -52,9 +60,11 @@ class Picture(Frozen):
         """(n, 2) image coordinates (x right, y down) to meters."""
         import numpy as np
 
-        points = np.asarray(points, dtype=float)
+        points, height = np.asarray(points, dtype=float), self.height
+        if self.north_up is not None:
+            points, height = self.north_up.apply(points), self.north_up.height
         x = (points[..., 0] + 0.5) * self.scale
-        y = (self.height - 0.5 - points[..., 1]) * self.scale
+        y = (height - 0.5 - points[..., 1]) * self.scale
         return np.stack([x, y], axis=-1)
 
     def to_pixels(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -62,9 +72,31 @@ class Picture(Frozen):
         import numpy as np
 
         points = np.asarray(points, dtype=float)
+        height = self.height if self.north_up is None else self.north_up.height
         x = points[..., 0] / self.scale - 0.5
-        y = self.height - 0.5 - points[..., 1] / self.scale
-        return np.stack([x, y], axis=-1)
+        y = height - 0.5 - points[..., 1] / self.scale
+        upright = np.stack([x, y], axis=-1)
+        return upright if self.north_up is None else self.north_up.undo(upright)
+
+    def from_file(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, 2) pixels of the file, as users state them, to image coordinates."""
+        return points if self.file is None else self.file.undo(points)
+
+    def to_file(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(n, 2) image coordinates to pixels of the file."""
+        return points if self.file is None else self.file.apply(points)
+
+    @property
+    def file_size(self) -> tuple[int, int]:
+        """Columns and rows of the file."""
+        if self.file is None:
+            return self.width, self.height
+        return self.file.width, self.file.height
+
+    @property
+    def file_scale(self) -> float:
+        """Meters per pixel of the file: the root of the area of a pixel on the ground."""
+        return self.scale if self.file is None else self.scale / self.file.factor
 
     def network(
         self, polylines: Iterable[NDArray[np.float64]], width: float | None = None

@@ -60,8 +60,9 @@ def _check_drawn(lines: tuple[Floats, ...], picture: Picture) -> None:
 
     Raises GeometryError.
     """
-    size = np.array([picture.width, picture.height])
-    for points in map(picture.to_pixels, lines):
+    size = np.array(picture.file_size)
+    for line in lines:
+        points = picture.to_file(picture.to_pixels(line))
         outside = np.maximum(-points, points - size).max(axis=1)
         x, y = points[outside.argmax()]
         if outside.max() > size.max():
@@ -72,7 +73,7 @@ def _check_drawn(lines: tuple[Floats, ...], picture: Picture) -> None:
 
 
 def _missed(network: ScenarioNetwork, at: tuple[float, float], picture: Picture) -> Diagnostic:
-    x, y = picture.to_pixels(np.array(at))
+    x, y = picture.to_file(picture.to_pixels(np.array(at)))
     place = f"({x:.4g}px, {y:.4g}px)"
     return diagnose(Code.NO_ROAD_TO_CORRECT, network.span, name=network.name, place=place)
 
@@ -89,4 +90,4 @@ def _points(value: Value, picture: Picture, candidates: CandidateBatch) -> Float
 
 def _world(points: object, picture: Picture) -> Floats:
     pixels = [(float(scalar(x)), float(scalar(y))) for x, y in points]  # type: ignore[attr-defined]
-    return picture.to_world(np.array(pixels))
+    return picture.to_world(picture.from_file(np.array(pixels)))

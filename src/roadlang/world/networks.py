@@ -40,6 +40,7 @@ from .reading import read_file
 from .root_roads import undisplaced_road
 from .seen_pictures import seen_before
 from .stations import StationSpacing, station_spacing
+from .upright_masks import with_upright_mask
 from .verified import verified
 from .width_changes import with_width_changes
 
@@ -293,5 +294,6 @@ def _extracted(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkR
     found = corrected_extraction(network, found, loaded.picture, candidates)
     placed = replace(found.network, origin=loaded.origin)
     found = replace(found, network=placed, warnings=(*loaded.warnings, *found.warnings))
+    found = with_upright_mask(found, loaded.picture)
     spacing = station_spacing(network, candidates.scenario)
     return _root_of(network.name, found, spacing, loaded.picture.scale, loaded.inputs)

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,6 +22,9 @@ from ..ir.values import PassCall, Value
 from ..plugins.registry import KindEntry
 from .placement_faults import missing_scale
 from .reading import read_file
+
+if TYPE_CHECKING:
+    from ..images.placed_pixels import PlacedPixels
 
 LEAST_SCALE, GREATEST_SCALE = 1e-4, 1e4
 
@@ -62,6 +65,11 @@ def load_picture(name: str, candidates: CandidateBatch) -> LoadedPicture:
         )
     picture = replace(draft.picture, scale=draft.scale)
     return LoadedPicture(picture, draft.inputs, draft.origin, draft.warnings)
+
+
+def picture_of(shown: PlacedPixels, scale: float, path: str) -> Picture:
+    """A picture file, for extractors. `scale`: meters per pixel, whatever the file says."""
+    return Picture(shown.pixels, scale, path=path, file=shown.file, north_up=shown.north_up)
 
 
 def _draft(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPicture:
@@ -134,7 +142,8 @@ def _from_file(
 
         opened = open_image(Path(source.resolved), source.path, image.span)
         inputs = tuple(Input(*item) for item in opened.inputs)
-        picture, shown = Picture(opened.pixels, 1.0, path=source.path), opened.shown
+        shown = opened.shown
+        picture = picture_of(shown, 1.0, source.path)
         warnings = (shown.warning,) if shown.warning is not None else ()
         scale = opened.scale
         fault = unusable_world_file(Path(source.resolved)) if scale is None else None

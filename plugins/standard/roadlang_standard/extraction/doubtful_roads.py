@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from roadlang.geometry import Booleans, Floats
@@ -9,23 +11,25 @@ from roadlang.geometry import Booleans, Floats
 from .found_network import FoundNetwork, FoundRoad
 from .smoothing import stations
 
+if TYPE_CHECKING:
+    from roadlang.api import Picture
+
 _DOUBTFUL, _STRETCH = 0.5, 30.0
 """Roads, and stretches of them longer than so many pixels, that are less sure are remarked on."""
 _MOST = 5
 
 
-def doubts(found: FoundNetwork) -> list[str]:
-    """One line for each doubtful road or stretch of one, longest first, with its place; at most
-    five lines of them."""
+def doubts(found: FoundNetwork, picture: Picture) -> list[str]:
+    """One line for each doubtful road or stretch of one, longest first, with its place in pixels of
+    the file; at most five lines of them."""
     doubtful = [stretch for road in found.roads for stretch in _doubtful_stretches(road)]
     doubtful.sort(key=lambda stretch: -stretch[0])
     lines = []
     for length, place, sure, whole in doubtful[:_MOST]:
         what = "a road" if whole else "a stretch"
-        lines.append(
-            f"{what} of {length:.0f} px at ({place[0]:.0f}px, {place[1]:.0f}px) is only {sure:.0%}"
-            " sure"
-        )
+        long = length * picture.scale / picture.file_scale
+        x, y = picture.to_file(place)
+        lines.append(f"{what} of {long:.0f} px at ({x:.0f}px, {y:.0f}px) is only {sure:.0%} sure")
     if len(doubtful) > _MOST:
         lines.append(f"{len(doubtful) - _MOST} more roads are less than {_DOUBTFUL:.0%} sure")
     return lines

@@ -64,7 +64,7 @@ def extraction(
         RoadNetwork(nodes, tuple(edges)),
         tuple(_object(picture, object_) for object_ in objects),
         round(found.confidence, 4),
-        (*remarks, *found.remarks, *_lone_cells(picture, found), *doubts(found)),
+        (*remarks, *found.remarks, *_lone_cells(picture, found), *doubts(found, picture)),
         found.mask,
         tuple(errors),
         found.has_widths,
@@ -105,9 +105,9 @@ def _object(picture: Picture, drawn: LegendObject) -> FoundObject:
 
     x, y = picture.to_world(np.array([[drawn.x, drawn.y]]))[0]
     scale = picture.scale
-    return FoundObject(
-        drawn.kind, float(x), float(y), drawn.length * scale, drawn.width * scale, -drawn.heading
-    )
+    turn = 0.0 if picture.north_up is None else picture.north_up.turn
+    sides = drawn.length * scale, drawn.width * scale
+    return FoundObject(drawn.kind, float(x), float(y), *sides, turn - drawn.heading)
 
 
 def _lone_cells(picture: Picture, found: FoundNetwork) -> list[str]:

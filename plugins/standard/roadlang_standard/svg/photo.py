@@ -20,6 +20,8 @@ def beneath(picture: Picture, viewport: Viewport, fade: float) -> str:
     """The picture in its place; `fade` is the share of white that is mixed in, 0 to 1."""
     if picture.pixels is None:
         return ""
+    if picture.north_up is not None:
+        return _turned(picture, viewport, fade)
     corners = viewport.place([[0.0, picture.height * picture.scale], [0.0, 0.0]])
     left, top = corners[0].tolist()
     scale = picture.scale * viewport.pixels_per_meter
@@ -29,6 +31,25 @@ def beneath(picture: Picture, viewport: Viewport, fade: float) -> str:
         y=top,
         width=picture.width * scale,
         height=picture.height * scale,
+        preserveAspectRatio="none",
+        opacity=1.0 - fade,
+        href=f"data:image/jpeg;base64,{_encoded(picture)}",
+    )
+
+
+def _turned(picture: Picture, viewport: Viewport, fade: float) -> str:
+    """One whose up is not north."""
+    import numpy as np
+
+    width, height = picture.width, picture.height
+    corners = np.array([(0.0, 0.0), (width, 0.0), (0.0, height)]) - 0.5
+    first, right, down = np.asarray(viewport.place(picture.to_world(corners)))
+    matrix = [*(right - first) / width, *(down - first) / height, *first]
+    return element(
+        "image",
+        width=width,
+        height=height,
+        transform=f"matrix({' '.join(f'{value:.6g}' for value in matrix)})",
         preserveAspectRatio="none",
         opacity=1.0 - fade,
         href=f"data:image/jpeg;base64,{_encoded(picture)}",
