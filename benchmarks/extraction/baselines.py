@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 
 from roadlang_standard.extraction.classical import roads_by_ribbons
-from roadlang_standard.extraction.graph import trace
 from roadlang_standard.extraction.graph_cleanup import prune
 from roadlang_standard.extraction.masks import without_specks
 from roadlang_standard.extraction.skeleton import skeleton
+from roadlang_standard.extraction.tracing import trace
 
 Lines = list[np.ndarray]
 

@@ -12,8 +12,9 @@ from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.fair_lines import SeenOffsets
 from roadlang_standard.extraction.fairing import Rough, even_points, faired
-from roadlang_standard.extraction.graph import trace
 from roadlang_standard.extraction.junction_points import Passing, meeting_point
+from roadlang_standard.extraction.smoothing import stations
+from roadlang_standard.extraction.tracing import trace
 from tests.extraction.graph_drawings import dense
 
 PENS = [Pen(1, False), Pen(3, True), Pen(20, False)]
@@ -127,6 +128,25 @@ def test_a_line_becomes_the_same_whatever_lines_it_is_solved_with() -> None:
     alone = [faired([line])[0] for line in lines]
     for one, together in zip(alone, faired(lines), strict=True):
         assert np.array_equal(one, together)
+
+
+def test_a_closed_line_becomes_the_same_wherever_it_begins() -> None:
+    """Only a part of a long one is repeated at its ends."""
+    count, half = 3000, 1500
+    turn = np.linspace(0, 2 * np.pi, count + 1)
+    ring = (480 + 60 * np.cos(3 * turn))[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
+    ring = even_points(ring, closed=True, step=float(stations(ring)[-1]) / count)
+    noise = np.random.default_rng(4).normal(0, 0.6, count)
+    noise = np.append(noise, noise[0])
+    ones, tolerance = np.ones(count + 1), np.full(count + 1, 0.5)
+
+    def begun_at(first: int) -> Rough:
+        turned = (np.arange(count + 1) + first) % count
+        seen = SeenOffsets(noise[turned], ones, tolerance, ((-first % count, 0.3),))
+        return Rough(ring[turned], seen, closed=True)
+
+    one, other = faired([begun_at(0), begun_at(half)])
+    assert np.abs(one[half:] - other[: half + 1]).max() < 1e-5
 
 
 def test_what_is_not_seen_between_two_lines_is_one_arc() -> None:

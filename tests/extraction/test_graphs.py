@@ -7,7 +7,7 @@ import pytest
 
 from roadlang_standard.extraction.chains import chains, direction, heading
 from roadlang_standard.extraction.dead_ends import dead_ends
-from roadlang_standard.extraction.graph import Graph, Line, trace
+from roadlang_standard.extraction.graph import Graph, Line
 from roadlang_standard.extraction.graph_cleanup import (
     at_border,
     components,
@@ -19,6 +19,7 @@ from roadlang_standard.extraction.graph_cleanup import (
     prune,
 )
 from roadlang_standard.extraction.linking import attach
+from roadlang_standard.extraction.tracing import trace
 from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, picture
 
 

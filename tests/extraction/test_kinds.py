@@ -18,6 +18,8 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extract_onnx import OnnxExtractor
 from roadlang_standard.extract_pixels import Pixel
+from roadlang_standard.extraction import picture_kind, thresholding
+from roadlang_standard.extraction.drawing import between_lines
 from tests.cli.command_lines import roadlang
 from training.rendering.aerial import render_aerial
 from training.rendering.drawings import draw_circuit, draw_filled
@@ -32,6 +34,23 @@ def test_auto_says_what_it_took_the_picture_for() -> None:
     assert drawing.remarks[0] == "read as an edge-line drawing"
     assert typed.remarks[0] == "read as a typed grid"
     assert photo.remarks[0] == "read as a photo"
+
+
+def test_edge_lines_are_sought_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """To seek them takes as long as all else: what a drawing is read as tells what it is."""
+    sought: list[str] = []
+
+    def between(*given: Any) -> Any:
+        sought.append("edge lines")
+        return between_lines(*given)
+
+    monkeypatch.setattr(thresholding, "between_lines", between)
+    monkeypatch.setattr(picture_kind, "has_edge_lines", lambda ink: between(ink) is not None)
+    filled = Auto().extract(Picture(draw_filled("suburb", 1).image, 1.0))
+    assert filled.remarks[0] == "read as a filled drawing"
+    circuit = Auto().extract(Picture(draw_circuit(1, 400).image, 1.0))
+    assert circuit.remarks[0] == "read as an edge-line drawing"
+    assert len(sought) == 2
 
 
 def test_a_circuit_comes_out_closed_and_in_meters() -> None:

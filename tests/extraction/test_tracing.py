@@ -7,9 +7,10 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.graph import Graph, Line, trace
+from roadlang_standard.extraction.graph import Graph, Line
 from roadlang_standard.extraction.graph_cleanup import contract, join, prune
 from roadlang_standard.extraction.skeleton import skeleton
+from roadlang_standard.extraction.tracing import trace
 
 
 def drawn(*strokes: Any, thickness: int = 5, size: int = 120) -> Any:

@@ -70,24 +70,28 @@ class Auto(Extractor):
         from .extraction.drawing import roads_of_drawing
         from .extraction.map_tiles import roads_of_map
         from .extraction.paper import roads_on_paper
-        from .extraction.picture_kind import MAP, MASK, picture_kind
+        from .extraction.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
+        from .extraction.thresholding import EDGE_LINES
 
         assert picture.pixels is not None
         seen, width = picture_kind(picture.pixels), road_width(self.width, picture)
-        if self.threshold == "auto" and not self.through and seen.name != MASK:
+        if self.threshold == "auto" and not self.through and not seen.named(MASK):
             on_paper = None if seen.exact else roads_on_paper(picture.pixels, width)
             if on_paper is not None:
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = roads_of_map(picture.pixels, width) if seen.drawn else None
             if rendered is not None:
                 return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
-            if seen.name == MAP:
+            if seen.named(MAP):
                 drawn = extraction(picture, roads_of_drawing(picture.pixels, width=width))
-                return seen.name, with_legend_proposed(picture, drawn)
+                return MAP, with_legend_proposed(picture, drawn)
         if seen.drawn and not self.through:
-            contour = Contour(threshold=self.threshold, width=self.width)
-            return seen.name, with_legend_proposed(picture, contour.extract(picture))
+            found = Contour(threshold=self.threshold, width=self.width).found(picture)
+            drawn = with_legend_proposed(picture, extraction(picture, found))
+            if seen.unless_edges != FILLED:
+                return seen.name, drawn
+            return EDGES if found.method == EDGE_LINES else FILLED, drawn
         return seen.name, self._aerial(Aerial).extract(picture)
 
     def _aerial(self, kind: type[Aerial]) -> Aerial:

@@ -10,6 +10,8 @@ from roadlang.api import Extractor, Flag, Length, Number, OptionError, Pixels, W
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
+    from .extraction.found_network import FoundNetwork
+
 
 @dataclass(frozen=True)
 class Contour(Extractor):
@@ -41,8 +43,13 @@ class Contour(Extractor):
     )
 
     def extract(self, picture: Picture) -> Extraction:
-        from .extraction.pixels import pixels_of
         from .extraction.pixels_to_meters import extraction
+
+        return extraction(picture, self.found(picture))
+
+    def found(self, picture: Picture) -> FoundNetwork:
+        """The roads in pixels; `method` tells whether they lie between edge lines."""
+        from .extraction.pixels import pixels_of
         from .extraction.thresholding import ContourSteps, roads_by_contour
 
         chain = ContourSteps(
@@ -54,8 +61,7 @@ class Contour(Extractor):
             width=road_width(self.width, picture),
             min_length=in_pixels(self.min_length, picture),
         )
-        found = roads_by_contour(pixels_of(picture, "contour"), chain)
-        return extraction(picture, found)
+        return roads_by_contour(pixels_of(picture, "contour"), chain)
 
 
 def in_pixels(meters: Any, picture: Picture) -> float | None:

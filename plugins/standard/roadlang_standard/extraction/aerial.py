@@ -15,7 +15,7 @@ from .dead_ends import dead_ends
 from .drafting import Draft, draft, typical_width_of
 from .evidence_pruning import drop_unworthy, prune_by_discounted_length
 from .found_network import FoundNetwork
-from .graph import Graph, trace
+from .graph import Graph
 from .graph_cleanup import contract, drop_loops, extend_to_border, join, prune
 from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
@@ -27,6 +27,7 @@ from .scale import resized, view_scales
 from .skeleton import skeleton
 from .smoothing import stations
 from .tones import Image, Layer
+from .tracing import trace
 
 _LITTLE = 0.4
 """Where the roads are shorter than this share of the picture's side, fainter ones are sought."""

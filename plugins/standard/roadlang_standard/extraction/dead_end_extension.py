@@ -14,10 +14,11 @@ from roadlang.geometry import Floats
 
 from .chains import direction
 from .dead_ends import DeadEnd, dead_end, dead_ends
-from .graph import Graph, Line, trace
+from .graph import Graph, Line
 from .graph_cleanup import join, prune
 from .hysteresis import hysteresis
 from .skeleton import skeleton
+from .tracing import trace
 
 Layer = NDArray[np.float32]
 _ONWARD = 0.7

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -13,25 +13,9 @@ from roadlang.geometry import Booleans
 from .found_network import FoundNetwork
 from .masks import roads_of_surface, without_specks
 from .open_edges import with_closed_ends
+from .road_regions import RoadRegion, road_regions
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
-
-_LARGE, _CELL = 64, 8
-"""Regions at least so many pixels high and wide are first seen in a copy so many times smaller."""
-
-_UNEVEN = 2.8
-"""A road is nowhere so many times as wide as usual, at crossings 1.4 times, where two become one 2
-times: a block between filled roads is."""
-
-
-@dataclass(frozen=True)
-class RoadRegion:
-    """A road-like region: its mask in a window, its usual width in pixels, length over width."""
-
-    window: tuple[slice, slice]
-    part: Booleans
-    width: float
-    elongation: float
 
 
 def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
@@ -103,12 +87,14 @@ def _between(ink: Booleans) -> list[RoadRegion]:
         closed = ink
         if gap:
             kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * gap + 1, 2 * gap + 1))
-            closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0
-        ribbons = _ribbons(closed)
+            closed = cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_CLOSE, kernel).view(bool)
+            if np.array_equal(closed, ink):
+                continue
+        ribbons = road_regions(closed)
         if ribbons and _edged(ribbons, ink, pen):
             return ribbons
     capped = with_closed_ends(ink, pen)
-    ribbons = [] if capped is None else _ribbons(capped)
+    ribbons = [] if capped is None else road_regions(capped)
     return ribbons if ribbons and _edged(ribbons, ink, pen) else []
 
 
@@ -132,54 +118,6 @@ def _pen_width(ink: Booleans) -> float:
     inner = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & ink]
     return 2 * float(np.quantile(ridge, 0.7)) - 1 if len(ridge) else np.inf
-
-
-def _ribbons(ink: Booleans) -> list[RoadRegion]:
-    """The road-like regions of the paper: the longest, and pieces as wide as it."""
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(
-        (~ink).astype(np.uint8), connectivity=4
-    )
-    found = []
-    for key in range(1, count):
-        x, y, w, h, area = stats[key]
-        if area < 40:
-            continue
-        part = np.pad(labels[y : y + h, x : x + w] == key, 1)
-        rim = _rim(labels, key)
-        if rim > 8 * _deepest(part):
-            continue
-        inner = cv2.distanceTransform(part.astype(np.uint8), cv2.DIST_L2, 5)[1:-1, 1:-1]
-        ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & part[1:-1, 1:-1]]
-        width = 2 * float(np.quantile(ridge, 0.9))
-        if rim > 4 * width or 2 * inner.max() > _UNEVEN * width:
-            continue
-        window = (slice(y, y + h), slice(x, x + w))
-        elongation = float(area) / max(width, 1.0) ** 2
-        found.append(RoadRegion(window, part[1:-1, 1:-1], width, elongation))
-    long = [ribbon for ribbon in found if ribbon.elongation > 12]
-    if not long:
-        return []
-    main = max(long, key=lambda ribbon: ribbon.elongation * ribbon.width)
-    return [r for r in found if r.elongation > 1.2 and 0.6 < r.width / main.width < 1.6]
-
-
-def _deepest(part: Booleans) -> float:
-    """At least as many pixels as any of a region (h, w) is from its edge, seen in a small copy: so
-    what surrounds a circuit is known at once. Infinite for small regions."""
-    if min(part.shape) < _LARGE:
-        return np.inf
-    size = (part.shape[1] // _CELL, part.shape[0] // _CELL)
-    cell = max(part.shape[1] / size[0], part.shape[0] / size[1])
-    cells = cv2.resize(255 * part.view(np.uint8), size, interpolation=cv2.INTER_AREA) == 255
-    inner = cv2.distanceTransform(cells.view(np.uint8), cv2.DIST_L2, 5)
-    # Half a diagonal of a cell at both ends of the way; OpenCV's distances are 2 % off at most.
-    return float(1.1 * (cell * (inner.max() + 1.5) + 1))
-
-
-def _rim(labels: NDArray[np.int32], key: int) -> int:
-    """How many pixels of a region lie on the picture's edge: what surrounds a circuit has many."""
-    edges = (labels[0], labels[-1], labels[:, 0], labels[:, -1])
-    return int(sum((edge == key).sum() for edge in edges))
 
 
 def _surface(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> Layer:

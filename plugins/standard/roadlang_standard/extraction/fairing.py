@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
@@ -31,6 +32,9 @@ _ROUNDS, _EASING = 32, 0.7
 _PINNED = 1e5
 _SHORTEST = 8
 """Lines of fewer points are left as they are."""
+_OVERLAP = 600
+"""So many points are repeated before and after a closed line: farther away, the ends that are not
+there move no point by more than 1e-7 px."""
 _TOGETHER = 4096
 """So many points are solved at a time: more do not stay in a processor's cache."""
 
@@ -96,25 +100,36 @@ def _fair_line(line: Rough) -> FairLine:
     step = float(stations(line.points)[-1]) / (len(line.points) - 1)
     if not line.closed:
         return FairLine(line.seen, _bends(line.points, step), step)
-    around = np.vstack([line.points[:-1]] * 3)  # so that the middle one has neighbors on both sides
-    return FairLine(_repeated(line.seen, len(line.points) - 1), _bends(around, step), step)
+    turn = _around(line)
+    return FairLine(_repeated(line.seen, turn), _bends(line.points[turn], step), step)
+
+
+def _around(line: Rough) -> NDArray[np.intp]:
+    """The points of a closed line, once round, and before and after them those that they go on
+    with: indices."""
+    count = len(line.points) - 1
+    overlap = min(count, _OVERLAP)
+    return np.arange(-overlap, count + overlap) % count
 
 
 def _moved(line: Rough, offsets: Floats) -> Floats:
-    """The line with its points moved to the left by so much; of a closed line three times round,
-    the middle one counts."""
+    """The line with its points moved to the left by so much; of a closed line only those count
+    that are not repeated."""
     if line.closed:
         count = len(line.points) - 1
-        offsets = np.append(offsets[count : 2 * count], offsets[count])
+        first = (len(offsets) - count) // 2
+        offsets = np.append(offsets[first : first + count], offsets[first])
     return np.asarray(line.points + offsets[:, None] * normals(line.points, line.closed))
 
 
-def _repeated(seen: SeenOffsets, count: int) -> SeenOffsets:
-    """The same three times round a closed line of so many points."""
+def _repeated(seen: SeenOffsets, turn: NDArray[np.intp]) -> SeenOffsets:
+    """The same for points of a closed line that are repeated, given by their indices."""
     offset, weight, tolerance = (
-        np.tile(values[:count], 3) for values in (seen.offset, seen.weight, seen.tolerance)
+        values[turn] for values in (seen.offset, seen.weight, seen.tolerance)
     )
-    pins = tuple((i + turn * count, value) for turn in range(3) for i, value in seen.pins)
+    pins = tuple(
+        (place, value) for i, value in seen.pins for place in np.flatnonzero(turn == i).tolist()
+    )
     return SeenOffsets(offset, weight, tolerance, pins)
 
 

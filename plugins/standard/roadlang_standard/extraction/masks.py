@@ -14,12 +14,13 @@ from .dead_end_stubs import drop_border_forks, drop_corners, lengthen_square_end
 from .drafting import Draft, draft, width_within
 from .drawn_confidence import with_doubts
 from .found_network import FoundNetwork
-from .graph import Graph, trace
+from .graph import Graph
 from .graph_cleanup import contract, drop_crumbs, drop_loops, extend_to_border, join, prune
 from .linking import link
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 from .square_stubs import add_square_stubs
+from .tracing import trace
 
 Layer = NDArray[np.float32]
 _WAVES, _ALL_WAVES = 2.0, 0.5

@@ -8,9 +8,9 @@ import numpy as np
 from roadlang.geometry import Booleans
 
 from .dead_ends import DeadEnd, dead_ends
-from .graph import trace
 from .graph_cleanup import prune
 from .skeleton import skeleton
+from .tracing import trace
 
 _WIDEST = 0.25
 """Lines farther apart than this share of the picture's shorter side are not edges of one road."""

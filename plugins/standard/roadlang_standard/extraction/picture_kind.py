@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
 
 from .drawing import has_edge_lines
 from .exact_colors import has_exact_colors, is_shaded
@@ -28,16 +31,29 @@ _FLAT = 0.55
 class PictureKind:
     """What a picture is, and how that was seen."""
 
-    name: str
+    unless_edges: str
+    """its name, unless it shows roads between two lines"""
     flat: float
     """Share of pixels without any texture."""
     exact: bool = False
     """Whether it was rendered in several exact colors: it is no photo of a drawing on paper."""
+    marked: Booleans | None = None
+    """what is drawn in it (h, w), None for a photo"""
+
+    @cached_property
+    def name(self) -> str:
+        """What it is. To seek edge lines takes as long as all else: it is done when first asked."""
+        is_edged = self.marked is not None and has_edge_lines(self.marked)
+        return EDGES if is_edged else self.unless_edges
 
     @property
     def drawn(self) -> bool:
         """Whether it is anything but a photo."""
-        return self.name != PHOTO
+        return self.unless_edges != PHOTO
+
+    def named(self, name: str) -> bool:
+        """Whether this is its name; no edge lines are sought where another one is plain."""
+        return self.unless_edges == name and self.name == name
 
 
 def picture_kind(image: Image) -> PictureKind:
@@ -52,14 +68,12 @@ def picture_kind(image: Image) -> PictureKind:
     paper = plan.colors[plan.paper]
     away = away_from(image, paper)
     marked = away > (100 if away.max() > 100 else 30)
-    if has_edge_lines(marked):
-        return PictureKind(EDGES, flat, exact)
     colors = plan.colors[np.argsort(-plan.shares)]
     pure = _unmixed(colors)
     black_and_white = len(pure) <= 2 and all(min(c.max(), 255 - c.min()) < 40 for c in pure)
     if black_and_white and paper.mean() < 40:
-        return PictureKind(MASK, flat, exact)
-    return PictureKind(MAP if len(pure) > 3 else FILLED, flat, exact)
+        return PictureKind(MASK, flat, exact, marked)
+    return PictureKind(MAP if len(pure) > 3 else FILLED, flat, exact, marked)
 
 
 def _photo_with_margins(image: Image) -> bool:

@@ -14,6 +14,9 @@ from .found_network import FoundNetwork
 from .masks import roads_of_surface
 from .tones import Image, Layer, away_from, tones
 
+EDGE_LINES = "edge lines"
+"""The method by which roads between two lines are found."""
+
 
 @dataclass(frozen=True)
 class ContourSteps:
@@ -122,5 +125,5 @@ def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
         ink = 1 - light if rim.mean() > 0.5 else light
         between = between_lines(ink >= 0.5)
         if between is not None:
-            return between, "edge lines"
+            return between, EDGE_LINES
     return max(sides.values(), key=likeness), "contour"

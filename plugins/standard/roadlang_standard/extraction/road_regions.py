@@ -1,0 +1,119 @@
+"""Parts of a drawing's paper that look like roads: long, and of even width."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+_LEAST = 40
+"""Square pixels of a region."""
+_UNEVEN = 2.8
+"""A road is nowhere so many times as wide as usual, at crossings 1.4 times, where two become one 2
+times: a block between filled roads is."""
+_LEAVING = 4.0
+"""A road has at most so many widths of the picture's rim, what surrounds a circuit has more."""
+_LONG, _PIECE = 12.0, 1.2
+"""Least length over width of a road, and of a piece of one."""
+_ALIKE = (0.6, 1.6)
+"""Widths of the pieces, in widths of the main road."""
+_USUAL = 0.9
+"""Quantile of the distances from edge to middle that is half the usual width."""
+
+
+@dataclass(frozen=True)
+class RoadRegion:
+    """A road-like region: its mask in a window, its usual width in pixels, length over width."""
+
+    window: tuple[slice, slice]
+    part: Booleans
+    width: float
+    elongation: float
+
+
+@dataclass(frozen=True)
+class _Region:
+    """A part of the paper: its label, area in square pixels, how many pixels of it are on the
+    picture's rim; and how far pixels in its middle are from its edge (n,), ascending."""
+
+    key: int
+    area: int
+    rim: int
+    half_widths: NDArray[np.float32]
+
+    def width_between(self) -> tuple[float, float]:
+        """Bounds of the usual width, which takes longer to work out."""
+        last = len(self.half_widths) - 1
+        place = int(_USUAL * last)
+        low, high = max(0, place - 1), min(last, place + 2)
+        return 2 * float(self.half_widths[low]), 2 * float(self.half_widths[high])
+
+    def width(self) -> float:
+        """The usual width, pixels."""
+        return 2 * float(np.quantile(self.half_widths, _USUAL))
+
+    def is_even(self, width: float) -> bool:
+        """Whether it looks like a road that is usually so wide."""
+        widest = 2 * float(self.half_widths[-1])
+        return self.rim <= _LEAVING * width and widest <= _UNEVEN * width
+
+    def elongation(self, width: float) -> float:
+        """Length over width, if it is usually so wide."""
+        return float(self.area) / max(width, 1.0) ** 2
+
+
+def road_regions(ink: Booleans) -> list[RoadRegion]:
+    """The road-like regions of the paper about the ink (h, w): the longest, and pieces as wide."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats((~ink).view(np.uint8), connectivity=4)
+    likely = []
+    for region in _regions(ink, labels, stats[:, cv2.CC_STAT_AREA]):
+        least, most = region.width_between()
+        if region.is_even(most) and region.elongation(least) > _PIECE:
+            likely.append((region, least))
+    if not any(region.elongation(least) > _LONG for region, least in likely):
+        return []
+    widths = [(region, region.width()) for region, _ in likely]
+    found = [
+        RoadRegion(*_cut(labels, stats, region.key), width, region.elongation(width))
+        for region, width in widths
+        if region.is_even(width)
+    ]
+    long = [region for region in found if region.elongation > _LONG]
+    if not long:
+        return []
+    main = max(long, key=lambda region: region.elongation * region.width)
+    least, most = _ALIKE
+    return [r for r in found if r.elongation > _PIECE and least < r.width / main.width < most]
+
+
+def _regions(
+    ink: Booleans, labels: NDArray[np.int32], areas: NDArray[np.int32]
+) -> Iterator[_Region]:
+    """The parts of the paper, by the order of their labels, that are not tiny."""
+    padded = cv2.copyMakeBorder((~ink).view(np.uint8), 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
+    inner = cv2.distanceTransform(padded, cv2.DIST_L2, 5)[1:-1, 1:-1]
+    ridge = np.flatnonzero((inner >= cv2.dilate(inner, np.ones((3, 3)))) & ~ink)
+    keys, depths = labels.ravel()[ridge], inner[np.divmod(ridge, ink.shape[1])]
+    order = np.lexsort((depths, keys))
+    depths = depths[order]
+    ends = np.cumsum(np.bincount(keys, minlength=len(areas)))
+    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+    rims = np.bincount(rim, minlength=len(areas))
+    for key in np.flatnonzero(areas >= _LEAST).tolist():
+        if key:
+            depth = depths[ends[key - 1] : ends[key]]
+            yield _Region(key, int(areas[key]), int(rims[key]), depth)
+
+
+def _cut(
+    labels: NDArray[np.int32], stats: NDArray[np.int32], key: int
+) -> tuple[tuple[slice, slice], Booleans]:
+    """The window around a part, and its mask there."""
+    x, y, w, h, _ = stats[key].tolist()
+    window = (slice(y, y + h), slice(x, x + w))
+    return window, labels[window] == key
