@@ -41,7 +41,8 @@ def sides(
     level: float = 0.5,
     closed: bool = False,
 ) -> Sides:
-    """Look along the normals for where the surface (h, w), 0..1, falls through `level`."""
+    """Look along the normals for where the surface (h, w), 0..1, falls through `level`; NaN where
+    that is beyond its border."""
     away = np.arange(0, search_radius + _STEP, _STEP)
     ways = np.concatenate([away, -away])  # to the left, and to the right
     profile = across(points, ways, surface, closed).reshape(2 * len(points), len(away))
@@ -53,7 +54,19 @@ def sides(
     part = np.clip((high - level) / np.maximum(high - low, 1e-6), 0, 1)
     distance = (first - 1 + part) * _STEP
     found = np.where(below[row, first] & (profile[:, 0] >= level), distance, np.nan)
-    return Sides(found[::2], found[1::2])
+    left, right = found[::2], found[1::2]
+    normal = normals(points, closed)
+    return Sides(
+        np.where(_within(points + left[:, None] * normal, surface), left, np.nan),
+        np.where(_within(points - right[:, None] * normal, surface), right, np.nan),
+    )
+
+
+def _within(places: Floats, surface: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Whether places (n, 2) are in the picture: what is beyond its border is not known."""
+    height, width = surface.shape
+    with np.errstate(invalid="ignore"):
+        return np.asarray(((places > -0.5) & (places < (width - 0.5, height - 0.5))).all(axis=1))
 
 
 def normals(points: Floats, closed: bool = False) -> Floats:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Container
 
 import numpy as np
 
@@ -147,15 +147,22 @@ def _joined(first: Line, second: Line, node: int) -> Line:
     return Line(start, end, np.vstack([a, b[1:]]), share)
 
 
-def extend_to_border(graph: Graph, shape: tuple[int, int], distance: float) -> None:
-    """Carry dead ends within `distance` pixels of the picture's edge straight on to it, in place.
+def extend_to_border(
+    graph: Graph, shape: tuple[int, int], distance: float, done: Container[int] = ()
+) -> None:
+    """Carry dead ends within `distance` pixels of the picture's edge straight on to it, in place,
+    but for nodes that are there already (`done`).
 
     Near the edge a skeleton turns toward the corner of its mask: that bit is cut off first.
     """
     degree = graph.degree()
     for line in graph.lines:
         for side, node in ((0, line.start), (1, line.end)):
-            if degree[node] != 1 or not at_border(graph.nodes[node], shape, distance):
+            if (
+                degree[node] != 1
+                or node in done
+                or not at_border(graph.nodes[node], shape, distance)
+            ):
                 continue
             points = line.points if side == 0 else line.points[::-1]
             points = _without_hook(points, distance)

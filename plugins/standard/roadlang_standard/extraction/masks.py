@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .border_exits import lead_out
 from .dead_end_stubs import drop_border_forks, drop_corners, lengthen_square_ends, stubs
 from .drafting import Draft, draft, width_within
 from .drawn_confidence import with_doubts
@@ -63,9 +64,9 @@ def roads_of_surface(
         mask = without_specks(surface >= 0.5, specks)
         thin = skeleton(mask)
     graph = trace(thin)
-    typical = _tidy(graph, mask, least, cover)
+    typical, led_out = _tidy(graph, mask, least, cover)
     leaving = typical if cover is None else max(typical, cover.widest)
-    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * leaving + 2)
+    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * leaving + 2, led_out)
     settings = Draft(
         typical,
         _WAVES if spline else _ALL_WAVES,
@@ -79,8 +80,11 @@ def roads_of_surface(
     return with_doubts(draft(graph, surface, score, settings, method))
 
 
-def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None) -> float:
-    """Clean the graph of a mask's skeleton, in place; the usual width of its roads, pixels."""
+def _tidy(
+    graph: Graph, mask: Booleans, least: float | None, cover: Cover | None
+) -> tuple[float, set[int]]:
+    """Clean the graph of a mask's skeleton, in place; the usual width of its roads, pixels, and the
+    nodes at which they leave the picture."""
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     typical = width_within(graph, inner)
     drop_corners(graph, inner, typical)
@@ -98,8 +102,9 @@ def _tidy(graph: Graph, mask: Booleans, least: float | None, cover: Cover | None
     join_oblique_crossings(graph, typical)
     drop_crumbs(graph, min(2 * typical, 0.5 * max(mask.shape)))
     typical = width_within(graph, inner)
+    led_out = lead_out(graph, mask, inner, typical)
     lengthen_square_ends(graph, mask, typical)
-    return typical
+    return typical, led_out
 
 
 def _bridge(graph: Graph, cover: Cover, width: float, shortest: float) -> None:
