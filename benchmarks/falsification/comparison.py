@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 import roadlang
-from roadlang.falsification.descriptors import STATIONS
+from roadlang.api import ROAD_PLACES
 from roadlang.falsification.outcome import Outcome
 
 
@@ -50,7 +50,7 @@ def distinct(failures: Sequence[Outcome], apart: Sequence[str] = ()) -> int:
     their roads by more than 0.008/m (root mean square)."""
     known: Mapping[Any, list[Any]] = defaultdict(list)
     for outcome in failures:
-        curvature = np.array(outcome.descriptor[:STATIONS])
+        curvature = np.array(outcome.descriptor[:ROAD_PLACES])
         like = known[tuple(outcome.draws[name] for name in apart)]
         if all(((curvature - other) ** 2).sum() > 1.0 for other in like):
             like.append(curvature)

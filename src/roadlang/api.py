@@ -70,6 +70,7 @@ from .plugins.annotations import (
     record_of,
 )
 from .plugins.kinds import (
+    ROAD_PLACES,
     STANDING_GAP,
     Adjuster,
     AgentKind,
@@ -240,8 +241,9 @@ _HOME = {name: module for module, names in _LATER.items() for name in names.spli
 
 __all__ = [
     "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURB_HEIGHT", "CURVATURE", "FORCE",
-    "FREQUENCY", "JERK", "LENGTH", "MASS", "ON_FOOT", "PAINT_HEIGHT", "PIXELS", "PURE", "SCALE",
-    "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration", "ActuationBatch", "Adjuster",
+    "FREQUENCY", "JERK", "LENGTH", "MASS", "ON_FOOT", "PAINT_HEIGHT", "PIXELS", "PURE",
+    "ROAD_PLACES", "SCALE", "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration",
+    "ActuationBatch", "Adjuster",
     "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
     "BatchRandom", "Between", "Body", "Call", "CameraGeometry", "Code", "Condition",
     "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "CurbCorner",

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.api import ROAD_PLACES
 from roadlang.falsification.descriptors import (
     CURVATURE,
     SPEED,
     STATION,
-    STATIONS,
     descriptor,
     measures,
     moment_of,
@@ -61,9 +61,9 @@ def test_a_drive_is_described_by_its_road_and_its_deciding_moment() -> None:
     *road, speed, station, closing = descriptor(SCENE.record, DRIVE.trace, "ego", moment)
     main = road_of(SCENE.record, "ego")
     assert main is not None
-    places = np.linspace(0.0, main.length, STATIONS)
+    places = np.linspace(0.0, main.length, ROAD_PLACES)
     arc = (places > 41.0) & (places < 39.0 + 25.0 * math.pi)
-    expected = np.array(road)[arc] * CURVATURE * math.sqrt(STATIONS)
+    expected = np.array(road)[arc] * CURVATURE * math.sqrt(ROAD_PLACES)
     np.testing.assert_allclose(expected, 1.0 / 50.0, rtol=1e-4)
     assert np.abs(np.array(road)[places < 39.0]).max() == 0.0
     assert [speed * SPEED, station * STATION, closing * SPEED] == pytest.approx(

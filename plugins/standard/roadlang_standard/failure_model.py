@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from roadlang.api import ROAD_PLACES
+
+from .bend_model import BendModel
 from .learned_kernel import LearnedKernel
 
 if TYPE_CHECKING:
@@ -22,10 +25,14 @@ _UNKNOWN = 1.0
 
 
 class FailureModel:
-    """Values by a kernel that learns what matters for them, descriptors by linear regression."""
+    """Values by a kernel that learns what matters for them, descriptors by linear regression. Until
+    something fails and where roads differ, values by the bends of the road: to find a first failure
+    among all roads takes more than to go on from one that is known."""
 
     def __init__(self) -> None:
         self._kernel = LearnedKernel(_UNKNOWN)
+        self._bends = BendModel()
+        self._is_by_bends = False
         self._vectors: list[Floats] = []
         self._values: list[Floats] = []
         self._descriptors: list[Floats] = []
@@ -40,14 +47,35 @@ class FailureModel:
         """Learn from what was told since the last time, and before."""
         import numpy as np
 
-        known, values = np.concatenate(self._vectors), graded(np.concatenate(self._values))
+        known, told = np.concatenate(self._vectors), np.concatenate(self._values)
+        values = graded(told)
         best = np.argsort(values, kind="stable")[:_MOST]
         self._kernel.fit(known[best], values[best])
+        safe = best[values[best] < 1.0]
+        self._is_by_bends = bool(len(safe) and told.min() >= 0.0 and self._has_roads)
+        if self._is_by_bends:
+            self._fit_bends(known[safe], values[safe])
+
+    @property
+    def _has_roads(self) -> bool:
+        return bool(max(part.shape[1] for part in self._descriptors) >= ROAD_PLACES)
+
+    def _fit_bends(self, safe: Floats, values: Floats) -> None:
+        import numpy as np
+
+        weights = self._regression()[:, :ROAD_PLACES]
+        road = np.delete(weights, 1, axis=0)  # what it is where nothing fails
+        self._bends.fit(safe, self._kernel.mapped(safe), road, values)
+        self._is_by_bends = self._bends.is_fit
 
     def predicted(self, vectors: Floats, optimism: float) -> tuple[Floats, Floats]:
         """(n,) values and (n, k) what `described` gives of candidates (n, columns), by the last
         fit; the values less `optimism` times their standard deviation."""
-        return self._kernel.predicted(vectors, optimism), self.described(vectors)
+        described = self.described(vectors)
+        if self._is_by_bends:
+            others = self._kernel.mapped(vectors)
+            return self._bends.predicted(vectors, others, optimism), described
+        return self._kernel.predicted(vectors, optimism), described
 
     def described(self, vectors: Floats) -> Floats:
         """(n, k) numbers of candidates (n, columns) that are as far apart as their descriptors, as

@@ -33,9 +33,10 @@ _REMEMBERED, APART = 400, 0.12
 """Safe candidates that may become parents, and how far parents are apart (root mean square over the
 columns) until something fails: without it all soon are the neighbors of one, from which no failure
 may be reached."""
-_OPTIMISM = 2.0
+_OPTIMISM = 3.0
 """Standard deviations of the model by which values may be better than it has them, until something
-fails: what is unknown is tried before what is known to be nearly good enough."""
+fails: what is unknown is tried before what is known to be nearly good enough. With 0 a
+search stays near what it knows, and takes more than twice as long."""
 _RECENT = 400
 """Failures of which differences are taken: the latest."""
 _LEAST_STEP, _MOST_STEP = 0.03, 0.4
@@ -223,14 +224,10 @@ def one_of_each_neighborhood(vectors: Sequence[Floats]) -> list[Floats]:
     import numpy as np
 
     chosen: list[Floats] = []
-    for vector in vectors:
-        if chosen:
-            gaps = np.stack(chosen) - vector
-            if np.einsum("ij,ij->i", gaps, gaps).min() <= APART**2 * len(vector):
-                continue
-        chosen.append(vector)
-        if len(chosen) == _ELITE:
-            break
+    rest = np.stack(vectors) if vectors else np.empty((0, 0))
+    while len(rest) and len(chosen) < _ELITE:
+        chosen.append(rest[0])
+        rest = rest[_squares_from(rest, 0) > APART**2 * rest.shape[1]]
     return chosen
 
 

@@ -20,71 +20,100 @@ _AT_ONCE = 512
 """Vectors whose values are predicted together: their distances fit into the caches."""
 
 
-class LearnedKernel:
+class Kernel:
     """Kernel ridge regression, which is the mean of a Gaussian process (Rasmussen and Williams
-    2006, equation 2.25), with a Matern kernel of order 3/2 (equation 4.17) of Mahalanobis
-    distances. Their metric is the mean outer product of the gradients of the regression before
-    (recursive feature machine: Radhakrishnan, Beaglehole, Pandit and Belkin 2024): a direction in
-    which the values hardly change makes candidates hardly less alike. Each fit is one step of that
-    recursion, so the metric follows what is known as it grows.
+    2006, equation 2.25), with a Matern kernel of order 3/2 (equation 4.17) of distances.
 
     `mean`: the value far from everything."""
 
     def __init__(self, mean: float) -> None:
         self._mean = mean
-        self._metric: Floats | None = None
-        self._map = self._known = self._weights = self._factor = _none()
+        self._known = self.weights = self._factor = _none()
         self._variance = 0.0
         """of the values, as the process has it that the kernel stands for"""
 
-    def fit(self, vectors: Floats, values: Floats) -> None:
-        """Learn from vectors (m, columns) with their values (m,)."""
+    def fit(self, points: Floats, values: Floats) -> Floats:
+        """Learn from points (m, D), of which two are usually 1 apart, with their values (m,). Gives
+        (m, m), by how much one value matters less for another the further apart they are: the slope
+        of the kernel over the squares of distances, but for a constant factor."""
         import numpy as np
         from scipy.linalg import cho_factor, cho_solve
 
-        metric = np.eye(vectors.shape[1]) if self._metric is None else self._metric
-        self._map = _scaled(_square_root(metric), vectors)
-        self._known = vectors @ self._map
-        apart = np.sqrt(3.0 * squares_apart(self._known, self._known))
+        self._known = points
+        apart = np.sqrt(3.0 * squares_apart(points, points))
         decay = np.exp(-apart)
         kernel = (1.0 + apart) * decay
         kernel[np.diag_indices(len(kernel))] += _NOISE
         factor = cho_factor(kernel, lower=True, overwrite_a=True, check_finite=False)
-        self._weights = cho_solve(factor, values - self._mean, check_finite=False)
+        self.weights = cho_solve(factor, values - self._mean, check_finite=False)
         self._factor = factor[0]
-        self._variance = float((values - self._mean) @ self._weights) / len(values)
-        decay *= self._weights
-        # Of each known vector the gradient of the regression, but for a constant factor.
-        gradients = (decay.sum(axis=1)[:, None] * vectors - decay @ vectors) @ metric
-        self._metric = _metric_of(gradients, metric)
+        self._variance = float((values - self._mean) @ self.weights) / len(values)
+        return np.asarray(decay)
 
-    def predicted(self, vectors: Floats, optimism: float = 0.0) -> Floats:
-        """(n,) values of vectors (n, columns), by the last fit, less `optimism` times the standard
+    def predicted(self, points: Floats, optimism: float = 0.0) -> Floats:
+        """(n,) values of points (n, D), by the last fit, less `optimism` times the standard
         deviation of what they may be (equation 2.26; the variance of the process is that of
         equation 5.4 at its maximum): a lower confidence bound (Cox and John 1992)."""
         import numpy as np
 
-        mapped = (vectors @ self._map).astype(np.float32)  # enough to tell which are better
-        parts = (mapped[first : first + _AT_ONCE] for first in range(0, len(mapped), _AT_ONCE))
+        single = points.astype(np.float32)  # enough to tell which are better
+        parts = (single[first : first + _AT_ONCE] for first in range(0, len(single), _AT_ONCE))
         return np.concatenate([np.empty(0), *(self._of_part(part, optimism) for part in parts)])
 
-    def _of_part(self, mapped: Singles, optimism: float) -> Floats:
+    def _of_part(self, points: Singles, optimism: float) -> Floats:
         import numpy as np
         from scipy.linalg import solve_triangular
 
-        apart = squares_apart(mapped, self._known.astype(np.float32))
+        apart = squares_apart(points, self._known.astype(np.float32))
         apart *= 3.0
         np.sqrt(apart, out=apart)
         kernel = np.exp(-apart)
         apart += 1.0
         kernel *= apart
-        found = self._mean + (kernel @ self._weights.astype(np.float32)).astype(np.float64)
+        found = self._mean + (kernel @ self.weights.astype(np.float32)).astype(np.float64)
         if not optimism:
             return np.asarray(found)
         factor = self._factor.astype(np.float32)
         known = solve_triangular(factor, kernel.T, lower=True, check_finite=False)
         unknown = np.maximum(1.0 - np.einsum("ij,ij->j", known, known), 0.0)
         return np.asarray(found - optimism * np.sqrt(max(self._variance, 0.0) * unknown))
+
+
+class LearnedKernel:
+    """Regression with a kernel of Mahalanobis distances. Their metric is the mean outer product of
+    the gradients of the regression before (recursive feature machine: Radhakrishnan, Beaglehole,
+    Pandit and Belkin 2024): a direction in which the values hardly change makes candidates hardly
+    less alike. Each fit is one step of that recursion, so the metric follows what is known as it
+    grows.
+
+    `mean`: the value far from everything."""
+
+    def __init__(self, mean: float) -> None:
+        self._kernel = Kernel(mean)
+        self._metric: Floats | None = None
+        self._map = _none()
+
+    def fit(self, vectors: Floats, values: Floats) -> None:
+        """Learn from vectors (m, columns) with their values (m,)."""
+        import numpy as np
+
+        metric = np.eye(vectors.shape[1]) if self._metric is None else self._metric
+        self._map = _scaled(_square_root(metric), vectors)
+        decay = self._kernel.fit(self.mapped(vectors), values)
+        decay *= self._kernel.weights
+        # Of each known vector the gradient of the regression, but for a constant factor.
+        gradients = (decay.sum(axis=1)[:, None] * vectors - decay @ vectors) @ metric
+        self._metric = _metric_of(gradients, metric)
+
+    def mapped(self, vectors: Floats) -> Floats:
+        """Vectors (n, columns) as points of which two are usually 1 apart, by the last fit."""
+        import numpy as np
+
+        return np.asarray(vectors @ self._map)
+
+    def predicted(self, vectors: Floats, optimism: float = 0.0) -> Floats:
+        """(n,) values of vectors (n, columns), as `Kernel.predicted` has them."""
+        return self._kernel.predicted(self.mapped(vectors), optimism)
 
 
 def squares_apart(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:

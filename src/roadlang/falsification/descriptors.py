@@ -11,6 +11,7 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..judging.deciding_moment import first_violation
+from ..plugins.kinds import ROAD_PLACES
 from ..plugins.registry import Registry
 from .outcome import Moment
 
@@ -18,8 +19,6 @@ CURVATURE = 0.008
 """Root mean square difference of curvature beyond which roads are distinct, 1/m."""
 SPEED, STATION = 10.0, 100.0
 """Differences beyond which the behavior at the deciding moment is distinct, m/s and meters."""
-STATIONS = 64
-"""Places along the road where its curvature is compared."""
 _DECIMALS = 6
 
 
@@ -50,9 +49,9 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
     """The curvature of the road of agent `name` at equal parts of its length, then its speed, the
     station and the closing speed at the moment, each in differences that count."""
     road = road_of(scene, name)
-    curvature = np.zeros(STATIONS)
+    curvature = np.zeros(ROAD_PLACES)
     if road is not None:
-        places = np.linspace(0.0, road.stations[-1], STATIONS)
+        places = np.linspace(0.0, road.stations[-1], ROAD_PLACES)
         curvature = np.interp(places, road.stations, road.curvature)
     agent = trace.agents.get(name)
     speed = station = closing = 0.0
@@ -62,7 +61,7 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
         speed, station = moment.speed or 0.0, moment.station or 0.0
         closing = moment.closing or 0.0
     behavior = [speed / SPEED, station / STATION, closing / SPEED]
-    vector = np.concatenate([curvature / (CURVATURE * math.sqrt(STATIONS)), behavior])
+    vector = np.concatenate([curvature / (CURVATURE * math.sqrt(ROAD_PLACES)), behavior])
     return tuple(np.round(np.nan_to_num(vector), _DECIMALS).tolist())
 
 

@@ -16,7 +16,7 @@ from .pictures import Adjuster, Extractor, Reader
 from .placing import Position, Standing
 from .roads import Drawer, Perturber, Piece, Region, Selector
 from .sampling import Distribution, DrawnValue, Sampler
-from .searching import Axis, Search, Searcher
+from .searching import ROAD_PLACES, Axis, Search, Searcher
 from .sensing import ReadingArray, Sensor
 from .signals import DriveSignal, Monitor, RoadNumber, Signal
 
@@ -45,6 +45,7 @@ def implements(kind: type[Kind], method: str) -> bool:
 
 __all__ = [
     "BASES",
+    "ROAD_PLACES",
     "STANDING_GAP",
     "VERBS",
     "Adjuster",

@@ -12,6 +12,9 @@ from .base import Kind
 if TYPE_CHECKING:
     from ...geometry.arrays import Floats
 
+ROAD_PLACES = 64
+"""Equal parts of a road at whose ends descriptors have its curvature: their first numbers."""
+
 
 @dataclass(frozen=True)
 class Axis:
@@ -75,6 +78,8 @@ class Search:
         hold, with the less robustness the lower; from 1 a requirement is violated and the scene was
         not driven. `descriptors` (count, k) say what a drive was like: two failures whose
         descriptors are further apart than 1 count as distinct; NaN for what was not driven.
+        Their first `ROAD_PLACES` numbers are the curvature, at places that are equally far apart,
+        of the road of the agent that the expectations are about, to a factor.
         """
 
 
