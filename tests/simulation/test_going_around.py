@@ -7,6 +7,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.ir.trace import AgentTrace, Trace
+from roadlang_standard.ways_around import swing
 
 STREET = """
 road street {
@@ -196,3 +197,57 @@ def test_it_goes_around_a_car_that_breaks_down_before_it() -> None:
     trace = driven(STREET + agent("ego", "10m", "lane: -1, drive with traffic") + lead)
     assert arrived(trace.agents["ego"])
     assert not arrived(trace.agents["lead"])
+
+
+def test_who_waits_behind_it_stands_still() -> None:
+    others = agent("others", "200m", "lane: 1, facing: back, count: 5, spacing: 12m, "
+                   "drive with traffic { speed: 3m/s }")  # fmt: skip
+    ego = driven(STREET + agent("ego", "50m", "lane: -1, drive with traffic") + PARKED + others)
+    speed = ego.agents["ego"].speed
+    stands = np.flatnonzero(speed < 0.01)
+    beside = np.flatnonzero(ego.agents["ego"].y > -1.0)[0]
+    waits = speed[stands[stands < beside][0] : stands[stands < beside][-1] + 1]
+    assert len(waits) > 50
+    assert waits.max() < 0.01
+
+
+def test_where_there_is_little_room_it_passes_closely_and_slowly() -> None:
+    """2.12 m are left beside the van, and the car is 1.8 m wide."""
+    van = "object parked is parked_van on street at 120m { lane: none, offset: -0.12m }\n"
+    road = STREET.replace("width: 7m", "width: 6m")
+    ego = driven(road + agent("ego", "80m", "lane: -1, drive with traffic") + van).agents["ego"]
+    assert arrived(ego)
+    assert ego.speed[np.abs(ego.x - 120.0) < 4.0].max() < 2.5
+
+
+PARKED_BEFORE_A_JUNCTION = '''
+image plan from """
+....#....
+....#....
+#########
+....#....
+....#....
+""" { scale: 20m/px, legend: { "#": road } }
+network town from plan { lanes: 2, speed_limit: 50km/h }
+object parked is parked_car at (76m, 48.25m) { heading: 0deg }
+agent behind is car on town {
+  route: [(40m, 50m), (170m, 50m)], drive with traffic { go_around: false }
+}
+agent other is car on town { route: [(90m, 95m), (90m, 5m)], drive with traffic }
+'''
+
+
+def test_who_cannot_get_to_a_junction_keeps_nobody_from_crossing_it() -> None:
+    """The other one yields to who comes from its right, where a car is parked."""
+    cars = driven(PARKED_BEFORE_A_JUNCTION, 30.0).agents
+    assert cars["behind"].speed[-1] < 0.1
+    assert arrived(cars["other"])
+
+
+@pytest.mark.parametrize(("curvature", "line", "meters"), [(0.1, 3.0, 0.36), (-0.1, 3.0, 0.0)])
+def test_inside_a_bend_its_front_swings_toward_what_is_outside(
+    curvature: float, line: float, meters: float
+) -> None:
+    """4.5 m long, 3 m inside of a radius of 10 m: `2.25^2 / (2 * 7)`."""
+    found = swing(*(np.array([value]) for value in (4.5, curvature, line)))
+    assert found == pytest.approx(meters, abs=0.01)

@@ -124,3 +124,39 @@ def test_points_of_the_path_lie_on_the_line_ahead() -> None:
     found = np.hstack([np.vstack(view.line_ahead(rows, distance)[:2]) for distance in distances])
     curve = np.stack(view.path_ahead(rows, distances))[:, :, 0]
     assert curve == pytest.approx(found, abs=1e-4)
+
+
+ACROSS = '''
+image plan from """
+....#....
+....#....
+#########
+....#....
+....#....
+""" {{ scale: 20m/px, legend: {{ "#": road }} }}
+network town from plan {{ {lanes} }}
+world {{ traffic: {side} }}
+agent a is car on town {{ route: [(40m, 50m), (170m, 50m)], drive with brake }}
+'''
+TWO = "left: [drive(3m)], right: [drive(3m)]"
+
+
+@pytest.mark.parametrize(
+    ("lanes", "side", "left", "right"),
+    [
+        (TWO, "right", 3.0, math.nan),
+        (TWO, "left", math.nan, -3.0),
+        ("lanes: 1, oneway: true", "right", math.nan, math.nan),
+    ],
+)
+def test_the_lanes_in_a_junction_are_those_of_its_roads(
+    lanes: str, side: str, left: float, right: float
+) -> None:
+    one, _ = observed(ACROSS.format(lanes=lanes, side=side))
+    middle = np.hypot(one.x - 90.0, one.y - 50.0)
+    beside = one.lanes_beside(middle, np.zeros(1))
+    assert beside.middle == pytest.approx(0.0, abs=0.01)
+    assert beside.left == pytest.approx([left], abs=0.01, nan_ok=True)
+    assert beside.right == pytest.approx([right], abs=0.01, nan_ok=True)
+    oncoming = beside.left_direction if side == "right" else beside.right_direction
+    assert oncoming == pytest.approx([-1.0 if lanes == TWO else math.nan], nan_ok=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import STANDING_GAP, Controller, Duration, Flag, InitialSpeed, Speed, option
 
-from .going_around import going_around
+from .going_around import COLUMNS, going_around
 from .steering import SPEED_GAIN, along_line, bend_speed, pursuit
 
 if TYPE_CHECKING:
@@ -73,10 +73,10 @@ class Traffic(Controller):
     )
 
     def start(self, count: int) -> NDArray[np.float64]:
-        """(count, 5) what agents do about objects in their lanes."""
+        """(count, 6) what agents do about objects in their lanes."""
         import numpy as np
 
-        return np.zeros((count, 5))
+        return np.zeros((count, len(COLUMNS)))
 
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed, stops_at_junctions=True, limit_factor=self.speed_factor)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from .lane_traffic import lane_traffic
 from .pulling_out import CLEARED, can_creep_out, creeping_out, held_back
+from .steering import SPEED_GAIN
 from .ways_around import (
     AHEAD,
     MOVING,
@@ -29,6 +30,8 @@ LATER, SPARE = 1.0, 8.0
 """Seconds of its speed, and meters at least, beyond what pulling out takes, at which it begins."""
 SLOWLY = 8.3
 """m/s: the greatest speed beside what stands."""
+NARROWLY = 2.0
+"""m/s: the same where the way is narrow."""
 LATERAL, EASILY = 2.5, 1.5
 """m/s^2: across and along, in bends beside what stands."""
 GAINING = 2.6
@@ -41,17 +44,17 @@ NEARLY = 0.35
 """Share of the move to the side that is left when pulling out from close behind ends."""
 BACK = 0.3
 """Meters from its line at which it is back."""
-EARLY, TOUCHING = 2.5, 0.3
-"""m/s^2, and meters: it brakes before what it would touch on its way, once it has to brake so hard
-to stand so far before it."""
+EARLY, TOUCHING = 1.5, 0.5
+"""m/s^2, and meters: it goes no faster than it could brake with this to stand so far before what it
+would touch on its way. That is looked at every 0.5 m: it may be so much nearer than it seems."""
 PASSED = 0.5
 """Meters before the end of what is passed up to which what stands there belongs to it."""
 COMING, LEAST_AHEAD = 0.3, 1.5
 """m/s: before who comes toward it that fast it comes back as soon as it is so many meters past."""
 HOME, AROUND, RETURNING = 0.0, 1.0, 2.0
-PHASE, LINE, TARGET, END, CLOSE = range(5)
+PHASE, LINE, TARGET, END, CLOSE, NARROW = COLUMNS = range(6)
 """Columns of the state: what it is doing, the line that it left and the one beside, where along its
-line what it passes ends, and whether it pulls out from close behind."""
+line what it passes ends, whether it pulls out from close behind, and whether the way is narrow."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,10 @@ def going_around(seen: ObservationBatch, state: Any, target: Floats) -> GoingAro
     home = np.where(state[:, PHASE] == HOME, now, state[:, LINE])
     line = np.full(len(now), np.nan)
     most = np.full(len(now), np.inf)
-    _begin(seen, state, planned(seen, home, gap), np.minimum(target, SLOWLY), (line, most))
+    looks = near & (state[:, PHASE] == HOME)
+    if looks.any():
+        plan = planned(seen, home, np.where(looks, gap, np.inf))
+        _begin(seen, state, plan, np.minimum(target, SLOWLY), (line, most))
     _go_on(seen, state, home, line)
     around = state[:, PHASE] == AROUND
     creeps = around & (state[:, CLOSE] > 0.0)
@@ -100,8 +106,9 @@ def going_around(seen: ObservationBatch, state: Any, target: Floats) -> GoingAro
     stop, speed = np.full(len(now), np.inf), np.full(len(now), np.inf)
     if passing.any():
         stop, touch = _stops(seen, state, passing, creeps)
-        most = np.where(touch < -EARLY, np.minimum(most, touch), most)
-        speed = np.where(passing, np.minimum(SLOWLY, _bend_speed(seen, state)), np.inf)
+        most = np.minimum(most, touch)
+        speed = np.where(state[:, NARROW] > 0.0, NARROWLY, SLOWLY)
+        speed = np.where(passing, np.minimum(speed, _bend_speed(seen, state)), np.inf)
     return GoingAround(passing, line, time, most, speed, stop, creeps, steering)
 
 
@@ -118,8 +125,12 @@ def _stops(
     gap = seen.obstacle_ahead(np.where(passing, to, now))
     beyond = seen.traveled + gap + seen.length > state[:, END] - PASSED
     stop = np.where(beyond | (state[:, PHASE] == RETURNING), gap - CLOSEST, np.inf)
-    away = np.maximum(seen.touches_ahead(passing, creeps) - TOUCHING, 0.05)
-    return np.where(passing, stop, np.inf), -0.5 * seen.speed * seen.speed / away
+    away = np.maximum(seen.touches_ahead(passing, creeps) - TOUCHING, 0.0)
+    # Who is slower than it could still stop from may gain speed, but no more than that.
+    slower = SPEED_GAIN * (np.sqrt(2.0 * EARLY * away) - seen.speed)
+    needed = -0.5 * seen.speed * seen.speed / np.maximum(away, 0.05)
+    touch = np.where(needed < -EARLY, np.minimum(needed, slower), slower)
+    return np.where(passing, stop, np.inf), touch
 
 
 def _bend_speed(seen: ObservationBatch, state: Any) -> Floats:
@@ -145,15 +156,17 @@ def _begin(
     import numpy as np
 
     line, most = out
-    near = plan.gap < np.maximum(SOON * seen.speed, LEAST)
-    waits = (state[:, PHASE] == HOME) & near & np.isfinite(plan.target)
+    waits = np.isfinite(plan.target)
     if not waits.any():
         return
     aside = CLEARED * MOVING
     takes = aside * (seen.speed + 0.5 * GAINING * aside) + CLOSEST
     has_way = plan.gap > takes
     ready = waits & (has_way | can_creep_out(seen, plan.gap))
-    free = ready & ~(seen.moving_ahead()[0] < plan.gap) & is_free(seen, plan, speed)
+    free = ready & ~(seen.moving_ahead()[0] < plan.gap)
+    if free.any():
+        asking = replace(plan, target=np.where(free, plan.target, np.nan))
+        free &= is_free(seen, asking, np.where(plan.is_narrow, NARROWLY, speed))
     goes = free & (plan.gap < takes + np.maximum(LATER * seen.speed, SPARE))
     held = held_back(seen, plan.gap, np.zeros(len(line)), waits & ~free)
     most[:] = np.where(np.isfinite(held), held, most)
@@ -161,6 +174,7 @@ def _begin(
     end = seen.traveled + plan.end + seen.length
     for column, value in (
         (PHASE, AROUND), (LINE, now), (TARGET, plan.target), (END, end), (CLOSE, ~has_way),
+        (NARROW, plan.is_narrow),
     ):  # fmt: skip
         state[:, column] = np.where(goes, value, state[:, column])
     line[goes] = plan.target[goes]
@@ -181,11 +195,11 @@ def _go_on(seen: ObservationBatch, state: Any, home: Floats, line: Floats) -> No
         meets = seen.moving_ahead()[1] < -COMING
         spare = np.where(meets, LEAST_AHEAD, AHEAD)
         past = around & (seen.traveled > state[:, END] + spare - 0.5 * seen.length)
-        lane = lane_traffic(seen, home, seen.nearby(SIGHT))
-        beside = (lane.there & (lane.gap < 1.0)).any(axis=1)
-        back = past & ~beside
-        state[back, PHASE] = RETURNING
-        line[back] = home[back]
+        if past.any():
+            lane = lane_traffic(seen, home, seen.nearby(SIGHT))
+            past &= ~(lane.there & (lane.gap < 1.0)).any(axis=1)
+        state[past, PHASE] = RETURNING
+        line[past] = home[past]
     returning = state[:, PHASE] == RETURNING
     there = returning & (np.abs(seen.road_offset - home) < BACK)
     state[there, PHASE] = HOME

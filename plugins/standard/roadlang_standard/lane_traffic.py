@@ -59,14 +59,16 @@ class LaneTraffic:
         return least, np.where(np.isfinite(least), pace, 0.0)
 
 
-def lane_traffic(seen: ObservationBatch, middle: Floats, near: Neighbors) -> LaneTraffic:
+def lane_traffic(
+    seen: ObservationBatch, middle: Floats, near: Neighbors, side: float = SIDE
+) -> LaneTraffic:
     """Who is, or will be within a second, in a lane whose middle is `middle` meters left of
-    the reference line."""
+    the reference line, or nearer than `side` meters to who drives there."""
     import numpy as np
 
     now = seen.road_offset[:, None] + near.left
     soon = now + near.drift * DRIFT_TIME
-    half = 0.5 * (seen.width[:, None] + near.width) + SIDE
+    half = 0.5 * (seen.width[:, None] + near.width) + side
     away, later = now - middle[:, None], soon - middle[:, None]
     inside = np.minimum(np.abs(away), np.abs(later)) < half
     inside |= (away < 0.0) != (later < 0.0)  # it crosses the lane

@@ -14,6 +14,11 @@ if TYPE_CHECKING:
 
 BESIDE = 0.4
 """Meters between the side of a vehicle and what it passes."""
+CLOSELY = 0.25
+"""The same where there is no other way, slowly."""
+BENT, OFF_LINE = 1.0 / 30.0, 0.3
+"""1/m and meters: after bends as tight as that vehicles are farther off the line beside it, and
+keep so much more where there is room."""
 LONG, LONGER = 7.0, 0.3
 """Longer vehicles keep so much more, as their ends swing out: meters."""
 SIGHT = 250.0
@@ -40,7 +45,9 @@ INTO_JUNCTION = 2.0
 """Meters that what it passes may reach into a junction without signals."""
 IN_BENDS = 0.6
 """Meters more that it may take in bends, where it covers more ground."""
-TIGHTEST = 1.8
+LEAST_SHARE, MOST_SWING = 0.3, 1.0
+"""Of the radius of a reference line at least, and meters at most, where a front swings out."""
+TIGHTEST = 1.6
 """Times its wheelbase: the least radius of a line beside an obstacle."""
 LOOKS = 9
 """Places along the way around at which its curvature is looked at."""
@@ -59,15 +66,40 @@ class WayAround:
     """whether that leaves the lane"""
     is_oncoming: Booleans
     """whether traffic comes toward it there"""
+    is_narrow: Booleans
+    """whether it has to pass more closely than others do"""
 
 
 def planned(seen: ObservationBatch, line: Floats, gap: Floats) -> WayAround:
-    """How to get around objects in the way of lines, at gaps, to the side with the shorter way."""
+    """How to get around objects in the way of lines, at gaps (infinite: not asked for), to the side
+    with the shorter way; where there is none with the usual distance, with less."""
+    import numpy as np
+
+    reach = np.where(np.isfinite(gap), gap, 0.0) + seen.length
+    bent = np.max(np.abs(bends(seen, reach)), axis=0) > BENT
+    found = _planned(seen, line, gap, BESIDE + np.where(bent, OFF_LINE, 0.0))
+    for apart in (BESIDE, CLOSELY):
+        lacks = np.isfinite(gap) & np.isnan(found.target)
+        if not lacks.any():
+            break
+        other = _planned(seen, line, np.where(lacks, gap, np.inf), np.full(len(gap), apart))
+        found = WayAround(
+            gap, found.end, np.where(lacks, other.target, found.target),
+            np.where(lacks, other.crosses, found.crosses),
+            np.where(lacks, other.is_oncoming, found.is_oncoming),
+            np.where(lacks, apart < BESIDE, found.is_narrow),
+        )  # fmt: skip
+    return found
+
+
+def _planned(seen: ObservationBatch, line: Floats, gap: Floats, apart: Floats) -> WayAround:
+    """With (N,) so many meters between."""
     import numpy as np
 
     end, left, right = seen.row_ahead(line, NEXT)
-    room = 0.5 * seen.width + BESIDE + np.where(seen.length > LONG, LONGER, 0.0)
+    room = 0.5 * seen.width + apart + np.where(seen.length > LONG, LONGER, 0.0)
     lanes, half = seen.lanes_beside(gap + 0.5 * seen.length, line), 0.5 * seen.width
+    turning = _turning(seen, gap, end)
     best = np.full(len(line), np.nan)
     crosses, oncoming = np.zeros(len(line), dtype=bool), np.zeros(len(line), dtype=bool)
     for (side, edge, beside, direction), more in product(
@@ -78,12 +110,13 @@ def planned(seen: ObservationBatch, line: Floats, gap: Floats) -> WayAround:
         (0.0, IN_BENDS),
     ):
         needed = side * edge + room + more
+        needed = needed + swing(seen.length, side * turning[int(side < 0.0)], needed)
         own = side * lanes.middle + 0.5 * lanes.width
         middle = side * beside
         leaves = needed + half > own + INSIDE
         needed = np.where(leaves & (direction > 0.0), np.maximum(needed, middle), needed)
         most = np.where(np.isfinite(middle), 2.0 * middle - own, own)
-        fits = (needed + half <= most) & (~leaves | (direction != 0.0)) & np.isfinite(end)
+        fits = (needed + half <= most) & (~leaves | (direction != 0.0)) & np.isfinite(end + gap)
         if more > 0.0:
             fits &= np.isnan(best)
         if not fits.any():
@@ -94,7 +127,29 @@ def planned(seen: ObservationBatch, line: Floats, gap: Floats) -> WayAround:
         best = np.where(shorter, side * needed, best)
         crosses = np.where(shorter, leaves, crosses)
         oncoming = np.where(shorter, leaves & (direction < 0.0), oncoming)
-    return WayAround(gap, end, best, crosses, oncoming)
+    return WayAround(gap, end, best, crosses, oncoming, np.zeros(len(line), dtype=bool))
+
+
+def _turning(seen: ObservationBatch, gap: Floats, end: Floats) -> tuple[Floats, Floats]:
+    """(N,) the greatest and the least curvatures of the reference lines beside what is passed."""
+    import numpy as np
+
+    reach = end + seen.length
+    most, least = np.zeros(len(reach)), np.zeros(len(reach))
+    for place, curvature in enumerate(bends(seen, reach)):
+        beside = np.where(reach * (place / (LOOKS - 1)) >= gap, curvature, 0.0)
+        most, least = np.maximum(most, beside), np.minimum(least, beside)
+    return most, least
+
+
+def swing(length: Floats, curvature: Floats, line: Floats) -> Floats:
+    """(N,) meters by which the front of a vehicle, its middle on a line so far to the inside of a
+    reference line of such a curvature, reaches farther to the outside: `(length / 2)^2 / (2 r)`."""
+    import numpy as np
+
+    bend = np.maximum(curvature, 0.0)
+    radius_share = np.maximum(1.0 - bend * line, LEAST_SHARE)
+    return np.minimum(0.125 * length * length * bend / radius_share, MOST_SWING)
 
 
 def is_free(seen: ObservationBatch, plan: WayAround, speed: Floats) -> Booleans:
@@ -102,8 +157,9 @@ def is_free(seen: ObservationBatch, plan: WayAround, speed: Floats) -> Booleans:
     back in their lane. `speed`: that with which they pass."""
     import numpy as np
 
-    lane = lane_traffic(seen, np.where(np.isfinite(plan.target), plan.target, 0.0),
-                        seen.nearby(SIGHT))  # fmt: skip
+    line = np.where(np.isfinite(plan.target), plan.target, 0.0)
+    # What it passes is CLOSELY beside that line at least: it is not in the way there.
+    lane = lane_traffic(seen, line, seen.nearby(SIGHT), 0.8 * CLOSELY)
     pace = np.maximum(0.5 * (np.minimum(seen.speed, speed) + speed), 1.0)
     way = plan.end + seen.length + AHEAD + MOVING * pace
     time = way / pace + np.where(seen.speed < 0.5 * speed, STARTING, 0.0)

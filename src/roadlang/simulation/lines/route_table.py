@@ -129,6 +129,14 @@ class RouteTable:
             return np.zeros(len(along), dtype=np.int64)
         return np.asarray((along[:, None] >= self.begin[self.line[rows], 1:]).sum(axis=1))
 
+    def leg_ends(self, rows: Any, along: Floats) -> tuple[Floats, Floats]:
+        """(N,) arc lengths at which the legs there begin, infinitely far back for the first, and
+        end, infinite for the last."""
+        line, leg = self.line[rows], self.leg(rows, along)
+        last = self.begin.shape[1] - 1
+        following = self.begin[line, np.minimum(leg + 1, last)]
+        return self.begin[line, leg], np.where(leg < last, following, math.inf)
+
     def has_several_legs(self, rows: Any) -> Booleans:
         """(N,) whether the line of an agent has more than one leg."""
         if self.begin.shape[1] == 1:

@@ -17,10 +17,8 @@ from ..surroundings.leaders import Leaders
 from ..surroundings.oncoming_ways import comes_toward
 from ..surroundings.touches_ahead import touches_ahead
 from ..vehicles.poses import Poses
+from .lanes_beside import lanes_beside
 from .surroundings import Surroundings
-
-CONNECTION = 3.5
-"""Meters: the width of the way through a junction."""
 
 
 class ObjectsSeen:
@@ -104,26 +102,8 @@ class ObjectsSeen:
         return out
 
     def lanes(self, rows: Integers, ahead: Floats, line: Floats) -> LanesBeside:
-        """The lanes (N,) meters on, at lines (N,). NaN for none. In a junction there is room for a
-        lane to the left of the connection, on which others may come the other way."""
-        world = self._world
-        far = np.zeros(len(world.present))
-        far[rows] = np.where(np.isfinite(ahead), ahead, 0.0)
-        lanes = self._surroundings.lanes(world, far).take(rows)
-        place = lanes.place(line)
-        sides = [lanes.choose(side, line) for side in ("left", "right")]
-        each = np.arange(len(rows))
-        found = [
-            np.where(side >= 0, column[each, side], math.nan)
-            for side in sides for column in (lanes.middles, lanes.direction)
-        ]  # fmt: skip
-        along = world.track.wrapped(world.motion.along + far)
-        inside = world.table.place(slice(None), along).turn[rows] >= 0
-        there = (0.0, CONNECTION, CONNECTION, -1.0, math.nan, math.nan)
-        columns = (place.offset, place.width, *found)
-        return LanesBeside(
-            *(np.where(inside, one, other) for one, other in zip(there, columns, strict=True))
-        )
+        """The lanes (N,) meters on, at lines (N,): see `lanes_beside.py`."""
+        return lanes_beside(self._world, self._surroundings, rows, ahead, line)
 
     def _every(self, rows: Any, line: Floats) -> Floats:
         every: Floats = self._world.followed.lateral.offset.copy()

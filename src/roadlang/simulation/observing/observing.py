@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -140,7 +140,8 @@ class View:
         its speed. Those that are `passing` objects do not stop for them."""
         world, surroundings = self.world, self.surroundings
         right_of_way = surroundings.right_of_way(world)
-        stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, temper)
+        objects = partial(self.objects.ahead, slice(None))
+        stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, objects, temper)
         if world.table.has_changes:
             changes = zipper(world)
             sooner = changes[0][rows] < gap

@@ -31,6 +31,8 @@ class Crowd:
     aggression: Floats
     gaps: Floats
     """(N, A) along the line to each other of the scene"""
+    objects: Floats
+    """meters to the next object in the way of each, infinite for none"""
     oncoming: Floats
     """meters to where one waits for who comes toward it in a narrow place, infinite for no need"""
 

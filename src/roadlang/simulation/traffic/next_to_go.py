@@ -121,18 +121,21 @@ def _passes(
 
 def _take_back(crowd: Crowd) -> None:
     """Somebody has come before one that was let go, and was not itself: it would wait for all who
-    wait for the one behind it."""
+    wait for the one behind it. Or an object stands there."""
     held = crowd.held
     if not held.any():
         return
     near, (leader, gap) = crowd.near, crowd.ahead
+    stops = braking_to_stop(crowd.speed[:, None], near.to_line - STOP_GAP) < COMFORTABLE
+    stops &= crowd.obeys[:, None]
+    crowd.grants.order[held & stops & (near.to_line > crowd.objects[:, None])] = NEVER
     behind = held & (near.to_line > (gap + crowd.entrants.length[leader])[:, None])
     if not behind.any():
         return
-    behind &= braking_to_stop(crowd.speed[:, None], near.to_line - STOP_GAP) < COMFORTABLE
+    behind &= stops
     junction = crowd.entrants.ways.crossings.junction
     waits_too = np.zeros(held.shape, dtype=bool)
-    for row, slot in zip(*np.nonzero(behind & crowd.obeys[:, None]), strict=True):
+    for row, slot in zip(*np.nonzero(behind), strict=True):
         there = junction[leader[row]] == junction[row, slot]
         waits_too[row, slot] = (there & ~held[leader[row]]).any()
     crowd.grants.order[waits_too] = NEVER
@@ -172,12 +175,14 @@ def _able(
 
 
 def _is_first(crowd: Crowd, asking: Asking) -> Booleans:
-    """(N,) whether nobody is ahead in the lane, or only who may go at the same junction."""
+    """(N,) whether nobody is ahead in the lane, or only who may go at the same junction, and
+    nothing stands in the way before the line: who waits there would keep others from going."""
     leader, gap = crowd.ahead
     crossed = crowd.entrants.ways.crossings.junction
     same = crossed[leader] == asking.of_crossings(crossed)[:, None]
     leader_goes = (crowd.held[leader] & same).any(axis=1)
-    return np.asarray((gap > asking.distance) | leader_goes)
+    free = (gap > asking.distance) | leader_goes
+    return np.asarray(free & (crowd.objects > asking.distance))
 
 
 def _room(crowd: Crowd, asking: Asking) -> Floats:

@@ -8,6 +8,7 @@ and its first waits for nobody, so nobody waits forever inside a junction.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -132,19 +133,21 @@ class RightOfWayGrants:
         world: World,
         leaders: Leaders,
         rows: Integers,
+        objects: Callable[[], Floats],
         temper: tuple[Floats | float, Floats | float] | None = None,
     ) -> tuple[Floats, Floats, Floats]:
         """(N,) meters from the fronts of agents to where they have to stop, infinite for no need;
         the gap to who goes first where lanes merge, as if it were ahead in the lane already,
-        infinite for nobody; and the speed of that one. Who asks obeys from then on. `temper`: their
-        politeness and aggression, each from 0 to 1."""
+        infinite for nobody; and the speed of that one. Who asks obeys from then on. `objects`: (N,)
+        gaps of all agents to the objects in their ways; `temper`: their politeness and aggression,
+        each from 0 to 1."""
         if not self._crossings.junctions and world.sweeps.is_empty:
             self._has_asked[rows] = True
             never = np.full(len(rows), math.inf)
             return never, never.copy(), np.zeros(len(rows))
         if temper is not None:
             self._temper[0, rows], self._temper[1, rows] = temper
-        self._look(world, leaders, rows)
+        self._look(world, leaders, rows, objects)
         waits, traveled = self._waits, world.traveled
         leader = waits.leader[rows]
         gap = waits.distance[rows] + traveled[leader] - traveled[rows]
@@ -152,7 +155,9 @@ class RightOfWayGrants:
         speed = np.where(follows, world.motion.speed[leader], 0.0)
         return waits.stop[rows] - traveled[rows], np.where(follows, gap, math.inf), speed
 
-    def _look(self, world: World, leaders: Leaders, rows: Integers) -> None:
+    def _look(
+        self, world: World, leaders: Leaders, rows: Integers, objects: Callable[[], Floats]
+    ) -> None:
         """Bring the scenes of some agents up to date, where that is due. Who has asked since the
         last time obeys; at first everybody is taken to."""
         alone = len(self._looked) == 1
@@ -165,12 +170,12 @@ class RightOfWayGrants:
             self._has_asked[agents] |= new
             self._asking[agents] = False
             self._looked[scenes_to_update] = world.time
-            self._update(world, leaders, agents)
+            self._update(world, leaders, agents, objects())
         self._asking[rows] = True
 
-    def _update(self, world: World, leaders: Leaders, rows: Integers) -> None:
+    def _update(self, world: World, leaders: Leaders, rows: Integers, objects: Floats) -> None:
         may_cross: Booleans = np.asarray(np.isfinite(self._grants.order).any(axis=1))
-        stop = self._waits.stop - world.traveled
+        stop = np.minimum(self._waits.stop - world.traveled, objects)
         oncoming = self._oncoming.ahead(world, stop, leaders, may_cross, rows)
         if not self._crossings.junctions:
             self._waits.stop[rows] = (world.traveled + oncoming)[rows]
@@ -182,7 +187,7 @@ class RightOfWayGrants:
             entrants, world.time, Approaches.of(world, entrants.ways), self._grants.part(every),
             world.motion.speed[every], world.present[every], is_moving[every],
             self._has_asked[every], self._temper[0, every], self._temper[1, every],
-            leaders.gaps.reshape(-1, world.slots)[every], oncoming[every],
+            leaders.gaps.reshape(-1, world.slots)[every], objects[every], oncoming[every],
         )  # fmt: skip
         _remember(crowd)
         wanted = let_go(crowd, self._last_grant)
