@@ -84,7 +84,7 @@ def test_a_wide_road_that_casings_part_from_the_others_is_no_water() -> None:
     mask = np.zeros((200, 300), bool)
     mask[60:66] = mask[140:146] = mask[:, 80:86] = mask[:, 220:226] = True
     mask[98:108], mask[96:98], mask[108:110] = True, False, False
-    land = MapTone(np.full(3, 255.0), ~mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+    land = MapTone(np.full(3, 255.0), ~mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
     (_, roads) = without_water([land, map_tone(np.zeros(3), mask)])
     assert (roads.mask == mask).all()
 
@@ -96,7 +96,9 @@ def test_buildings_are_no_roads_where_there_are_more_of_them_than_of_streets() -
     buildings[200:290:30, 20:280] = True
 
     def tone(gray: float, where: np.ndarray, length: float, ribbons: float, even: float) -> MapTone:
-        return MapTone(np.full(3, gray), where, length, ribbons, 7.0, 1.2, even, 12.0)
+        return MapTone(
+            np.full(3, gray), where, length, ribbons, 7.0, 1.2, even, 12.0, even, even * length
+        )
 
     tones = [tone(14, land, 9000, 1.0, 0.4), tone(44, streets, 1500, 0.96, 0.9)]
     found = road_tones([*tones, tone(24, buildings, 3400, 0.74, 0.56)], 300)
@@ -199,3 +201,14 @@ def test_a_picture_of_few_colors_or_without_streets_is_no_map() -> None:
     for k in range(6):
         plain[20 + 25 * k : 40 + 25 * k, 30:60] = 40 * k
     assert roads_of_map(plain) is None
+
+
+def test_what_keeps_its_width_is_a_ribbon_and_a_block_of_land_is_none() -> None:
+    street, block = np.zeros((120, 300), bool), np.zeros((120, 300), bool)
+    street[40:50], street[80:85] = True, True
+    cv2.fillPoly(
+        canvas := block.astype(np.uint8), [np.array([[10, 10], [280, 55], [200, 110], [30, 90]])], 1
+    )
+    streets, land = map_tone(np.zeros(3), street), map_tone(np.zeros(3), canvas > 0)
+    assert streets.steady > 0.9
+    assert land.steady < 0.2

@@ -24,6 +24,9 @@ _HALF = 0.5
 _SEVERAL, _MOST, _MAP_OFF = 3, 0.6, 2.5
 """A map has at least so many of them, on more than this share, and where it is full of houses and
 stored as JPEG is off them by up to this."""
+_SAME_SHARE, _SAME_IN_ALL, _WINDOW = 0.01, 0.4, 1024
+"""A lossless picture has each of more colors exactly, on more than this share of its middle, of
+so many pixels a side, and all of them on more than the other share."""
 _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
 """Of 4 x 4 blocks, the most frequent color has a tenth of the area of at least 12 (paper has
 another color in a shadow), and is the same in each, within so many gray levels (pixels within 7):
@@ -41,12 +44,22 @@ def is_shaded(image: Image, within: Booleans | None = None) -> bool:
 def has_exact_colors(image: Image) -> bool:
     """Whether a picture (h, w, 3) has several exact colors, one of them everywhere: a rendered map,
     even one that was saved as JPEG and is full of houses."""
+    if _is_lossless(image):
+        return True
     small = np.ascontiguousarray(thinned(image, _SAMPLE))
     colors = flat_colors(small)[:_COLORS]
     if len(colors) < _SEVERAL:
         return False
     share, off = _near(small, colors)
     return share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0])
+
+
+def _is_lossless(image: Image) -> bool:
+    """Whether several colors are exactly the same on many pixels, as no camera sees them."""
+    top, left = (max(0, size - _WINDOW) // 2 for size in image.shape[:2])
+    part = np.ascontiguousarray(image[top : top + _WINDOW, left : left + _WINDOW])
+    shares = [float((away_from(part, color) == 0).mean()) for color in flat_colors(part)[:_COLORS]]
+    return sum(share > _SAME_SHARE for share in shares) > _SEVERAL and sum(shares) > _SAME_IN_ALL
 
 
 def _near(

@@ -40,6 +40,19 @@ def letters_of_map(image: Image, width: float) -> Booleans:
     return np.asarray(cv2.dilate(long[parts].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0)
 
 
+def without_letters(image: Image) -> Image:
+    """A map (h, w, 3) whose words and numbers have the color of the nearest pixel beside them."""
+    letters = letters_of_map(image, _LARGER)
+    if not letters.any() or letters.all():
+        return image
+    _, nearest = cv2.distanceTransformWithLabels(
+        letters.astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    source = np.zeros(int(nearest.max()) + 1, np.intp)
+    source[nearest[~letters]] = np.flatnonzero(~letters)
+    return np.asarray(image.reshape(-1, 3)[source[nearest]])
+
+
 def _glyphs(strokes: Booleans, largest: int, ink: float) -> Booleans:
     """The parts of a mask (h, w) that are as small and as full as letters."""
     _, parts, stats, _ = cv2.connectedComponentsWithStats(strokes.astype(np.uint8), connectivity=8)

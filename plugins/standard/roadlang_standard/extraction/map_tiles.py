@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
-from .map_letters import letters_of_map
+from .map_letters import letters_of_map, without_letters
 from .map_tones import LOSSY, flat_colors, map_tones, tolerance_of, without_jpeg_noise
 from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
@@ -44,19 +44,24 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     tolerance = tolerance_of(image)
     if tolerance is LOSSY:
         image = without_jpeg_noise(image)
-    colors = flat_colors(image, tolerance)
+    # Names on roads leave no even strips of them: the colors of roads are chosen without names.
+    plain = image if tolerance is LOSSY else without_letters(image)
+    colors = flat_colors(plain, tolerance)
     if len(colors) < _COLORS:
         return None
-    tones = without_water(map_tones(image, colors, tolerance))
+    tones = without_water(map_tones(plain, colors, tolerance))
     roads = road_tones(tones, min(image.shape[:2]))
     if not roads:
         return None
-    usual = roads[0].width
+    lengths = np.array([tone.steady_length for tone in roads])
+    usual = float(lengths @ [tone.width for tone in roads] / lengths.sum())
     letters = letters_of_map(image, usual)
     if len(colors) <= _FEW and letters.mean() < _LETTERED:
         return None
-    mask = np.logical_or.reduce([tone.mask for tone in roads])
-    others = [tone.mask for tone in tones if all(tone is not road for road in roads)]
+    seen = tones if plain is image else without_water(map_tones(image, colors, tolerance))
+    taken = [any(tone is road for road in roads) for tone in tones]
+    mask = np.logical_or.reduce([one.mask for one, road in zip(seen, taken, strict=True) if road])
+    others = [one.mask for one, road in zip(seen, taken, strict=True) if not road]
     widest = max(tone.width * max(1.0, tone.spread / MOST_SPREAD) for tone in roads)
     surface, hidden = _uncovered(mask, others, letters, usual, widest)
     found = roads_of_surface(
@@ -73,18 +78,30 @@ def _uncovered(
     mask: Booleans, others: list[Booleans], letters: Booleans, width: float, widest: float
 ) -> tuple[Booleans, Layer]:
     """The surface with what letters and casings cover, and how likely roads are hidden, 0..1."""
-    area = np.zeros(mask.shape, np.uint8)
+    area = np.zeros(mask.shape, bool)
     for other in others:
         if (other & letters).sum() < _ON_LETTERS * other.sum():
-            area |= cv2.morphologyEx(
-                other.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)
-            )
+            area |= _opened(other)
     surface = _without_areas(without_specks(_without_thin(mask, width), 0.5 * width**2), widest)
     near = _closed(surface, _GAP * width) | (_closed(surface, _LETTER_GAP * width) & letters)
-    surface = without_holes(surface | (near & (area == 0)), _HOLE * width**2)
+    surface = without_holes(surface | (near & ~area), _HOLE * width**2)
     surface = _without_islands(surface, _LONG * width)
-    hidden = np.where(surface, _ROAD, np.where(area > 0, _LAND, _UNKNOWN)).astype(np.float32)
-    return surface, hidden
+    covered = _grown(surface, width) | _opened(~surface & ~area) | letters
+    hidden = np.where(surface, _ROAD, np.where(area | ~covered, _LAND, _UNKNOWN))
+    return surface, hidden.astype(np.float32)
+
+
+def _opened(mask: Booleans) -> Booleans:
+    """Without what is thinner than 3 pixels: edges and casings."""
+    kernel = np.ones((3, 3), np.uint8)
+    return np.asarray(cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0)
+
+
+def _grown(mask: Booleans, radius: float) -> Booleans:
+    """With what is within so many pixels of it."""
+    size = 2 * round(radius) + 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
+    return np.asarray(cv2.dilate(mask.astype(np.uint8), kernel) > 0)
 
 
 def _closed(mask: Booleans, radius: float) -> Booleans:

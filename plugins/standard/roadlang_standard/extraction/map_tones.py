@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .counted_colors import color_codes, counted_colors
+from .map_ribbons import ribbon_share
 from .masks import without_specks
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from
@@ -25,8 +26,12 @@ _BLOCK, _NOISY = 9, 0.26
 from edges it may leave none."""
 _GRAY = 0.02
 """Channels that differ by less, of 1, have no hue."""
-_THINNEST = 2.0
-"""Ribbons are wider than this, in pixels: casings and footpaths are not."""
+THINNEST = 2.0
+"""Ribbons are wider than this, in pixels, unless they are very long: casings and footpaths are
+not."""
+_THIN_LONG = 80.0
+"""Thin lines longer than this, in pixels, hang together as streets do; outlines of buildings do
+not."""
 _LONG = 5.0
 """A ribbon is longer than so many widths."""
 _SHAPED, _GRAIN = 0.2, 4.0
@@ -70,6 +75,10 @@ class MapTone:
     """share of the length whose width is near that of its part"""
     widest: float
     """width of its widest place, pixels"""
+    steady: float
+    """share of the surface that keeps its width along its length"""
+    steady_length: float
+    """length of that, pixels"""
 
     @property
     def is_gray(self) -> bool:
@@ -151,13 +160,16 @@ def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
     """What shapes a color has where it is (h, w)."""
     clean = without_specks(mask, _SPECK)
     inner = cv2.distanceTransform(clean.astype(np.uint8), cv2.DIST_L2, 5)
-    parts = _parts(clean, inner)
+    thin = skeleton(clean)
+    parts = _parts(clean, inner, thin)
     if not len(parts.lengths):
-        return MapTone(color, mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-    ribbon = (parts.lengths > _LONG * np.maximum(parts.usual, 1)) & (parts.usual > _THINNEST)
+        return MapTone(color, mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
+    wide = (parts.usual > THINNEST) | (parts.lengths > _THIN_LONG)
+    ribbon = (parts.lengths > _LONG * np.maximum(parts.usual, 1)) & wide
     weights = np.where(ribbon, parts.lengths, 0) if ribbon.any() else parts.lengths
     weights = weights / max(float(weights.sum()), 1.0)
     usual = float(weights @ parts.usual)
+    steady_length, steady = ribbon_share(thin, inner)
     return MapTone(
         color,
         mask,
@@ -167,6 +179,8 @@ def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
         float(weights @ parts.wide) / max(usual, 1.0),
         float(weights @ parts.even),
         2 * float(inner.max()) - 1,
+        steady,
+        steady_length,
     )
 
 
@@ -181,8 +195,7 @@ class _Parts:
     even: NDArray[np.float64]
 
 
-def _parts(mask: Booleans, inner: Layer) -> _Parts:
-    thin = skeleton(mask)
+def _parts(mask: Booleans, inner: Layer, thin: Booleans) -> _Parts:
     _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
     order = np.argsort(labels[thin], kind="stable")
     part, width = labels[thin][order], (2 * inner[thin] - 1)[order]

@@ -9,16 +9,20 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .map_tones import MapTone
+from .map_tones import THINNEST, MapTone
 
-_RIBBONS, _EVEN, MOST_SPREAD, _WIDEST = 0.7, 0.5, 1.95, 0.12
-"""What makes a tone a road's: least share of its surface in ribbons, and of its length of even
-width; most that wide parts exceed the usual width; and most width, as a share of the shorter
-side."""
+_STEADY, _SURE, _ALSO_STEADY = 0.35, 0.45, 0.25
+"""Least share of its surface that keeps its width, of the tone with most road; what makes any tone
+a road's; and what does together with the next ones."""
+_RAGGED_EVEN, _RAGGED_SPREAD, _RAGGED_RIBBONS = 0.65, 1.5, 0.95
+"""Least even width of roads whose edges JPEG frayed, most spread, and least share in ribbons."""
+_RIBBONS, MOST_SPREAD, _WIDEST = 0.7, 2.1, 0.12
+"""Least share of a tone's surface in ribbons; most that wide parts exceed the usual width; and most
+width, as a share of the shorter side."""
 _PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
 """The same of black, gray and white: wide and narrow roads have it where a map has one color for
 all."""
-_ALSO_EVEN = 0.3
+_ALSO_EVEN = 0.4
 """Least share of even width of further roads: names hide more of roads that are few."""
 _LEAST = 0.5
 """Least length of roads, as a share of the picture's shorter side."""
@@ -41,25 +45,42 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     ribbons = [
         tone
         for tone in tones
-        if tone is not land
-        and tone.ribbons >= _RIBBONS
-        and tone.even >= _ALSO_EVEN
-        and tone.spread <= (_PLAIN_SPREAD if _is_plain(tone) else MOST_SPREAD)
-        and tone.width <= _WIDEST * side
+        if tone is not land and tone.width <= _WIDEST * side and _is_steady(tone)
     ]
-    even = [tone for tone in ribbons if tone.even >= _EVEN]
-    if not even:
+    sure = [tone for tone in ribbons if tone.steady >= _STEADY]
+    sure = [tone for tone in sure if tone.width > THINNEST] or sure
+    if not sure:
         return []
-    # Squares: many buildings are long in all, but far less even than any roads.
-    main = max(even, key=lambda tone: tone.length * (tone.ribbons * tone.even) ** 2)
-    if main.length < _LEAST * side:
+    # Squares: what is far less even than any roads may still be long in all.
+    main = max(sure, key=lambda tone: tone.steady_length * tone.steady**2)
+    if main.steady_length < _LEAST * side:
         return []
     others = [
         tone
         for tone in ribbons
-        if tone is not main and tone.widest < _AREA * main.width and not _is_water(tone, main, land)
+        if tone is not main
+        and (tone.width > THINNEST or tone.steady_length >= main.steady_length)
+        and tone.widest < _AREA * max(main.width, tone.width)
+        and not _is_water(tone, main, land)
     ]
     return [main, *_joined(main, others)]
+
+
+def _is_steady(tone: MapTone) -> bool:
+    """Whether a tone keeps its width along enough of it to be a road's."""
+    if tone.ribbons < _RIBBONS:
+        return False
+    if (
+        tone.even >= _RAGGED_EVEN
+        and tone.spread <= _RAGGED_SPREAD
+        and tone.ribbons >= _RAGGED_RIBBONS
+    ):
+        return True
+    return tone.steady >= _SURE or (
+        tone.steady >= _ALSO_STEADY
+        and tone.even >= _ALSO_EVEN
+        and tone.spread <= (_PLAIN_SPREAD if _is_plain(tone) else MOST_SPREAD)
+    )
 
 
 def _is_plain(tone: MapTone) -> bool:

@@ -1,0 +1,79 @@
+"""Colors of roads on maps: seen without names, lossless or frayed by JPEG."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.exact_colors import has_exact_colors
+from roadlang_standard.extraction.map_letters import without_letters
+from roadlang_standard.extraction.map_tones import MapTone
+from roadlang_standard.extraction.road_tones import road_tones
+from tests.extraction.drawn_maps import LIGHT, drawn_map
+
+
+def named_road() -> tuple[np.ndarray, np.ndarray]:
+    """A road of 26 pixels with its name on it, and where the road is."""
+    image = np.full((120, 400, 3), (233, 239, 242), np.uint8)
+    image[50:76] = (255, 255, 255)
+    cv2.putText(image, "Harbor Street", (90, 69), 0, 0.6, (40, 40, 40), 1, cv2.LINE_AA)
+    road = np.zeros(image.shape[:2], bool)
+    road[50:76] = True
+    return image, road
+
+
+def test_a_name_on_a_wide_road_takes_the_color_of_the_road() -> None:
+    image, road = named_road()
+    dark = (image < 200).all(axis=2)
+    assert (dark & road).sum() > 200
+    plain = without_letters(image)
+    assert (plain[road] == 255).all(axis=1).mean() > 0.99
+    assert (plain[~road] == image[~road]).all()
+
+
+def test_a_picture_without_names_stays_as_it_is() -> None:
+    image, _ = named_road()
+    image[50:76] = 255
+    assert without_letters(image) is image
+
+
+def patchwork() -> np.ndarray:
+    """A map without a color that is everywhere: its land is of six uses, side by side."""
+    image = drawn_map(LIGHT)
+    land = (image == LIGHT.land[::-1]).all(axis=2)
+    uses = np.array(
+        [(200, 230, 210), (190, 220, 235), (225, 215, 205),
+         (210, 240, 240), (235, 225, 215), (215, 235, 200)], np.uint8,
+    )  # fmt: skip
+    rows, columns = np.indices(land.shape)
+    use = (rows // 60 * 3 + columns // 80) % len(uses)
+    image[land] = uses[use[land]]
+    return image
+
+
+def test_a_lossless_map_is_told_by_colors_that_are_exactly_the_same() -> None:
+    """A light that falls off to the side takes that away, and so does a camera's noise."""
+    image = patchwork()
+    assert has_exact_colors(image)
+    fall = np.linspace(1.0, 0.7, image.shape[1])[None, :, None]
+    noise = np.random.default_rng(0).normal(0, 4, image.shape)
+    assert not has_exact_colors(np.clip(image * fall + noise, 0, 255).astype(np.uint8))
+
+
+@pytest.mark.parametrize(("even", "found"), [(0.7, [250, 120]), (0.4, [120])])
+def test_minor_roads_frayed_by_jpeg_are_roads_by_their_usual_width(
+    even: float, found: list[int]
+) -> None:
+    """Their width changes from pixel to pixel, but is nearly the same in all."""
+    land, minor, main = (np.zeros((300, 300), bool) for _ in range(3))
+    minor[100:105] = minor[200:205] = True
+    main[:, 150:158] = True
+    land[:] = ~(minor | main)
+    tones = [
+        MapTone(np.full(3, 240.0), land, 9000, 0.98, 15.0, 2.0, 0.5, 60.0, 0.03, 800.0),
+        MapTone(np.full(3, 250.0), minor, 600, 0.98, 4.5, 1.4, even, 10.0, 0.16, 100.0),
+        MapTone(np.array([60.0, 120.0, 180.0]), main, 300, 1.0, 8.0, 1.1, 0.9, 9.0, 0.8, 240.0),
+    ]
+    taken = {int(tone.color.mean()) for tone in road_tones(tones, 300)}
+    assert taken == set(found)
