@@ -199,18 +199,6 @@ def test_it_goes_around_a_car_that_breaks_down_before_it() -> None:
     assert not arrived(trace.agents["lead"])
 
 
-def test_who_waits_behind_it_stands_still() -> None:
-    others = agent("others", "200m", "lane: 1, facing: back, count: 5, spacing: 12m, "
-                   "drive with traffic { speed: 3m/s }")  # fmt: skip
-    ego = driven(STREET + agent("ego", "50m", "lane: -1, drive with traffic") + PARKED + others)
-    speed = ego.agents["ego"].speed
-    stands = np.flatnonzero(speed < 0.01)
-    beside = np.flatnonzero(ego.agents["ego"].y > -1.0)[0]
-    waits = speed[stands[stands < beside][0] : stands[stands < beside][-1] + 1]
-    assert len(waits) > 50
-    assert waits.max() < 0.01
-
-
 def test_where_there_is_little_room_it_passes_closely_and_slowly() -> None:
     """2.12 m are left beside the van, and the car is 1.8 m wide."""
     van = "object parked is parked_van on street at 120m { lane: none, offset: -0.12m }\n"

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from .lane_traffic import lane_traffic
-from .pulling_out import CLEARED, can_creep_out, creeping_out, held_back
+from .pulling_out import CLEARED, SLOWEST, TURNED, can_creep_out, creeping_out, held_back
 from .steering import SPEED_GAIN
 from .ways_around import (
     AHEAD,
@@ -126,8 +126,11 @@ def _stops(
     beyond = seen.traveled + gap + seen.length > state[:, END] - PASSED
     stop = np.where(beyond | (state[:, PHASE] == RETURNING), gap - CLOSEST, np.inf)
     away = np.maximum(seen.touches_ahead(passing, creeps) - TOUCHING, 0.0)
-    # Who is slower than it could still stop from may gain speed, but no more than that.
-    slower = SPEED_GAIN * (np.sqrt(2.0 * EARLY * away) - seen.speed)
+    # Who is slower than it could still stop from may gain speed, but no more than that. Who pulls
+    # out from close behind has less room than that, and turns away as it goes on.
+    turns = (state[:, CLOSE] > 0.0) | (np.abs(seen.heading_error) > TURNED)
+    least = np.where(turns, SLOWEST, 0.0)
+    slower = SPEED_GAIN * (np.maximum(np.sqrt(2.0 * EARLY * away), least) - seen.speed)
     needed = -0.5 * seen.speed * seen.speed / np.maximum(away, 0.05)
     touch = np.where(needed < -EARLY, np.minimum(needed, slower), slower)
     return np.where(passing, stop, np.inf), touch

@@ -43,7 +43,7 @@ def held_back(seen: ObservationBatch, gap: Floats, pace: Floats, waits: Booleans
     pace = np.where(pace < STANDSTILL, 0.0, pace)
     closing = np.maximum(seen.speed * seen.speed - pace * pace, 0.0)
     needed = closing / (2.0 * np.maximum(gap - PULL_OUT, 0.1))
-    close = (gap < PULL_OUT + 0.5) & (seen.speed >= 0.5 * pace)  # who stands there stays
+    close = (gap < PULL_OUT + 0.5) & (seen.speed > 0.5 * pace)
     needed = np.where(close, np.maximum(needed, 2.0 * EASE), needed)
     return np.where(waits & (needed > EASE), -np.minimum(needed, BACK_OFF), np.nan)
 
