@@ -35,7 +35,7 @@ class OpenedImage:
 
     @property
     def pixels(self) -> Pixels:
-        """North up, where the place is known."""
+        """Square on the ground, where the place is known."""
         return self.shown.pixels
 
     @property
