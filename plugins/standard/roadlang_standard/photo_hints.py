@@ -47,7 +47,7 @@ def check_hints(
 
 
 def roads_in_picture(through: Sequence[_Point], picture: Picture) -> tuple[_Point, ...]:
-    """Pixels of the file in the picture, which may have been drawn anew with square pixels."""
+    """Pixels of the file in the picture, which may have been resampled to square pixels."""
     if picture.file is None:
         return tuple(through)
     return tuple(_moved(point, picture) for point in through)

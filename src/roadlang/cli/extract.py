@@ -121,7 +121,7 @@ def command(
     """Extract the roads of IMAGE.
 
     Several images are tiles of one picture; each must be georeferenced (GeoTIFF or world file).
-    Polylines, nodes and widths are in pixels: (0, 0) is the center of the top-left pixel, y runs
+    Polylines, nodes and widths are in pixels of IMAGE: (0, 0) is the center of the top-left pixel, y runs
     down. Without `-o`, or with `-o -`, the JSON goes to standard output.
     """
     if edit is not None:

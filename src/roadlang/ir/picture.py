@@ -26,9 +26,9 @@ class Picture(Frozen):
     `scale` is meters per pixel. Pixel (0, 0) has its center at image coordinates (0, 0); in the
     world the picture's bottom-left pixel corner is the origin, x east, y north.
 
-    Georeferenced pictures whose up is not north have `north_up`, the upright rectangle of pixels
-    around them, whose bottom-left corner is the origin then. Those whose pixels were not square
-    were drawn anew; `file` tells where the pixels are in the file. What users state and read is in
+    Georeferenced pictures whose up is not north have `north_up`, the map to the north-aligned
+    rectangle around them, whose bottom-left corner is then the origin. Those whose pixels were not
+    square were resampled; `file` maps pixels to those of the file. What users state and read is in
     pixels of the file: see `from_file` and `to_file`.
     """
 
