@@ -121,8 +121,8 @@ def command(
     """Extract the roads of IMAGE.
 
     Several images are tiles of one picture; each must be georeferenced (GeoTIFF or world file).
-    Polylines, nodes and widths are in pixels of IMAGE: (0, 0) is the center of the top-left pixel, y runs
-    down. Without `-o`, or with `-o -`, the JSON goes to standard output.
+    Polylines, nodes and widths are in pixels of IMAGE: (0, 0) is the center of the top-left pixel,
+    y runs down. Without `-o`, or with `-o -`, the JSON goes to standard output.
     """
     if edit is not None:
         _edit(images, edit, settings["scale"], not no_browser)
