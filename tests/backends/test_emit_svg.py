@@ -301,22 +301,6 @@ def test_a_road_that_runs_on_a_network_is_a_route_on_its_streets() -> None:
     assert texts(group(root, "routes")) == ["tour"]
 
 
-def test_edge_lines_make_no_loops_inside_tight_bends() -> None:
-    import numpy as np
-
-    from roadlang_standard.svg.ribbon import unfolded
-
-    angle = np.linspace(0, np.pi / 2, 30)
-    arc = np.column_stack([4 * np.sin(angle), 4 * (1 - np.cos(angle))])
-    before, after = np.linspace([-30, 0], [-0.5, 0], 60), np.linspace([4, 4.5], [4, 34], 60)
-    center = np.concatenate([before, arc, after])
-    heading = np.concatenate([np.zeros(60), angle, np.full(60, np.pi / 2)])
-    inner = center + 10 * np.column_stack([-np.sin(heading), np.cos(heading)])
-    parts = unfolded(inner, center)
-    assert len(parts) == 2
-    assert min(np.hypot(*(point - center).T).min() for part in parts for point in part) > 9.6
-
-
 @pytest.mark.parametrize(
     ("seconds", "shown"),
     [(0.0, "00:00"), (86_400.0, "00:00"), (86_370.0, "00:00"), (3_599.0, "01:00")],

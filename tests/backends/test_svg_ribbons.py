@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from roadlang.drive.lane_lines import painted_lines
 from roadlang.ir.scene_lane import SceneLane
 from roadlang_standard.svg import ghost, labels, palette
 from roadlang_standard.svg.lanes import bands, lane_lines
-from roadlang_standard.svg.ribbon import ribbon_of, unfolded
+from roadlang_standard.svg.ribbon import ribbon_of
 from roadlang_standard.svg.roads import roads
 from tests.backends.handmade_scenes import bend, through
 from tests.backends.svg_shapes import (
@@ -130,11 +131,6 @@ def test_a_closed_road_returns_to_its_first_point() -> None:
     assert ribbon.reference[-1] == pytest.approx(length, rel=1e-3)
 
 
-def test_a_line_that_does_not_turn_back_is_left_as_it_is() -> None:
-    center = np.array([[0.0, 0.0], [10.0, 0.0], [20.0, 0.0]])
-    assert len(unfolded(center + np.array([0.0, 5.0]), center)) == 1
-
-
 def lines_of(drawn: list[Shape]) -> list[tuple[float, float]]:
     """Height and width of each line along the road."""
     return [(points(line)[0][1], numbers(line, "stroke-width")[0]) for line in drawn]
@@ -173,6 +169,30 @@ def test_a_curb_is_20_cm_wide_at_the_very_border() -> None:
     drawn = of(lane_lines(straight_ribbon(**of_lanes(*lanes)), 40.0, 10.0), "path")
     curbs = [line for line in drawn if line.get("stroke") == palette.CURB]
     assert [value for line in lines_of(curbs) for value in line] == near(210, 2.0)
+
+
+def test_a_figure_of_a_drive_has_the_lines_of_the_figure_of_its_scene() -> None:
+    """At one scale: as many lines, as wide, as broken and at the same places."""
+    lanes = (
+        lane(2, "sidewalk", 2.0, marking="none"),
+        lane(1, "drive", 4.0, marking="curb"),
+        lane(-1, "bus", 4.0, marking="broken"),
+        lane(-2, "drive", 4.0, marking="solid"),
+    )
+    main = straight(25.0, **of_lanes(*lanes), center_marking="double")
+    of_scene = [
+        (y, width, line.get("stroke-dasharray"))
+        for line in of(lane_lines(ribbon_of(main, PAGE), 40.0 / 1.5, 10.0), "path")
+        for y, width in lines_of([line])
+    ]
+    of_drive = [
+        (PAGE.place(line)[0, 1], stroke.width, stroke.dashes)
+        for line, stroke in painted_lines(main, 10.0)
+    ]
+    assert len(of_drive) == 5
+    for (y, width, dashes), (as_y, as_width, as_dashes) in zip(of_scene, of_drive, strict=True):
+        assert (y, width) == near(float(as_y), as_width)
+        assert dashes == (as_dashes and " ".join(f"{part:.2f}" for part in as_dashes))
 
 
 def test_parking_spaces_are_5_5_meters_long_and_centered() -> None:

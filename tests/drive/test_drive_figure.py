@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from roadlang.drive.figure import color_shares, drive_figure, robustness_color
+from roadlang.geometry import Marking
 from roadlang.ir.scene import SceneActor, SceneNetwork
 from roadlang.ir.scene_junctions import SceneArm, SceneJunction
 from roadlang.ir.scene_lane import SceneLane
@@ -158,7 +159,7 @@ def test_roads_end_where_junctions_begin() -> None:
     town = SceneNetwork("town", (), ("main",), junctions=(place,))
     root = figure(roads=(main,), networks=(town,))
     place_drawn, road_drawn = root.findall("polygon")
-    assert max(x for x, _ in line(road_drawn)) == pytest.approx(824, abs=2.2)
+    assert max(x for x, _ in line(road_drawn)) == 824
     assert line(place_drawn) == [(824, 98), (876, 98), (876, 58), (824, 58)]
 
 
@@ -203,30 +204,47 @@ def test_places_that_are_half_known_are_not_drawn() -> None:
 
 
 def test_of_a_road_that_lies_within_junctions_nothing_is_drawn() -> None:
-    """Between them there is at most one of its stations."""
-    inside = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400, trim=(42.6, 42.5))
+    inside = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400, trim=(42.6, 42.6))
     assert figure(roads=(inside,)).findall("polygon") == []
 
 
+def marked(marking: Marking, edges: Marking = "none", **changes: Any) -> list[ElementTree.Element]:
+    """The lines of a figure of two lanes of 4 m, 40 pixels each."""
+    lanes = tuple(
+        SceneLane(id, "drive", "backward" if id > 0 else "forward", (4.0,), marking=edges)
+        for id in (1, -1)
+    )
+    main = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400)
+    main = replace(main, lanes=2, lane_list=lanes, center_marking=marking, **changes)
+    return figure(roads=(main,)).findall("path")
+
+
 def test_lines_between_lanes_are_drawn_as_they_are_marked() -> None:
-    """4 m lanes: broken in the middle, at y = 0; a double line is a solid one."""
-    drawn = {}
-    for marking in ("broken", "double", "none"):
-        main = replace(road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400), lanes=2)
-        lanes = tuple(
-            SceneLane(id, "drive", "backward" if id > 0 else "forward", (4.0,)) for id in (1, -1)
-        )
-        main = replace(main, lane_list=lanes, center_marking=marking)
-        drawn[marking] = figure(roads=(main,)).findall("path")
-    (broken,), (double,) = drawn["broken"], drawn["double"]
+    """Broken or double in the middle, at y = 0; each line of a double one is 1.2 lines away."""
+    (broken,), (double,) = marked("broken"), marked("double")
     assert broken.get("d") == "M24.0,58.0 876.0,58.0", "two points of a straight line"
     assert broken.get("stroke-dasharray") == "30.0 45.0"
+    assert double.get("d") == "M24.0,56.3 876.0,56.3M24.0,59.7 876.0,59.7"
     assert double.get("stroke-dasharray") is None
-    assert drawn["none"] == []
+    assert marked("none") == []
+
+
+def test_edge_lines_are_drawn_inside_the_road_and_curbs_in_their_own_color() -> None:
+    """The road is from y = 18 to 98 pixels: a line 5 inside each edge, a curb on the edge."""
+    (solid,), (curb,) = marked("none", "solid"), marked("none", "curb")
+    assert solid.get("d") == "M24.0,23.0 876.0,23.0M24.0,93.0 876.0,93.0"
+    assert curb.get("d") == "M24.0,18.0 876.0,18.0M24.0,98.0 876.0,98.0"
+    assert solid.get("stroke") != curb.get("stroke")
+
+
+def test_lines_end_where_junctions_begin() -> None:
+    """10 m after the start and 5.2 m before the end, at 10 pixels per meter."""
+    (line,) = marked("solid", trim=(10.0, 5.2))
+    assert line.get("d") == "M124.0,58.0 824.0,58.0"
 
 
 def test_lines_of_lanes_too_narrow_to_see_are_left_out() -> None:
     long = replace(road("main", lambda x: 0.0, 852.0, width=(8.0,) * 400), lanes=2)
-    assert len(figure(roads=(long,)).findall("path")) == 1
+    assert len(figure(roads=(long,)).findall("path")) == 2, "along the edges, and in the middle"
     longer = replace(road("main", lambda x: 0.0, 8520.0, width=(8.0,) * 400), lanes=2)
     assert figure(roads=(longer,)).findall("path") == []

@@ -30,7 +30,8 @@ def test_a_straight_road_is_a_rectangle_with_a_broken_line() -> None:
 
 
 @pytest.mark.parametrize(
-    ("marking", "broken"), [("broken", [True]), ("solid", [False]), ("none", [])]
+    ("marking", "broken"),
+    [("broken", [True]), ("solid", [False]), ("double", [False, False]), ("none", [])],
 )
 def test_lines_are_broken_whole_or_not_there(marking: str, broken: list[bool]) -> None:
     lanes = (
@@ -46,7 +47,7 @@ def test_lines_end_where_junctions_begin_and_the_surface_does_not() -> None:
     ((line, _),) = found.lines
     assert line.tolist() == [[20.0, 0.0], [70.0, 0.0]]
     assert found.surface[:, 0].max() == 100.0
-    assert outline(straight(trim=(20.0, 75.0))).lines == ()
+    assert outline(straight(trim=(20.0, 80.0))).lines == ()
 
 
 def test_a_closed_road_has_a_hole_and_its_line_comes_round() -> None:

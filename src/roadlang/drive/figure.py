@@ -11,20 +11,17 @@ import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.cross_section import drivable_borders
+from ..geometry.strokes_of_lanes import LaneStroke
 from ..ir.scene import Scene, SceneActor, SceneRoad
 from ..ir.trace import AgentTrace, Trace
-from .lane_lines import marked_lines
+from .lane_lines import painted_lines, shown_part
 
 COLOR_STEPS = 8
 """Shades of robustness on each side of 0."""
 _SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
 _SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
 _ROAD, _GROUND, _INK, _OTHER = "#757b83", "#f4f2ec", "#23272b", "#1c7ed6"
-_OBJECT, _LINE = "#c9a227", "#f1f3f5"
-_LINE_WIDTH, _DASH, _GAP = 0.15, 3.0, 4.5
-"""Meters: of a line, of a dash of a broken one, and of the gap to the next."""
-_NARROWEST, _SHORTEST_DASH = 4.0, 5.0
-"""Pixels: of a lane whose lines are drawn, and of a dash."""
+_OBJECT, _LINE, _CURB = "#c9a227", "#f1f3f5", "#dedace"
 
 
 def drive_figure(
@@ -96,20 +93,20 @@ def _surfaces(
 def _lane_lines(
     roads: list[SceneRoad], place: Callable[[Floats, Floats], Floats], scale: float
 ) -> Iterator[str]:
-    """All lines between lanes, a shape for those of one kind; none where lanes are too narrow."""
-    if all(road.lanes * _NARROWEST > scale * max(road.width) for road in roads):
-        return
-    found = [line for road in roads for line in marked_lines(road)]
-    length = max(scale, _SHORTEST_DASH / _DASH)
-    dashes = f' stroke-dasharray="{_DASH * length:.1f} {_GAP * length:.1f}"'
-    for is_broken in (False, True):
-        lines = [place(*line.T) for line, broken in found if broken == is_broken]
-        if lines:
-            yield (
-                f'<path d="{"".join(map(_path, lines))}" fill="none" stroke="{_LINE}"'
-                f' stroke-width="{max(_LINE_WIDTH * scale, 0.6):.1f}"'
-                f"{dashes if is_broken else ''}/>"
-            )
+    """The lines along lanes, a shape for all that look alike."""
+    looks: dict[LaneStroke, list[str]] = {}
+    for road in roads:
+        for line, stroke in painted_lines(road, scale):
+            look = replace(stroke, border=0, shift=0.0, width=round(stroke.width, 1))
+            looks.setdefault(look, []).append(_path(place(*line.T)))
+    for look, lines in looks.items():
+        color, width = _CURB if look.is_curb else _LINE, f"{look.width:.1f}"
+        lengths = " ".join(f"{part:.1f}" for part in look.dashes or ())
+        dashes = f' stroke-dasharray="{lengths}"' if lengths else ""
+        yield (
+            f'<path d="{"".join(lines)}" fill="none" stroke="{color}"'
+            f' stroke-width="{width}"{dashes}/>'
+        )
 
 
 def _path(line: Floats) -> str:
@@ -119,22 +116,13 @@ def _path(line: Floats) -> str:
 def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats] | None:
     """x and y around the drivable lanes of what the junctions leave of a road; None of one inside a
     junction."""
-    stations = np.array(road.stations)
-    first, last = stations[0] + road.trim[0], stations[-1] - road.trim[1]
-    inside = np.flatnonzero((stations >= first - 1e-6) & (stations <= last + 1e-6))
-    if len(inside) < 2:
+    part, section = shown_part(road), road.cross_section()
+    if part is None:
         return None
-    if road.closed:
-        inside = np.append(inside, inside[0])
-    section = road.cross_section()
     edges = drivable_borders(np.array([lane.drivable for lane in section.lanes]))
-    left, right = section.border_offsets(stations[inside])[list(edges)]
-    x, y, heading = (np.array(part)[inside] for part in (road.x, road.y, road.heading))
-    sine, cosine = np.sin(heading), np.cos(heading)
-    return (
-        np.concatenate([x - left * sine, (x - right * sine)[::-1]]),
-        np.concatenate([y + left * cosine, (y + right * cosine)[::-1]]),
-    )
+    left, right = section.border_offsets(part.stations)[list(edges)]
+    x, y = np.concatenate([part.beside(left), part.beside(right)[::-1]]).T
+    return x, y
 
 
 def _area(ring: Floats) -> str:

@@ -1,32 +1,68 @@
-"""The lines between the lanes of roads, as figures of drives and reports draw them."""
+"""The lines of the lanes of roads in meters, as figures of drives and reports draw them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.simplifying import simplified
+from ..geometry.strokes_of_lanes import LaneStroke, lane_strokes
+from ..geometry.unfolding import unfolded_lines
 from ..ir.scene import SceneRoad
 
 TOLERANCE = 0.1
 """How far the drawn line may be from the road's, meters."""
+_LOOPS_SEEN_FROM = 0.35
+"""Pixels"""
 
 
-def marked_lines(road: SceneRoad) -> Iterator[tuple[Floats, bool]]:
-    """The lines between lanes (n, 2) outside of junctions, in meters with few points, and whether
-    each is broken."""
-    section, stations = road.cross_section(), np.array(road.stations)
-    first, last = road.trim[0], road.length - road.trim[1]
-    shown = (stations >= first) & (stations <= last)
-    borders = section.border_offsets(stations)
-    for border, marking in zip(borders[1:-1], section.markings[1:-1], strict=True):
-        if marking == "none" or shown.sum() < 2:
-            continue
-        part = line_beside(road, border)[shown]
-        part = np.concatenate([part, part[:1]]) if road.closed else part
-        yield few_points(part), marking == "broken"
+@dataclass(frozen=True, eq=False)
+class ShownPart:
+    """What the junctions leave of a road: stations, points (n, 2) and unit vectors to the left."""
+
+    stations: Floats
+    points: Floats
+    left: Floats
+
+    def beside(self, offset: Floats) -> Floats:
+        """(n, 2) points `offset` (n,) meters left of the road."""
+        return np.asarray(self.points + offset[:, None] * self.left)
+
+
+def shown_part(road: SceneRoad) -> ShownPart | None:
+    """From where one junction ends to where the next begins, round a closed road; None of a road
+    inside a junction."""
+    axis = np.array(road.stations)
+    first, last = axis[0] + road.trim[0], axis[-1] - road.trim[1]
+    if not first < last:
+        return None
+    inner = axis[(axis > first) & (axis < last)]
+    s = np.concatenate([[first], inner, [last]])
+    heading = np.interp(s, axis, np.unwrap(road.heading))
+    points = np.column_stack([np.interp(s, axis, part) for part in (road.x, road.y)])
+    left = np.column_stack([-np.sin(heading), np.cos(heading)])
+    if road.closed:
+        s = np.append(s, axis[0])
+        points, left = (np.concatenate([part, part[:1]]) for part in (points, left))
+    return ShownPart(s, points, left)
+
+
+def painted_lines(road: SceneRoad, pixels_per_meter: float) -> Iterator[tuple[Floats, LaneStroke]]:
+    """The lines along the lanes of a road outside of junctions (n, 2), in meters with few points,
+    and how each is drawn at this scale."""
+    section, part = road.cross_section(), shown_part(road)
+    if part is None:
+        return
+    driven = max(sum(lane.drivable for lane in section.lanes), 1)
+    lane = float(np.mean(road.width)) * pixels_per_meter / driven
+    borders = section.border_offsets(part.stations)
+    for stroke in lane_strokes(section.markings, lane, pixels_per_meter):
+        line = part.beside(borders[stroke.border] + stroke.shift / pixels_per_meter)
+        for piece in unfolded_lines(line, part.points, _LOOPS_SEEN_FROM / pixels_per_meter):
+            yield few_points(piece), stroke
 
 
 def line_beside(road: SceneRoad, offset: Floats) -> Floats:

@@ -17,6 +17,8 @@ Nothing is imported until a name is used.
   `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`, `minor_roads`;
   triangles of their areas: `triangulated`
 - lanes of a network, and how one leads into others: `LaneGraph`, `RoutePlace`
+- lines along lanes as figures draw them: `lane_strokes`, `LaneStroke`, `line_width`,
+  `are_lines_seen`, `unfolded_lines`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
@@ -73,6 +75,7 @@ if TYPE_CHECKING:
     from .junctions.plan import plan_junctions as plan_junctions
     from .junctions.priority import minor_roads as minor_roads
     from .lane import Lane as Lane
+    from .lanes import Marking as Marking
     from .levels import are_apart as are_apart
     from .map_junctions import MapControl as MapControl
     from .map_junctions import MapJunction as MapJunction
@@ -96,7 +99,12 @@ if TYPE_CHECKING:
     from .segments import Straight as Straight
     from .segments import chain as chain
     from .segments import poses_along as poses_along
+    from .strokes_of_lanes import LaneStroke as LaneStroke
+    from .strokes_of_lanes import are_lines_seen as are_lines_seen
+    from .strokes_of_lanes import lane_strokes as lane_strokes
+    from .strokes_of_lanes import line_width as line_width
     from .triangulation import triangulated as triangulated
+    from .unfolding import unfolded_lines as unfolded_lines
     from .waypoint_curve import through_waypoints as through_waypoints
     from .width import WidthProfile as WidthProfile
     from .window import ease as ease
@@ -134,6 +142,12 @@ _HOMES = {
     "WidthProfile": "width",
     "OffsetProfile": "profile",
     "Lane": "lane",
+    "LaneStroke": "strokes_of_lanes",
+    "are_lines_seen": "strokes_of_lanes",
+    "lane_strokes": "strokes_of_lanes",
+    "line_width": "strokes_of_lanes",
+    "unfolded_lines": "unfolding",
+    "Marking": "lanes",
     "are_apart": "levels",
     "CrossSection": "cross_section",
     "Road": "road",

@@ -7,18 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from ..drive.lane_lines import few_points, line_beside, marked_lines
+from ..drive.lane_lines import few_points, line_beside, painted_lines
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneRoad
 from .decimation import deltas
 
 CENTIMETERS = 100.0
+_SCALE = 10.0
+"""Pixels per meter of the page when it shows a stretch of road close by"""
 
 
 @dataclass(frozen=True)
 class Outline:
-    """What is drawn of a road: its surface (n, 2), a ring, and lines between lanes, with whether
-    each is broken. Meters."""
+    """What is drawn of a road: its surface (n, 2), a ring, and lines between lanes, with
+    whether each is broken. Meters."""
 
     surface: Floats
     lines: tuple[tuple[Floats, bool], ...]
@@ -51,7 +53,11 @@ def outline(road: SceneRoad) -> Outline:
     ring = np.concatenate([few_points(lines[0]), few_points(lines[-1])[::-1]])
     if road.closed:
         ring = _with_hole(lines[0], lines[-1])
-    return Outline(ring, tuple(marked_lines(road)))
+    last = len(borders) - 1
+    painted = painted_lines(road, _SCALE)
+    # The surface shows where the road ends: a page of many roads stays small.
+    inner = ((line, stroke) for line, stroke in painted if 0 < stroke.border < last)
+    return Outline(ring, tuple((line, stroke.dashes is not None) for line, stroke in inner))
 
 
 def _with_hole(left: Floats, right: Floats) -> Floats:

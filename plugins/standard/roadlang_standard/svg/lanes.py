@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from roadlang.api import geometry
+
 from . import palette
 from .markup import element, path_data
-from .ribbon import unfolded
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
     from .ribbon import Ribbon
 
-_DASH, _GAP = 3.0, 4.5
-_CURB = 0.2
+_LOOPS_SEEN_FROM = 0.35
+"""Pixels"""
 _PARKED = 5.5
 _NARROWEST_STALL = 4.0
 
@@ -56,44 +57,17 @@ def covers(ribbon: Ribbon, inset: float) -> Iterator[str]:
 
 
 def lane_lines(ribbon: Ribbon, lane: float, pixels_per_meter: float) -> Iterator[str]:
-    """The lines at the borders of lanes, `lane` pixels wide on average, and parking spaces."""
-    thin = min(max(0.035 * lane, 0.5), 2.0)
-    last = len(ribbon.lanes)
-    for place, marking in enumerate(ribbon.markings):
-        border = ribbon.borders[:, place]
-        inward = {0: -1.0, last: 1.0}.get(place, 0.0) if marking != "curb" else 0.0
-        line = border + inward * (0.09 * lane + thin)
-        yield from _marking(ribbon, line, marking, thin, pixels_per_meter)
+    """The lines at the borders of lanes, `lane` pixels wide on average, and parking spaces; none
+    where lanes are too narrow to see lines."""
+    for stroke in geometry.lane_strokes(ribbon.markings, lane, pixels_per_meter):
+        line = ribbon.beside(ribbon.borders[:, stroke.border] + stroke.shift)
+        color = palette.CURB if stroke.is_curb else palette.MARKING
+        dashes = stroke.dashes and " ".join(f"{part:.2f}" for part in stroke.dashes)
+        for part in geometry.unfolded_lines(line, ribbon.center, _LOOPS_SEEN_FROM):
+            yield _stroke(part, stroke.width, color, dashes)
     for place, kind in enumerate(ribbon.lanes):
-        if kind.kind == "parking":
-            yield from _stalls(ribbon, place, thin, pixels_per_meter)
-
-
-def _marking(
-    ribbon: Ribbon, offset: Floats, marking: str, thin: float, pixels_per_meter: float
-) -> Iterator[str]:
-    match marking:
-        case "solid":
-            yield from _along(ribbon, offset, thin)
-        case "broken":
-            yield from _along(ribbon, offset, thin, dash=_dash(pixels_per_meter))
-        case "double":
-            for side in (1.2, -1.2):
-                yield from _along(ribbon, offset + side * thin, thin)
-        case "curb":
-            width = max(_CURB * pixels_per_meter, 0.7)
-            yield from _along(ribbon, offset, width, palette.CURB)
-
-
-def _along(
-    ribbon: Ribbon,
-    offset: Floats,
-    width: float,
-    color: str = palette.MARKING,
-    dash: str | None = None,
-) -> Iterator[str]:
-    for part in unfolded(ribbon.beside(offset), ribbon.center):
-        yield _stroke(part, width, color, dash)
+        if kind.kind == "parking" and geometry.are_lines_seen(lane):
+            yield from _stalls(ribbon, place, geometry.line_width(lane), pixels_per_meter)
 
 
 def _stalls(ribbon: Ribbon, place: int, thin: float, pixels_per_meter: float) -> Iterator[str]:
@@ -118,11 +92,6 @@ def _between(ribbon: Ribbon, left: Floats, right: Floats) -> Floats:
     import numpy as np
 
     return np.concatenate([ribbon.beside(left), ribbon.beside(right)[::-1]])
-
-
-def _dash(pixels_per_meter: float) -> str:
-    scale = max(pixels_per_meter, 5.0 / _DASH)
-    return f"{_DASH * scale:.2f} {_GAP * scale:.2f}"
 
 
 def _stroke(points: Floats, width: float, color: str, dash: str | None) -> str:

@@ -42,7 +42,7 @@ class Ribbon:
     stations: Floats
     reference: Floats
     lanes: tuple[geometry.Lane, ...]
-    markings: tuple[str, ...]
+    markings: tuple[geometry.Marking, ...]
     closed: bool
     widened: bool
     stretches: tuple[SurfaceStretch, ...] = ()
@@ -208,24 +208,6 @@ def _finer(road: SceneRoad) -> tuple[Floats, Floats, Floats]:
         points[step] + length[:, None] * moved,
         heading[step] + share * turn[step],
     )
-
-
-def unfolded(line: Floats, center: Floats) -> list[Floats]:
-    """An offset line without the loops that it makes inside bends tighter than the offset.
-
-    A point belongs to it if no point of the center line is nearer than its own; (n, 2) each.
-    """
-    import numpy as np
-
-    forward = (np.diff(line, axis=0) * np.diff(center, axis=0)).sum(axis=1)
-    if (forward >= 0).all():
-        return [line]
-    distance = np.hypot(*(line - center).T)
-    nearest = np.hypot(*(line[:, None] - center[None]).transpose(2, 0, 1)).min(axis=1)
-    fine = np.concatenate([[False], nearest >= distance - 0.35, [False]])
-    starts = np.flatnonzero(fine[1:] & ~fine[:-1])
-    ends = np.flatnonzero(~fine[1:] & fine[:-1])
-    return [line[a:b] for a, b in zip(starts, ends, strict=True) if b - a > 1]
 
 
 def _spaced(points: Floats) -> NDArray[np.intp]:

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from .viewport import Viewport
 
 _CASING = 1.1
-_NARROWEST_LANE = 4.0
 _SEAM = 0.3
 
 
@@ -123,6 +122,4 @@ def _outside_junctions(
 def _markings(shown: Iterable[Ribbon], viewport: Viewport) -> Iterator[str]:
     for ribbon in shown:
         lane = 2 * float(ribbon.half.mean()) / max(sum(lane.drivable for lane in ribbon.lanes), 1)
-        if ribbon.widened or lane < _NARROWEST_LANE:
-            continue
         yield from lane_lines(ribbon, lane, viewport.pixels_per_meter)
