@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang.api import Picture
+from roadlang.api import DiagnosticError, Picture
 from roadlang_standard.extract_auto import Auto
 
 GREEN, RED = (46, 125, 50), (211, 47, 47)
@@ -67,3 +67,20 @@ def test_single_pixels_of_a_color_are_still_objects() -> None:
     image[1, 2] = image[7, 6] = RED[::-1]
     found = Auto().extract(Picture(image, 4.0, legend={"black": "road", "#d32f2f": "cone"}))
     assert len(found.objects) == 2
+
+
+@pytest.mark.parametrize(
+    ("legend", "said"),
+    [
+        ({"#2e7d32": "tree"}, 'add `"#000000": road` to the legend'),
+        ({"black": "building"}, 'such as `"white": road`'),  # already an object
+    ],
+)
+def test_a_legend_without_road_is_told_the_color_of_the_roads(
+    legend: dict[str, str], said: str
+) -> None:
+    with pytest.raises(DiagnosticError) as raised:
+        Auto().extract(Picture(drawn(*SPOTS), 0.5, legend=legend))
+    (diagnostic,) = raised.value.diagnostics
+    assert diagnostic.code == "RL421"
+    assert said in " ".join(diagnostic.help)

@@ -46,6 +46,15 @@ def legend_proposal(image: Image, roads: Mask) -> str | None:
     )
 
 
+def road_color(image: Image) -> str | None:
+    """The color of what looks most like roads in a drawing, as a legend names it; None where
+    nothing does."""
+    from .drawing import roads_of_drawing
+
+    roads = roads_of_drawing(image).mask
+    return _name(_commonest(color_codes(image)[roads])) if roads.any() else None
+
+
 def _commonest(codes: NDArray[np.int32]) -> int:
     values, counts = counted(codes)
     return int(values[counts.argmax()])

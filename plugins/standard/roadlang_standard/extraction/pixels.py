@@ -39,17 +39,28 @@ def read_legend(
     legend = dict(picture.legend)
     if not legend and picture.characters is not None:
         legend = {"#": ROAD}
-    if not set(ROADS) & set(legend.values()):
-        example = '`legend: { "#": road }`' if picture.characters else '`legend: { "white": road }`'
-        raise DiagnosticError(
-            diagnose(Code.LEGEND_WITHOUT_ROAD, help=f"add {example} to the image")
-        )
     if picture.characters is not None:
         _check_characters(legend)
+    else:
+        for color in legend:
+            _check_color(color)
+    if not set(ROADS) & set(legend.values()):
+        raise DiagnosticError(diagnose(Code.LEGEND_WITHOUT_ROAD, help=_missing_entry(picture)))
+    if picture.characters is not None:
         return read_text(picture.characters, legend, thickness)
-    for color in legend:
-        _check_color(color)
     return read_colors(pixels_of(picture, "pixels"), legend, thickness)
+
+
+def _missing_entry(picture: Picture) -> str:
+    """What to add to a legend without a road: an entry for what looks like road."""
+    from .legend_proposal import road_color
+
+    if picture.characters is not None:
+        return 'add `"#": road` to the legend, with the character that you draw roads with'
+    color = None if picture.pixels is None else road_color(picture.pixels)
+    if color is None or bgr(color) in map(bgr, picture.legend):
+        return 'add an entry such as `"white": road` to the legend'
+    return f'add `"{color}": road` to the legend: what looks most like road has this color'
 
 
 def _check_characters(legend: dict[str, str]) -> None:
