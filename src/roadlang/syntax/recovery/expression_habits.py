@@ -122,20 +122,39 @@ def _point_without_parentheses(place: ErrorPosition) -> Mistake:
     return Mistake(found, Edit(place.index - 1, place.index + 2, (ends[0], *inside, ends[1])))
 
 
+_SIDES = {
+    ("ahead", "of"): "ahead_of",
+    ("ahead_of",): "ahead_of",
+    ("in", "front", "of"): "ahead_of",
+    ("behind",): "behind",
+    ("beside",): "beside",
+    ("next", "to"): "beside",
+    ("near",): "beside",
+}
+"""Words for where one thing is from another, and the function that says it."""
+
+
 def relative_position(place: ErrorPosition) -> Mistake | None:
-    """`at 20m ahead of ego`, `is car behind ego by 5m`: Scenic's specifiers."""
-    other = 2 if place.word(1) == "of" else 1
-    side, _, of = place.word().partition("_")
-    if side not in ("ahead", "behind") or of not in ("", "of") or place.kind(other) != "NAME":
-        return None
-    if place.kind(-1) == "NUMBER":
-        gap = place.word(-1)
-    elif place.kind(-1) == "NAME" and place.first_kind in ("AGENT", "OBJECT"):
+    """`at 20m ahead of ego`, `is car behind ego by 5m`, `at behind ego`: Scenic's specifiers."""
+    for first in (0, -1):
+        for words, function in _SIDES.items():
+            other = first + len(words)
+            said = tuple(place.word(offset) for offset in range(first, other))
+            if said == words and place.kind(other) == "NAME":
+                return _relative(place, first, other, function)
+    return None
+
+
+def _relative(place: ErrorPosition, first: int, other: int, function: str) -> Mistake | None:
+    """The words begin at offset `first`; the other thing is named at `other`."""
+    before, is_placed = place.kind(first - 1), place.first_kind in ("AGENT", "OBJECT")
+    if before == "NUMBER":
+        gap = place.word(first - 1)
+    elif is_placed and before == ("NAME" if first == 0 else "AT"):
         gap = place.word(other + 2) if place.word(other + 1) == "by" else "10m"
     else:
         return None
-    name = f"{side}_of" if side == "ahead" else side
-    meant = f"at {name}({place.word(other)}, {gap})"
+    meant = f"at {function}({place.word(other)}, {'right' if function == 'beside' else gap})"
     return _refused(place, f"a position relative to another is written `{meant}`", hopeless=True)
 
 
