@@ -124,7 +124,7 @@ if TYPE_CHECKING:
     from .images.plugin_input import read_image, read_input
     from .ir.actuation import ActuationBatch
     from .ir.batch import BatchRandom, RoadBatch
-    from .ir.category import ON_FOOT, VEHICLES
+    from .ir.category import GREENERY, ON_FOOT, VEHICLES
     from .ir.control import Control, ControlBatch
     from .ir.dataset import Dataset, DatasetFrame
     from .ir.encoding import scene_from_json, to_json
@@ -169,6 +169,7 @@ if TYPE_CHECKING:
     from .ir.surroundings import LanePlace, LanePlaces, LanesBeside, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
+    from .scenes.figure_colors import FIGURE_COLORS, FigureColors
     from .scenes.junction_curbs import CurbCorner, beside_curb, junction_curbs
     from .scenes.junction_paint import PaintedShape, crosswalk_paint, junction_paint
     from .scenes.paint_rings import paint_rings
@@ -190,7 +191,7 @@ _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
     ".ir.actuation": "ActuationBatch",
     ".ir.batch": "BatchRandom RoadBatch",
-    ".ir.category": "ON_FOOT VEHICLES",
+    ".ir.category": "GREENERY ON_FOOT VEHICLES",
     ".ir.placed_batch": "PlacedBatch",
     ".ir.control": "Control ControlBatch",
     ".ir.observation": "Observation ObservationBatch",
@@ -220,6 +221,7 @@ _LATER = {
     ".ir.trace": "AgentTrace Trace",
     ".images.plugin_input": "read_image read_input",
     ".plugins.hookspecs": "hookimpl",
+    ".scenes.figure_colors": "FIGURE_COLORS FigureColors",
     ".scenes.junction_curbs": "CurbCorner beside_curb junction_curbs",
     ".scenes.junction_paint": "PaintedShape crosswalk_paint junction_paint",
     ".scenes.paint_rings": "paint_rings",
@@ -240,8 +242,9 @@ _LATER = {
 _HOME = {name: module for module, names in _LATER.items() for name in names.split()}
 
 __all__ = [
-    "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURB_HEIGHT", "CURVATURE", "FORCE",
-    "FREQUENCY", "JERK", "LENGTH", "MASS", "ON_FOOT", "PAINT_HEIGHT", "PIXELS", "PURE",
+    "ACCELERATION", "ANGLE", "API_VERSION", "AREA", "CURB_HEIGHT", "CURVATURE", "FIGURE_COLORS",
+    "FORCE", "FREQUENCY", "GREENERY", "JERK", "LENGTH", "MASS", "ON_FOOT", "PAINT_HEIGHT",
+    "PIXELS", "PURE",
     "ROAD_PLACES", "SCALE", "SPEED", "STANDING_GAP", "TIME", "VEHICLES", "Acceleration",
     "ActuationBatch", "Adjuster",
     "AgentKind", "AgentName", "AgentOrObject", "AgentTrace", "Angle", "Anything", "Axis", "Backend",
@@ -249,8 +252,9 @@ __all__ = [
     "ConstraintNames", "Contact", "Control", "ControlBatch", "Controller", "CurbCorner",
     "Curvature", "Dataset", "DatasetFrame", "Decision", "Diagnostic", "DiagnosticError",
     "Dimension", "Distribution", "Drawer", "DrawnValue", "DriveSignal", "DueReading", "Duration",
-    "EngineSettings", "Extraction", "Extractor", "File", "Fix", "Flag", "FoundObject",
-    "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl", "Kind",
+    "EngineSettings", "Extraction", "Extractor", "FigureColors", "File", "Fix", "Flag",
+    "FoundObject", "FrameLabels", "ImageName", "InitialSpeed", "Integer", "Jerk", "JunctionControl",
+    "Kind",
     "Label", "LabeledThing", "LaneKind", "LanePlace", "LanePlaces", "LanesBeside", "Length",
     "LengthInterval", "Like", "ListOf", "Mass", "Mirror", "Monitor", "Neighbor", "Neighbors",
     "Number", "ObjectKind",

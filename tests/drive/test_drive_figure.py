@@ -15,6 +15,7 @@ from roadlang.ir.scene import SceneActor, SceneNetwork
 from roadlang.ir.scene_junctions import SceneArm, SceneJunction
 from roadlang.ir.scene_lane import SceneLane
 from roadlang.ir.trace import AgentTrace, Trace
+from roadlang.scenes.figure_colors import FIGURE_COLORS
 from tests.backends.handmade_scenes import actor, bend, road
 
 GREEN, YELLOW, RED = "#2f9e44", "#f59f00", "#c92a2a"
@@ -248,3 +249,39 @@ def test_lines_of_lanes_too_narrow_to_see_are_left_out() -> None:
     assert len(figure(roads=(long,)).findall("path")) == 2, "along the edges, and in the middle"
     longer = replace(road("main", lambda x: 0.0, 8520.0, width=(8.0,) * 400), lanes=2)
     assert figure(roads=(longer,)).findall("path") == []
+
+
+def test_sidewalks_and_what_is_beside_the_roadway_have_colors_of_their_own() -> None:
+    straight = road("main", lambda x: 0.0, 85.2, width=(4.0,) * 400)
+    lanes = (
+        SceneLane(1, "drive", "backward", (2.0,)),
+        SceneLane(-1, "drive", "forward", (2.0,)),
+        SceneLane(-2, "parking", "forward", (2.0,), drivable=False),
+        SceneLane(-3, "sidewalk", "none", (1.0,), drivable=False, raised=True),
+    )
+    drawn = figure(roads=(replace(straight, lanes=2, lane_list=lanes),)).findall("polygon")
+    tops = [(area.get("fill"), sorted({y for _, y in line(area)})) for area in drawn]
+    middle = 58.0
+    assert tops == [
+        (FIGURE_COLORS.beside, [middle + 20, middle + 40]),
+        (FIGURE_COLORS.raised, [middle + 40, middle + 50]),
+        (FIGURE_COLORS.surface, [middle - 20, middle + 20]),
+    ]
+
+
+def test_crowns_are_round_and_roofs_are_not() -> None:
+    house = replace(actor("house", "building", 40, 10, length=6.0, width=3.0), category="building")
+    tree = replace(house, name="oak", category="tree", length=4.0, width=4.0)
+    root = figure(objects=(tree, house))
+    (crown,) = root.findall("circle")
+    assert (crown.get("r"), crown.get("fill")) == ("20.0", FIGURE_COLORS.leaves)
+    assert root.findall("rect")[1].get("fill") == FIGURE_COLORS.roof
+
+
+def test_crossings_are_painted_where_a_scene_has_them() -> None:
+    main = road("main", lambda x: 0.0, 85.2, width=(8.0,) * 400)
+    crossing = actor("zebra", "crosswalk", 40, 0, length=4.0, width=8.0)
+    plain, painted = (figure(roads=(main,), markings=m) for m in ((), (crossing,)))
+    stripes = [path for path in painted.findall("path") if path.get("fill") != "none"]
+    assert [path.get("fill") for path in stripes] == [FIGURE_COLORS.marking]
+    assert len(painted.findall("path")) == len(plain.findall("path")) + 1

@@ -10,18 +10,17 @@ from html import escape
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..geometry.cross_section import drivable_borders
-from ..geometry.strokes_of_lanes import LaneStroke
-from ..ir.scene import Scene, SceneActor, SceneRoad
+from ..ir.category import BUILDING, GREENERY
+from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
-from .lane_lines import painted_lines, shown_part
+from ..scenes.figure_colors import FIGURE_COLORS
+from .drawn_roads import drawn_roads
 
 COLOR_STEPS = 8
 """Shades of robustness on each side of 0."""
 _SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
 _SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
-_ROAD, _GROUND, _INK, _OTHER = "#757b83", "#f4f2ec", "#23272b", "#1c7ed6"
-_OBJECT, _LINE, _CURB = "#c9a227", "#f1f3f5", "#dedace"
+_OTHER = "#1c7ed6"
 
 
 def drive_figure(
@@ -47,9 +46,8 @@ def drive_figure(
         return np.stack(columns, axis=-1)
 
     height = _HEAD + 2 * _MARGIN + high * scale
-    parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{_GROUND}"/>']
-    parts += _surfaces(scene, roads, place)
-    parts += _lane_lines(roads, place, scale)
+    parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{FIGURE_COLORS.ground}"/>']
+    parts += drawn_roads(scene, roads, place, scale)
     parts += (_footprint(object_, place, scale) for object_ in scene.objects)
     for agent in agents:
         line = place(agent.x, agent.y)
@@ -76,74 +74,24 @@ def _while_there(agent: AgentTrace) -> AgentTrace:
     return replace(agent, x=np.where(left, np.nan, agent.x), y=np.where(left, np.nan, agent.y))
 
 
-def _surfaces(
-    scene: Scene, roads: list[SceneRoad], place: Callable[[Floats, Floats], Floats]
-) -> Iterator[str]:
-    """Junctions and the roads between them."""
-    shown = {road.name for road in roads}
-    for junction in (junction for network in scene.networks for junction in network.junctions):
-        if shown.issuperset(arm.road for arm in junction.arms):
-            yield _area(place(*np.array(junction.area).T))
-    for road in roads:
-        ring = _between_junctions(road)
-        if ring is not None:
-            yield _area(place(*ring))
-
-
-def _lane_lines(
-    roads: list[SceneRoad], place: Callable[[Floats, Floats], Floats], scale: float
-) -> Iterator[str]:
-    """The lines along lanes, a shape for all that look alike."""
-    looks: dict[LaneStroke, list[str]] = {}
-    for road in roads:
-        for line, stroke in painted_lines(road, scale):
-            look = replace(stroke, border=0, shift=0.0, width=round(stroke.width, 1))
-            looks.setdefault(look, []).append(_path(place(*line.T)))
-    for look, lines in looks.items():
-        color, width = _CURB if look.is_curb else _LINE, f"{look.width:.1f}"
-        lengths = " ".join(f"{part:.1f}" for part in look.dashes or ())
-        dashes = f' stroke-dasharray="{lengths}"' if lengths else ""
-        yield (
-            f'<path d="{"".join(lines)}" fill="none" stroke="{color}"'
-            f' stroke-width="{width}"{dashes}/>'
-        )
-
-
-def _path(line: Floats) -> str:
-    return "M" + " ".join(["%.1f,%.1f"] * len(line)) % tuple(line.ravel().tolist())
-
-
-def _between_junctions(road: SceneRoad) -> tuple[Floats, Floats] | None:
-    """x and y around the drivable lanes of what the junctions leave of a road; None of one inside a
-    junction."""
-    part, section = shown_part(road), road.cross_section()
-    if part is None:
-        return None
-    edges = drivable_borders(np.array([lane.drivable for lane in section.lanes]))
-    left, right = section.border_offsets(part.stations)[list(edges)]
-    x, y = np.concatenate([part.beside(left), part.beside(right)[::-1]]).T
-    return x, y
-
-
-def _area(ring: Floats) -> str:
-    points = ("%.1f,%.1f " * len(ring) % tuple(ring.ravel().tolist()))[:-1]
-    return f'<polygon points="{points}" fill="{_ROAD}" stroke="{_ROAD}" stroke-width="2"/>'
-
-
 def _footprint(actor: SceneActor, place: Callable[[Floats, Floats], Floats], scale: float) -> str:
     x, y = place(np.array(actor.x), np.array(actor.y)).tolist()
     long, wide = actor.length * scale, actor.width * scale
+    title = f"<title>{escape(actor.name, quote=False)}</title>"
+    if actor.category in GREENERY:
+        crown = f'cx="{x:.1f}" cy="{y:.1f}" r="{max(long, wide) / 2:.1f}"'
+        return f'<circle {crown} fill="{FIGURE_COLORS.leaves}">{title}</circle>'
+    color = FIGURE_COLORS.roof if actor.category == BUILDING else FIGURE_COLORS.thing
     turn = f"translate({x:.1f} {y:.1f}) rotate({-np.degrees(actor.heading):.1f})"
-    name = escape(actor.name, quote=False)
     return (
         f'<rect x="{-long / 2:.1f}" y="{-wide / 2:.1f}" width="{long:.1f}" height="{wide:.1f}"'
-        f' transform="{turn}" fill="{_OBJECT}"><title>{name}</title></rect>'
+        f' transform="{turn}" fill="{color}">{title}</rect>'
     )
 
 
 def _text(content: str) -> str:
     return (
-        f'<text x="{_MARGIN:.0f}" y="{_HEAD - 8:.0f}" fill="{_INK}" font-size="15"'
+        f'<text x="{_MARGIN:.0f}" y="{_HEAD - 8:.0f}" fill="{FIGURE_COLORS.ink}" font-size="15"'
         f' font-family="Helvetica, Arial, sans-serif">{escape(content, quote=False)}</text>'
     )
 
@@ -196,6 +144,7 @@ def _mark(point: Floats, agent: AgentTrace, at: int) -> str:
     x, y = point.tolist()
     label = escape(f"{agent.name} at {float(agent.time[at]):.1f} s", quote=False)
     return (
-        f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9" fill="none" stroke="{_INK}" stroke-width="2">'
+        f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9" fill="none" stroke="{FIGURE_COLORS.ink}"'
+        ' stroke-width="2">'
         f"<title>{label}</title></circle>"
     )

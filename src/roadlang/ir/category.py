@@ -13,6 +13,10 @@ OBJECTS = (
     "barrier", "cone", "pole", "lamp", "sign", "traffic_light", "water",
     "obstacle", "crosswalk",
 )  # fmt: skip
+GREENERY = ("tree", "bush")
+"""Objects with crowns of leaves: round, from above."""
+BUILDING = "building"
+"""Objects with a roof."""
 PAINTED = ("crosswalk",)
 """Objects that are paint on the road: nothing hits them, stops for them or keeps clear of them."""
 ROLES = ("", "taxi", "police", "ambulance", "fire")

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from roadlang.api import GREENERY
+
 from . import palette, shapes, trees
 from .markup import group, title
 
@@ -18,7 +20,6 @@ if TYPE_CHECKING:
 
 _CARS = ("car", "van", "bus")
 _TWO_WHEELERS = ("bicycle", "motorcycle")
-_GREENERY = ("tree", "bush")
 SHORTEST_AGENT = 15.0
 """Pixels, of the longer side of its drawing."""
 _SMALLEST_OBJECT = 3.0
@@ -27,7 +28,7 @@ _COLOR = re.compile(r"#[0-9a-fA-F]{3,8}\Z|[a-z]+\Z")
 
 def objects(scene: Scene, viewport: Viewport) -> str:
     """Everything that does not move; trees last, their crowns over the rest."""
-    ordered = sorted(scene.objects, key=lambda actor: actor.category in _GREENERY)
+    ordered = sorted(scene.objects, key=lambda actor: actor.category in GREENERY)
     return group(_drawn(ordered, viewport, _SMALLEST_OBJECT), class_="objects")
 
 
@@ -44,12 +45,12 @@ def _drawn(actors: Sequence[SceneActor], viewport: Viewport, least: float) -> li
     green = [
         (max(actor.length * scale, actor.width * scale), index)
         for index, (actor, scale) in enumerate(zip(actors, scales, strict=True))
-        if actor.category in _GREENERY
+        if actor.category in GREENERY
     ]
     crowns = iter(trees.crowns(*zip(*green, strict=True))) if green else iter(())
     return [
         _drawn_at(
-            place, actor, next(crowns) if actor.category in _GREENERY else _shape(actor, scale)
+            place, actor, next(crowns) if actor.category in GREENERY else _shape(actor, scale)
         )
         for place, actor, scale in zip(places, actors, scales, strict=True)
     ]

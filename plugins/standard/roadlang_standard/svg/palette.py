@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-GROUND = "#f4f2ec"
+from roadlang.api import FIGURE_COLORS
+
+GROUND = FIGURE_COLORS.ground
 GROUND_EDGE = "#d9d5c9"
 CASING = "#3f454c"
-SURFACE = "#757b83"
-MARKING = "#fbfaf5"
-FAINT_MARKING = "#b9bcbf"
-CURB = "#dedace"
+SURFACE = FIGURE_COLORS.surface
+MARKING = FIGURE_COLORS.marking
+FAINT_MARKING = FIGURE_COLORS.faint_marking
+CURB = FIGURE_COLORS.curb
+RAISED = FIGURE_COLORS.raised
 LANES = {
     "bus": "#7d7470",
     "bike": "#93716c",
-    "parking": "#868b92",
+    "parking": FIGURE_COLORS.beside,
     "shoulder": "#6c7279",
-    "sidewalk": "#b9b6ac",
+    "sidewalk": RAISED,
     "median": "#aeb0a4",
     "grass": "#a9bd8c",
 }
-RAISED = "#b9b6ac"
 SURFACES = {
     "wet": "#56626f",
     "snow": "#dfe4ea",
@@ -30,18 +32,18 @@ SURFACES = {
 GHOST_FILL = "#9db4cf"
 GHOST_LINE = "#3f6ea5"
 CONTEXT = "#d3d0c6"
-INK = "#23272b"
+INK = FIGURE_COLORS.ink
 MUTED_INK = "#6c7177"
 SATISFIED = "#2b8a3e"
 UNKNOWN = "#8b8f94"
 VIOLATIONS = ("#d6336c", "#e8590c", "#9c36b5", "#c92a2a", "#a07000")
 AGENTS = ("#1c7ed6", "#e8590c", "#2f9e44", "#9c36b5", "#c2255c", "#0c8599")
-LEAVES = ("#7fb069", "#5d9550", "#497d40")
+LEAVES = ("#7fb069", FIGURE_COLORS.leaves, "#497d40")
 TRUNK = "#38612f"
 ROOF_LIGHT = "#cda58b"
-ROOF_DARK = "#b98b6e"
+ROOF_DARK = FIGURE_COLORS.roof
 ROOF_LINE = "#7d5a45"
-OBJECT = "#c9a227"
+OBJECT = FIGURE_COLORS.thing
 LIGHTS = {"red": "#e03131", "yellow": "#fcc419", "green": "#37b24d"}
 TIGHT = "#b35c00"
 

@@ -1,0 +1,30 @@
+"""The colors of roads and things in figures, of scenes and of drives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class FigureColors:
+    """Calm ground, gray roads: as SVG writes colors."""
+
+    ground: str = "#f4f2ec"
+    surface: str = "#757b83"
+    """of what is driven on"""
+    raised: str = "#b9b6ac"
+    """of lanes behind a curb"""
+    beside: str = "#868b92"
+    """of other lanes that are not driven on"""
+    marking: str = "#fbfaf5"
+    faint_marking: str = "#b9bcbf"
+    """of crossings too small to see their stripes"""
+    curb: str = "#dedace"
+    ink: str = "#23272b"
+    thing: str = "#c9a227"
+    """of objects without a color of their own"""
+    leaves: str = "#5d9550"
+    roof: str = "#b98b6e"
+
+
+FIGURE_COLORS = FigureColors()
