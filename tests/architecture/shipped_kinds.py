@@ -13,7 +13,7 @@ WORDS = {
         " speed start station steering width x y yaw_rate"
     ),
     "words of the language, its units and its near misses": (
-        "ahead_of auto behind beside drive pixels random road route scale scene signals time"
+        "ahead_of auto behind beside drive front pixels random road route scale scene signals time"
     ),
     "functions and modules of the geometry": "clearance crossing frechet margin segments",
     "users of lanes": "pedestrian",
