@@ -1,4 +1,4 @@
-"""A model of safe drives by the bends of their roads, wherever along the road these are."""
+"""A model of drives by the bends of their roads, wherever along the road these are."""
 
 from __future__ import annotations
 
@@ -21,20 +21,19 @@ _WIDTH = 0.35
 _OTHERS = 0.5
 """The part that all other draws have in how far candidates are apart."""
 _MEDIAN = 0.5
-"""The value of a safe drive far from everything: values are scores of ranks."""
+"""The value far from everything: that of a usual safe drive, as values are scores of ranks."""
 _LEAST = 1e-9
 _AT_ONCE = 64
 """Roads whose responses are computed together: these fit into the caches."""
 
 
 class BendModel:
-    """Gaussian process of values by what the windows along a road are like on average. A pattern of
-    random weights p responds to a window w of curvature with 1 / (1 + (p w)^2), on average over all
-    windows: the mean embedding of its windows (Muandet and others 2017, section 3), by random
-    features as those of Rahimi and Recht (2007). With the same bends elsewhere along the road, or
-    turned the other way, it is the same road, so a drive tells of many others: after 110 to 220
-    drives of the benchmark `hard` 30 % of the failures are among the first 5 % of random roads, 8 %
-    by a model of the draws."""
+    """Gaussian process of values by the bends of roads.
+
+    Windows of 12 places slide along a road; each of 128 patterns of random weights p responds to
+    the curvature w of a window with 1 / (1 + (p w)^2). The means of the responses over the windows
+    describe the road (mean embedding: Muandet and others 2017, section 3; random features: Rahimi
+    and Recht 2007). They are the same for the same bends elsewhere, or turned the other way."""
 
     def __init__(self) -> None:
         import numpy as np

@@ -25,9 +25,8 @@ _UNKNOWN = 1.0
 
 
 class FailureModel:
-    """Values by a kernel that learns what matters for them, descriptors by linear regression. Until
-    something fails and where roads differ, values by the bends of the road: to find a first failure
-    among all roads takes more than to go on from one that is known."""
+    """Values by a kernel that learns what matters for them, where roads differ by their bends too;
+    descriptors by linear regression."""
 
     def __init__(self) -> None:
         self._kernel = LearnedKernel(_UNKNOWN)
@@ -51,21 +50,21 @@ class FailureModel:
         values = graded(told)
         best = np.argsort(values, kind="stable")[:_MOST]
         self._kernel.fit(known[best], values[best])
-        safe = best[values[best] < 1.0]
-        self._is_by_bends = bool(len(safe) and told.min() >= 0.0 and self._has_roads)
+        driven = best[values[best] < 1.0]
+        self._is_by_bends = bool(len(driven) and self._has_roads)
         if self._is_by_bends:
-            self._fit_bends(known[safe], values[safe])
+            self._fit_bends(known[driven], values[driven])
 
     @property
     def _has_roads(self) -> bool:
         return bool(max(part.shape[1] for part in self._descriptors) >= ROAD_PLACES)
 
-    def _fit_bends(self, safe: Floats, values: Floats) -> None:
+    def _fit_bends(self, driven: Floats, values: Floats) -> None:
         import numpy as np
 
         weights = self._regression()[:, :ROAD_PLACES]
         road = np.delete(weights, 1, axis=0)  # what it is where nothing fails
-        self._bends.fit(safe, self._kernel.mapped(safe), road, values)
+        self._bends.fit(driven, self._kernel.mapped(driven), road, values)
         self._is_by_bends = self._bends.is_fit
 
     def predicted(self, vectors: Floats, optimism: float) -> tuple[Floats, Floats]:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Integers = NDArray[np.intp]
 
 _POOL, _SHORTLIST = 24, 12
 """Children made, and looked at more closely, for each that is chosen."""
@@ -254,31 +255,43 @@ class _Shortlist:
     def __init__(
         self, values: Floats, descriptors: Floats, nearest: Floats, unlike: tuple[float, float]
     ) -> None:
+        import numpy as np
+
         self._values = values.copy()
         self._descriptors = descriptors
+        self._lengths = np.einsum("ij,ij->i", descriptors, descriptors)
         self._nearest = nearest
         self._unlike = unlike
         self._left = len(values)
-        self._from: dict[int, Floats] = {}
-        """squared distances of all from each that was taken"""
+        self._alike: dict[int, tuple[Integers, Floats]] = {}
+        """by what was taken: the rows that are like it, and their squared distances"""
 
     def take(self, count: int) -> list[int]:
         """The rows of at most `count` candidates, which are not taken again."""
-        import numpy as np
-
-        nearest, rows = self._nearest, list[int]()
+        nearest, rows = self._nearest.copy(), list[int]()
+        score = self._values + _loss(nearest, self._unlike)
         for _ in range(min(count, self._left)):
-            best = int((self._values + _loss(nearest, self._unlike)).argmin())
+            best = int(score.argmin())
             rows.append(best)
-            self._values[best] = np.inf
-            self._from[best] = _squares_from(self._descriptors, best)
-            nearest = np.minimum(nearest, self._from[best])
+            self._values[best] = score[best] = float("inf")
+            alike, squares = self._alike[best] = self._like(best)
+            nearest[alike] = least = squares.clip(max=nearest[alike])
+            score[alike] = self._values[alike] + _loss(least, self._unlike)
         self._left -= len(rows)
         return rows
 
     def keep_apart(self, rows: Sequence[int]) -> None:
         """Those that are taken from now on are to be unlike these, too."""
+        for row in rows:
+            alike, squares = self._alike[row]
+            self._nearest[alike] = squares.clip(max=self._nearest[alike])
+
+    def _like(self, row: int) -> tuple[Integers, Floats]:
+        """Which rows are so near one of them that they lose by it, and their squared distances."""
         import numpy as np
 
-        for row in rows:
-            self._nearest = np.minimum(self._nearest, self._from[row])
+        squares = self._descriptors @ (-2.0 * self._descriptors[row])
+        squares += self._lengths
+        squares += self._lengths[row]
+        alike = np.flatnonzero(squares < self._unlike[0] ** 2)
+        return alike, np.maximum(squares[alike], 0.0)
