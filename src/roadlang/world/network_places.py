@@ -29,7 +29,7 @@ from .route_points import FARTHEST, RoutePoints, route_points
 from .route_positions import lane_places_of
 from .routes import route_through, start_places
 from .shares_of_lanes import at_share, within
-from .spots import UNREACHED, Spots
+from .spots import NoPlace, Spots
 
 
 def begins_in_network(
@@ -38,9 +38,9 @@ def begins_in_network(
     written: WrittenPlace,
     lengths: Floats,
     others: Others,
-) -> tuple[Integers, LaneStart, Floats]:
-    """Numbers of roads (R,), where on them copies begin, and what is lacking where no lane is near
-    or no way leads on. `lengths` are those of the copies. Raises RL613."""
+) -> tuple[Integers, LaneStart, Floats, Integers]:
+    """Numbers of roads (R,), where on them copies begin, the meters that are lacking where no lane
+    is near, and `NoPlace`. `lengths` are those of the copies. Raises RL613."""
     network = copies.scenario.networks[str(actor.on)]
     lanes = lanes_of_network(network, copies.candidates)
     choices = lane_choices(actor, copies, written, lanes)
@@ -58,7 +58,7 @@ def begins_in_network(
             index = np.flatnonzero([other == choice for other in choices])
             finder.place(choice, index, written, found)
     begin = LaneStart(found.start, found.lane, found.offset, found.backward, found.is_directed)
-    return found.road, begin, found.lacking
+    return found.road, begin, found.lacking, found.no_place
 
 
 def _reach_points(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph, into: Spots) -> None:
@@ -71,7 +71,7 @@ def _reach_points(actor: ScenarioActor, copies: CopyBatch, lanes: LaneGraph, int
         if place is not None:
             found = route_through(lanes, place, points.stages(row))
             if not isinstance(found, PlannedRoute):
-                into.lacking[row] = max(into.lacking[row], UNREACHED)
+                into.no_place[row] = into.no_place[row] or NoPlace.NO_WAY
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,10 +141,9 @@ class _Finder:
         if self._vias is None:
             return nearest, None
         found = shortest_route(self.lanes, stage, self._vias.stages(row))
-        is_route = isinstance(found, PlannedRoute)
-        unreached = 0.0 if is_route else UNREACHED
-        into.lacking[row] = max(into.lacking[row], unreached, self._vias.beyond(row))
+        into.lacking[row] = max(into.lacking[row], self._vias.beyond(row))
         if not isinstance(found, PlannedRoute):
+            into.no_place[row] = NoPlace.NO_WAY
             return nearest, None
         return RoutePlace(found.legs[0].lane, found.legs[0].start), found
 

@@ -19,7 +19,7 @@ from .positions import Others, row_distances, standing_beside
 from .road_places import from_root, to_root
 from .road_poses import WrittenPlace
 from .routes import leading_routes
-from .spots import FAR_AWAY, Spots
+from .spots import NoPlace, Spots
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class LaneWalks:
         for row, choice in enumerate(choices):
             road, backward = int(other.road[row, 0]), bool(standing.backward[row, 0])
             if road < 0:
-                into.lacking[row] = FAR_AWAY
+                into.no_place[row] = NoPlace.NO_OTHER
                 continue
             lane = self._written_lane(row, road, choice, backward, written)
             said, lane = lane is not None, int(standing.lane[row, 0]) if lane is None else lane

@@ -21,7 +21,7 @@ from .relative_lanes import may_be_missing
 from .roads import road_batch
 from .room_between import COPY
 from .routes import routes_of
-from .spots import UNREACHED
+from .spots import NoPlace, shortfall
 
 FAR = 1e9
 """Meters to the end of a road that nothing can be beyond"""
@@ -97,19 +97,22 @@ def _inside_road(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
 
 def lacking_road(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[int, float] | None:
     """The copy of a group that is farthest beyond the end of its road in the first candidate, and
-    by how many meters; None where all are on their roads, or no way leads there."""
+    by how many meters; None where all are on their roads, or one has no place at all."""
     if actor.on in candidates.scenario.networks:
+        if (_no_place(actor, candidates)[0] != NoPlace.HAS_ONE).any():
+            return None
         beyond = _lacking_of_lanes(actor, candidates)[0]
     else:
         beyond = -_inside_road(actor, candidates)[0]
     copy = int(beyond.argmax())
-    is_known = beyond[copy] > 0.0 and beyond[copy] != UNREACHED
-    return (copy, float(beyond[copy])) if is_known else None
+    return (copy, float(beyond[copy])) if beyond[copy] > 0.0 else None
 
 
-def is_unreached(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
-    """Whether, in the first candidate, no way in the network leads where a copy is to go."""
-    return bool((_lacking_of_lanes(actor, candidates)[0] == UNREACHED).any())
+def why_no_place(actor: ScenarioActor, candidates: CandidateBatch) -> NoPlace:
+    """Why a copy has no place at all in the first candidate; the first of those that have none."""
+    found = _no_place(actor, candidates)[0]
+    without = found[found != NoPlace.HAS_ONE]
+    return NoPlace(int(without[0])) if len(without) else NoPlace.HAS_ONE
 
 
 def missing_lane(actor: ScenarioActor, candidates: CandidateBatch) -> tuple[str, int] | None:
@@ -130,9 +133,17 @@ def _room_of_lanes(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
 
 
 def _lacking_of_lanes(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
-    """(V, N) meters that each copy is beyond the lanes: see `RoadPoses.lacking`."""
+    """(V, N) meters that each copy is beyond the lanes, or what counts where it has no place."""
     found = _arrangement(candidates).placed(actor)
-    return np.where(found["present"].astype(bool), found["lacking"], 0.0)
+    lacking = np.where(found["present"].astype(bool), found["lacking"], 0.0)
+    return shortfall(lacking, _no_place(actor, candidates))
+
+
+def _no_place(actor: ScenarioActor, candidates: CandidateBatch) -> Integers:
+    """(V, N) see `NoPlace`."""
+    found = _arrangement(candidates).placed(actor)
+    present = found["present"].astype(bool)
+    return np.where(present, found["no_place"], NoPlace.HAS_ONE).astype(np.int64)
 
 
 def room_among_others(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:

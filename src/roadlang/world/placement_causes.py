@@ -12,12 +12,12 @@ from .begins_with_turns import leads_on
 from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
 from .named_roads import named_lanes
-from .placement import is_unreached, missing_lane, room_among_others
+from .placement import missing_lane, room_among_others, why_no_place
 from .placement_faults import unknown_lane
-from .positions import names_another
+from .positions import named_other, names_another
 from .road_poses import WrittenPlace
 from .route_points import TurnWords, route_points
-from .spots import FAR_AWAY, UNREACHED
+from .spots import NoPlace
 
 
 def lane_fault(actor: ScenarioActor, candidates: CandidateBatch) -> Diagnostic | None:
@@ -36,6 +36,9 @@ def cause_of_place(actor: ScenarioActor, candidates: CandidateBatch) -> str | No
     found = missing_lane(actor, candidates)
     if found is not None:
         return f"`{found[0]}` has no lane {found[1]} for `{actor.name}`"
+    if why_no_place(actor, candidates) == NoPlace.NO_OTHER:
+        other = named_other(actor, candidates.scenario)
+        return f"`{actor.name}` is placed by `{other}`, which is not there"
     if actor.on not in candidates.scenario.networks or "route" not in actor.options:
         return None
     return _without_turns(actor, candidates) or _without_way(actor, candidates)
@@ -45,16 +48,16 @@ def _without_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None
     """That no way leads through the points of a route from where another decides it to begin."""
     if not names_another(actor, candidates.scenario):
         return None
-    if not is_unreached(actor, candidates):
+    if why_no_place(actor, candidates) != NoPlace.NO_WAY:
         return None
     return f"no path in `{actor.on}` follows the `route` of `{actor.name}` from where it starts"
 
 
 def beyond_road(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     """That what nothing is in the way of does not fit on its road, or beside it."""
-    missing = -float(room_among_others(actor, candidates)[0])
-    if actor.on is None or missing in (UNREACHED, FAR_AWAY):
+    if actor.on is None or why_no_place(actor, candidates) != NoPlace.HAS_ONE:
         return None
+    missing = -float(room_among_others(actor, candidates)[0])
     if actor.is_beside_road:
         return f"`{actor.name}` would stand in a driving lane, or beyond the ends of `{actor.on}`"
     return f"`{actor.name}` would stand {missing:.3g}m beyond the end of `{actor.on}`"

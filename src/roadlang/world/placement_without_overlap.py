@@ -28,6 +28,7 @@ from .positions import Others
 from .road_poses import RoadPoses
 from .road_strips import depth_in_lanes
 from .room_between import COPY, PlacedRectangles, legend_neighbors, missing_room, room_among
+from .spots import shortfall
 from .tight_bends import lacking_in_bends
 
 TRIES = (1, 1, 2, 4, 8, 8, 16, 16, 32, 32)
@@ -232,19 +233,20 @@ class _Turn:
 
     def _beyond_road(self, index: Integers, poses: RoadPoses) -> Floats:
         """(n,) meters that copies stand beyond the ends of their road: agents in a lane with their
-        bumpers, others with their middles. In a network they are found on its roads. Or what they
-        lack where a road does not have their lane."""
+        bumpers, others with their middles. In a network they are found on its roads. Or what
+        counts where they have no place."""
         name, start = str(self.actor.on), poses.start
         is_network = name in self.candidates.scenario.networks
         if is_network or named_road(name, self.candidates).closed:
-            return poses.lacking
+            return shortfall(poses.lacking, poses.no_place)
         length = length_of_rows(name, self.candidates, index // self._most)
         half = np.zeros(len(index))
         is_agent = self.actor.name in self.candidates.scenario.agents
         if is_agent and not self.actor.is_beside_road:
             half = np.minimum(self.kinds.lengths[index], length) / 2
         beyond = np.maximum(half - start, start + half - length)
-        return np.maximum(np.where(beyond > 1e-9 * length, beyond, 0.0), poses.lacking)
+        beyond = np.where(beyond > 1e-9 * length, beyond, poses.lacking)
+        return shortfall(beyond, poses.no_place)
 
     def _in_lanes(self, boxes: Footprints, rows: Integers, poses: RoadPoses) -> Floats:
         names = [name_of_road(self.actor, number) for number in poses.road.tolist()]

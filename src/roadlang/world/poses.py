@@ -26,7 +26,7 @@ from .road_poses import (
     option_value,
     poses_on_road,
 )
-from .spots import UNREACHED
+from .spots import NoPlace
 from .usual_lanes import ON_FOOT, walk_at_side
 
 WIDTH_WITHOUT_ROAD = 7.0
@@ -56,7 +56,7 @@ def _in_the_world(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> Ro
     no = none.astype(bool)
     width = np.where(np.isnan(widths), WIDTH_WITHOUT_ROAD, widths)
     lacking = np.zeros(copies.count)
-    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, lacking, width, none)
+    return RoadPoses(x, y, heading, nothing, nothing, none, no, road, lacking, width, none, none)
 
 
 def _in_network(
@@ -67,7 +67,7 @@ def _in_network(
     others: Others,
 ) -> RoadPoses:
     """Road by road."""
-    road, begin, lacking = begins_in_network(actor, copies, written, sizes[0], others)
+    road, begin, lacking, no_place = begins_in_network(actor, copies, written, sizes[0], others)
     found = [np.zeros(copies.count) for _ in range(6)]
     lane, backward = np.zeros(copies.count, np.int64), np.zeros(copies.count, dtype=bool)
     missing_lane = lane.copy()
@@ -88,9 +88,9 @@ def _in_network(
         for into, name in zip(columns, names, strict=True):
             into[index] = getattr(part, name)
     x, y, heading, start, offset, width = found
-    lacking = np.maximum(lacking, np.where(missing_lane != 0, UNREACHED, 0.0))
+    no_place = np.where((missing_lane != 0) & (no_place == 0), NoPlace.NO_LANE, no_place)
     return RoadPoses(x, y, heading, start, offset, lane, backward, road, lacking, width,
-        missing_lane)  # fmt: skip
+        missing_lane, no_place)  # fmt: skip
 
 
 def _begin(

@@ -78,6 +78,13 @@ def names_another(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
     return isinstance(actor.at, PassCall) and _other(actor, scenario)[0] is not None
 
 
+def named_other(actor: ScenarioActor, scenario: IndexedScenario) -> str:
+    """What its position is by, as it is written: `lead`, or `lead[0]` for a copy of a group."""
+    other, copy = _other(actor, scenario)
+    assert other is not None
+    return f"{other.name}[{copy - 1}]" if copy else other.name
+
+
 def standing_beside(
     actor: ScenarioActor, copies: CopyBatch, others: Others
 ) -> tuple[PlacedBatch, Standing]:

@@ -19,7 +19,7 @@ from .copies import element_of
 from .lane_places import LaneOffsets, lane_places
 from .positions import column
 from .road_places import places_along
-from .spots import UNREACHED
+from .spots import NoPlace
 
 NO_ROAD = -1
 """The number of the road of what is on none, or on a declared one"""
@@ -39,12 +39,13 @@ class RoadPoses:
     road: Integers
     """number of the road in its network, or `NO_ROAD`"""
     lacking: Floats
-    """in a network: meters, 0 where a lane is near and a way leads on; anywhere `UNREACHED` where
-    there is a `missing_lane`"""
+    """in a network: meters to the nearest lane that are too many; else 0"""
     width: Floats
     """meters across its heading"""
     missing_lane: Integers
     """the number of the lane that its road lacks, as another decides it; 0 where there is one"""
+    no_place: Integers
+    """see `NoPlace`"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,9 +162,10 @@ def poses_on_road(
         begin.lane,
         backward,
         np.full(len(rows), NO_ROAD),
-        np.where(lanes.missing, UNREACHED, 0.0),
+        np.zeros(len(rows)),
         widths,
         missing_lane,
+        np.where(lanes.missing, NoPlace.NO_LANE, NoPlace.HAS_ONE),
     )
 
 

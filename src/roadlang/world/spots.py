@@ -3,17 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import IntEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.arrays import Floats, Integers
 
-FAR_AWAY = 1e6
-"""Meters that lack to what is placed by something that is not there"""
-UNREACHED = 1.0
-"""What is lacking where no way leads through the points of a route, or the road does not have the
-lane, as if in meters"""
+
+class NoPlace(IntEnum):
+    """Why something has no place at all, however far it were moved."""
+
+    HAS_ONE = 0
+    NO_WAY = 1
+    """no way leads through the points of its route"""
+    NO_LANE = 2
+    """its road does not have the lane"""
+    NO_OTHER = 3
+    """what it is placed by is not there"""
+
+
+_VIOLATION = 1.0
+"""How much a thing without a place violates the requirement that it has one: the search for scenes
+counts that beside meters, but no distance says it."""
+
+
+def shortfall(lacking: Floats, no_place: Integers) -> Floats:
+    """How much a place violates the requirement to be one, 0 for none, any shape: `lacking` meters,
+    or what counts where there is `no_place`."""
+    return np.maximum(lacking, np.where(no_place != NoPlace.HAS_ONE, _VIOLATION, 0.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +50,9 @@ class Spots:
     is_directed: NDArray[np.bool_]
     """whether `backward` counts; else it faces as its lane runs"""
     lacking: Floats
-    """meters that a point is too far from every lane, or `UNREACHED`; else 0"""
+    """meters that a point is too far from every lane; else 0"""
+    no_place: Integers
+    """see `NoPlace`"""
 
     @classmethod
     def of(cls, count: int, road: int) -> Spots:
@@ -40,7 +60,8 @@ class Spots:
         no = np.zeros(count, dtype=bool)
         zero = np.zeros(count)
         lane = np.zeros(count, np.int64)
-        return cls(np.full(count, road), zero, lane, zero.copy(), no, no.copy(), zero.copy())
+        found = np.full(count, NoPlace.HAS_ONE, np.int64)
+        return cls(np.full(count, road), zero, lane, zero.copy(), no, no.copy(), zero.copy(), found)
 
     def stand(
         self, row: int, road: int, start: float, lane: int, offset: float, backward: bool
