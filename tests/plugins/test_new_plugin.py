@@ -50,6 +50,12 @@ def test_nothing_of_the_template_is_left_open(folder: Path) -> None:
         assert path.is_dir() or "{{" not in path.read_text(), path
 
 
+def test_the_file_that_a_reader_reads_stands_beside_its_tests(folder: Path) -> None:
+    assert new("acme", "--kind", "read") == 0
+    assert "tests/track.acme" in paths_in(folder / "roadlang-acme")
+    assert '"track.acme"' in (folder / "roadlang-acme/README.md").read_text()
+
+
 def test_an_existing_folder_is_left_alone(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "roadlang-acme").mkdir()
     assert new("acme") == 2

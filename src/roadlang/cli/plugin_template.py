@@ -27,10 +27,14 @@ VERBS = (
     "monitor",
     "object",
     "perturb",
+    "read",
     "sense",
     "signal",
 )
 """The verbs that there is a template for."""
+_DATA = {"read": "track"}
+"""Verbs whose scenes name a file, by its name without the ending, which is that of the kind; it
+stands beside the tests."""
 _NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*\Z")
 _TEMPLATES = files(__package__) / "templates" / "plugin"
 
@@ -129,6 +133,8 @@ def plugin_files(name: str, verbs: Sequence[str]) -> dict[str, str]:
         about = {**words, "SCENE": scenes[verb]}
         texts[f"src/{module}/{verb}_{name}.py"] = _filled(f"{verb}.py", about)
         texts[f"tests/test_{verb}_{name}.py"] = _filled(f"{verb}_test.py", about)
+        if verb in _DATA:
+            texts[f"tests/{_DATA[verb]}.{name}"] = _filled(f"{verb}.data", about)
     return texts
 
 

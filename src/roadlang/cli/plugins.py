@@ -93,7 +93,7 @@ def new(name: str, verbs: tuple[str, ...], folder: str | None) -> None:
     It has one kind for each verb and is ready to install.
 
     There are templates for the verbs agent, drive, drive_signal, emit, extract, falsify (a
-    searcher), monitor, object, perturb, sense and signal.
+    searcher), monitor, object, perturb, read, sense and signal.
     """
     from ..plugins.discovery import load_registry
     from . import plugin_template
