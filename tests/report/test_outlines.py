@@ -11,8 +11,8 @@ import pytest
 from roadlang.ir.scene import SceneNetwork, SceneRoad
 from roadlang.ir.scene_junctions import SceneJunction
 from roadlang.ir.scene_lane import SceneLane
-from roadlang.report.outlines import Outline, outline, outlines
-from tests.backends.handmade_scenes import bend, road, through
+from roadlang.report.outlines import Outline, outline, outlines, surfaces
+from tests.backends.handmade_scenes import actor, bend, road, through
 
 
 def straight(**changes: Any) -> SceneRoad:
@@ -85,10 +85,13 @@ def test_only_derived_roads_are_drawn_where_there_are_some_and_junctions_of_thei
 
 def test_the_page_gets_steps_of_centimeters() -> None:
     ring = np.array([[0.0, 0.0], [1.234, 0.0], [1.234, -2.0]])
-    record = Outline(ring, ((ring[:2], True), (ring[1:], False))).record()
+    lines = ((ring[:2], True), (ring[1:], False))
+    record = Outline(ring, lines, bands=((ring, True),), paint=(ring[:2],)).record()
     assert record == {
         "surface": [[0, 123, 0], [0, 0, -200]],
         "lines": [[[[0, 123], [0, 0]], 1], [[[123, 0], [0, -200]], 0]],
+        "bands": [[[[0, 123, 0], [0, 0, -200]], 1]],
+        "paint": [[[0, 123], [0, 0]]],
     }
 
 
@@ -96,3 +99,40 @@ def test_a_bend_keeps_its_shape() -> None:
     found = outline(road("main", lambda x: 0.002 * x * x, 100.0))
     assert len(found.surface) > 8
     assert found.surface[0].tolist() == pytest.approx([0.0, 3.5], abs=0.01)
+
+
+def test_sidewalks_and_what_is_beside_the_roadway_are_drawn_between_junctions() -> None:
+    lanes = (
+        SceneLane(1, "drive", "backward", (3.5,)),
+        SceneLane(-1, "drive", "forward", (3.5,)),
+        SceneLane(-2, "parking", "forward", (2.0,), drivable=False),
+        SceneLane(-3, "sidewalk", "none", (1.0,), drivable=False, raised=True),
+    )
+    found = outline(straight(lane_list=lanes, trim=(20.0, 30.0)))
+    boxes = [(ring.min(axis=0).tolist(), ring.max(axis=0).tolist(), up) for ring, up in found.bands]
+    assert boxes == [
+        ([20.0, -5.5], [70.0, -3.5], False),
+        ([20.0, -6.5], [70.0, -5.5], True),
+    ]
+    assert found.surface.min(axis=0).tolist() == [0.0, -6.5]
+    assert outline(straight()).bands == ()
+
+
+def test_a_crosswalk_is_painted_on_the_road_that_it_crosses() -> None:
+    zebra = replace(actor("zebra", "crosswalk", 40, 0, length=4.0, width=7.0), road="main")
+    scene = replace(bend(), roads=(straight(),), markings=(zebra, replace(zebra, road="other")))
+    (main,) = outlines(scene)
+    stripes = np.concatenate(main.paint)
+    assert stripes.min(axis=0) == pytest.approx([38.0, -3.5], abs=0.3)
+    assert stripes.max(axis=0) == pytest.approx([42.0, 3.5], abs=0.3)
+    record = main.record()["paint"]
+    assert len(record) == len(main.paint)
+
+
+def test_pictures_have_the_same_surfaces() -> None:
+    area = ((0.0, 0.0), (9.0, 0.0), (9.0, 9.0))
+    place = SceneJunction(0, (0,), "junction", area, (), ())
+    town = SceneNetwork("town", (), ("main",), junctions=(place,))
+    scene = replace(bend(), roads=(straight(network="town"),), networks=(town,))
+    for plain, full in zip(surfaces(scene), outlines(scene), strict=True):
+        assert plain.tolist() == full.surface.tolist()

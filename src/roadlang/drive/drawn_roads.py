@@ -4,18 +4,18 @@ and what is painted at junctions."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..geometry.cross_section import drivable_borders
 from ..geometry.strokes_of_lanes import LaneStroke
 from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
 from ..scenes.figure_colors import FIGURE_COLORS
 from ..scenes.junction_paint import crosswalk_paint, junction_paint
-from .lane_lines import ShownPart, painted_lines, shown_part
+from .lane_bands import LaneBand, lane_bands, roadway
+from .lane_lines import painted_lines
 
 _SEAM = 2.0
 """Pixels: areas are drawn so much wider in all, or thin lines of ground show between them."""
@@ -39,54 +39,26 @@ def drawn_roads(
         for junction in network.junctions
         if shown.issuperset(arm.road for arm in junction.arms)
     ]
-    parts = [part for road in roads if (part := _Part.of(road)) is not None]
-    for part in parts:
-        yield from part.bands(place, inner=False)
+    bands = [band for road in roads for band in lane_bands(road)]
+    for band in bands:
+        if not band.inner:
+            yield _band(band, place, _SEAM)
     for junction in junctions:
         yield _area(place(*np.array(junction.area).T), FIGURE_COLORS.surface)
-    for part in parts:
-        yield _area(place(*part.between(*part.driven)), FIGURE_COLORS.surface)
-    for part in parts:
-        yield from part.bands(place, inner=True)
+    for road in roads:
+        driven = roadway(road)
+        if driven is not None:
+            yield _area(place(*driven.T), FIGURE_COLORS.surface)
+    for band in bands:
+        if band.inner:
+            yield _band(band, place, 0.0)
     yield from _lane_lines(roads, place, scale)
     yield from _paint(scene, junctions, place, scale)
 
 
-@dataclass(frozen=True, eq=False)
-class _Part:
-    """What the junctions leave of a road, with its lanes."""
-
-    shown: ShownPart
-    borders: Floats
-    """(L + 1, n) meters left of the curve"""
-    colors: tuple[str | None, ...]
-    """of each lane; None: plain roadway"""
-    driven: tuple[int, int]
-    """the outer borders of the drivable lanes"""
-
-    @classmethod
-    def of(cls, road: SceneRoad) -> _Part | None:
-        part, section = shown_part(road), road.cross_section()
-        if part is None:
-            return None
-        colors = tuple(
-            None if lane.drivable else FIGURE_COLORS.raised if lane.raised else FIGURE_COLORS.beside
-            for lane in section.lanes
-        )
-        drivable = np.array([lane.drivable for lane in section.lanes])
-        return cls(part, section.border_offsets(part.stations), colors, drivable_borders(drivable))
-
-    def between(self, left: int, right: int) -> Floats:
-        """(2, n) x and y around what is between two borders."""
-        sides = [self.shown.beside(self.borders[border]) for border in (left, right)]
-        return np.concatenate([sides[0], sides[1][::-1]]).T
-
-    def bands(self, place: Place, *, inner: bool) -> Iterator[str]:
-        """Lanes with a color of their own: beside the drivable ones, or between them."""
-        first, last = self.driven
-        for lane, color in enumerate(self.colors):
-            if color is not None and inner == (first <= lane < last):
-                yield _area(place(*self.between(lane, lane + 1)), color, 0.0 if inner else _SEAM)
+def _band(band: LaneBand, place: Place, seam: float) -> str:
+    color = FIGURE_COLORS.raised if band.raised else FIGURE_COLORS.beside
+    return _area(place(*band.ring.T), color, seam)
 
 
 def _area(ring: Floats, color: str, seam: float = _SEAM) -> str:

@@ -2,62 +2,109 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from ..drive.lane_bands import lane_bands
 from ..drive.lane_lines import few_points, line_beside, painted_lines
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneRoad
+from ..ir.scene_junctions import SceneJunction
+from ..scenes.junction_paint import PaintedShape, crosswalk_paint, junction_paint
+from ..scenes.paint_rings import paint_rings
 from .decimation import deltas
 
 CENTIMETERS = 100.0
 _SCALE = 10.0
 """Pixels per meter of the page when it shows a stretch of road close by"""
+_SEEN = ("crossing", "stop_line", "yield_line")
+"""What is painted for a report, of all that is painted."""
 
 
 @dataclass(frozen=True)
 class Outline:
-    """What is drawn of a road: its surface (n, 2), a ring, and lines between lanes, with
-    whether each is broken. Meters."""
+    """What is drawn of a road or junction. Meters."""
 
     surface: Floats
-    lines: tuple[tuple[Floats, bool], ...]
+    """(n, 2) a ring"""
+    lines: tuple[tuple[Floats, bool], ...] = ()
+    """between lanes, and whether each is broken"""
+    bands: tuple[tuple[Floats, bool], ...] = ()
+    """rings of lanes that nobody drives on, and whether each is raised"""
+    paint: tuple[Floats, ...] = ()
+    """rings of what is painted"""
 
     def record(self) -> dict[str, Any]:
         """For the page: deltas in centimeters."""
         return {
             "surface": _flat(self.surface),
             "lines": [[_flat(line), int(broken)] for line, broken in self.lines],
+            "bands": [[_flat(ring), int(raised)] for ring, raised in self.bands],
+            "paint": [_flat(ring) for ring in self.paint],
         }
 
 
 def outlines(scene: Scene) -> list[Outline]:
-    """The roads that are driven, and the surfaces of junctions."""
-    roads = [road for road in scene.roads if road.derived] or list(scene.roads)
-    areas = [
-        Outline(np.array(junction.area), ())
-        for network in scene.networks
-        for junction in network.junctions
-        if len(junction.area) > 2 and any(road.network == network.name for road in roads)
+    """The roads that are driven, and the junctions of their networks, with what is painted."""
+    roads = [outline(road, _crosswalks(scene, road)) for road in _driven(scene)]
+    return roads + [
+        Outline(np.array(junction.area), paint=_painted(junction_paint(scene, [junction])))
+        for junction in _junctions(scene)
     ]
-    return [*map(outline, roads), *areas]
 
 
-def outline(road: SceneRoad) -> Outline:
-    """A road with its lanes."""
-    stations = np.array(road.stations)
-    borders = road.cross_section().border_offsets(stations)
-    lines = [line_beside(road, border) for border in borders]
-    ring = np.concatenate([few_points(lines[0]), few_points(lines[-1])[::-1]])
-    if road.closed:
-        ring = _with_hole(lines[0], lines[-1])
-    last = len(borders) - 1
+def surfaces(scene: Scene) -> list[Floats]:
+    """The surfaces of `outlines`, (n, 2) each."""
+    areas = (np.array(junction.area) for junction in _junctions(scene))
+    return [*map(surface, _driven(scene)), *areas]
+
+
+def _driven(scene: Scene) -> list[SceneRoad]:
+    return [road for road in scene.roads if road.derived] or list(scene.roads)
+
+
+def _junctions(scene: Scene) -> Iterator[SceneJunction]:
+    networks = {road.network for road in _driven(scene)}
+    for network in scene.networks:
+        for junction in network.junctions if network.name in networks else ():
+            if len(junction.area) > 2:
+                yield junction
+
+
+def _crosswalks(scene: Scene, road: SceneRoad) -> tuple[Floats, ...]:
+    here = tuple(marking for marking in scene.markings if marking.road == road.name)
+    return _painted(crosswalk_paint(replace(scene, markings=here))) if here else ()
+
+
+def _painted(shapes: Iterable[PaintedShape]) -> tuple[Floats, ...]:
+    """Rings of what is seen when a whole town is shown."""
+    return tuple(paint_rings(shape for shape in shapes if shape.kind in _SEEN))
+
+
+def outline(road: SceneRoad, paint: tuple[Floats, ...] = ()) -> Outline:
+    """A road with its lanes, and what is painted across them."""
+    last = len(road.cross_section().lanes)
     painted = painted_lines(road, _SCALE)
     # The surface shows where the road ends: a page of many roads stays small.
     inner = ((line, stroke) for line, stroke in painted if 0 < stroke.border < last)
-    return Outline(ring, tuple((line, stroke.dashes is not None) for line, stroke in inner))
+    return Outline(
+        surface(road),
+        tuple((line, stroke.dashes is not None) for line, stroke in inner),
+        tuple((band.ring, band.raised) for band in lane_bands(road)),
+        paint,
+    )
+
+
+def surface(road: SceneRoad) -> Floats:
+    """(n, 2) around all lanes of a road, inside junctions too."""
+    borders = road.cross_section().border_offsets(np.array(road.stations))
+    left, right = (line_beside(road, border) for border in (borders[0], borders[-1]))
+    if road.closed:
+        return _with_hole(left, right)
+    return np.concatenate([few_points(left), few_points(right)[::-1]])
 
 
 def _with_hole(left: Floats, right: Floats) -> Floats:

@@ -15,7 +15,7 @@ from .decimation import samples_of
 from .drive_records import DriveView
 from .elements import drawing, element, text
 from .numbers import quantity
-from .outlines import outlines
+from .outlines import surfaces
 
 Place = Callable[[Floats], Floats]
 WIDTH = 160.0
@@ -84,8 +84,8 @@ def picture(view: DriveView, frame: Frame) -> str:
 
 
 def _roads(view: DriveView, place: Place, tall: float) -> Iterator[str]:
-    for outline in outlines(view.drive.scene):
-        ring = place(outline.surface)
+    for surface in surfaces(view.drive.scene):
+        ring = place(surface)
         low, high = ring.min(axis=0), ring.max(axis=0)
         if (high < 0.0).any() or low[0] > WIDTH or low[1] > tall:
             continue

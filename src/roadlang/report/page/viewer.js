@@ -5,7 +5,9 @@ const DATA = JSON.parse(document.getElementById("data").textContent);
 const COLORS = ["#1c7ed6", "#e8590c", "#2f9e44", "#9c36b5", "#c2255c", "#0c8599"];
 const byId = (name) => document.getElementById(name);
 const roadLines = DATA.roads.map((road) => ({
-  surface: ring(points(road.surface)) + "Z",
+  surface: closed(road.surface),
+  bands: road.bands.map(([around, raised]) => [closed(around), raised ? "raised" : "beside"]),
+  paint: road.paint.map(closed).join(""),
   lines: road.lines.map(([line, broken]) => [ring(points(line)), broken]),
   points: points(road.surface),
 }));
@@ -13,6 +15,10 @@ const roadLines = DATA.roads.map((road) => ({
 function points([x, y]) {
   const [east, north] = [undelta(x, 100), undelta(y, 100)];
   return east.map((value, index) => [value, -north[index]]);
+}
+
+function closed(around) {
+  return ring(points(around)) + "Z";
 }
 
 // Where an agent drives, until it leaves.
@@ -101,6 +107,8 @@ class Viewer {
     this.svg.style.aspectRatio = `${wide} / ${Math.max(tall, 1)}`;
     const parts = roads.map((road) => draw("path", { d: road.surface, class: "surface" }));
     for (const road of roads) {
+      for (const [band, look] of road.bands) parts.push(draw("path", { d: band, class: look }));
+      if (road.paint) parts.push(draw("path", { d: road.paint, class: "paint" }));
       for (const [line, broken] of road.lines) parts.push(draw("path", { d: line, class: broken ? "line broken" : "line" }));
     }
     parts.push(...drive.objects.map(thing));
