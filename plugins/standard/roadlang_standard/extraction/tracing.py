@@ -42,16 +42,22 @@ class _Thinned:
         chosen: Indices = self.pixels[(rises >= 3) | (self.ring.sum(axis=0) >= 4)]
         return chosen
 
-    def onward(self) -> dict[int, int]:
-        """For pixels with two neighbors, the sum of both: less the one, it is the other."""
+    def onward(self, beside: set[int]) -> dict[int, int]:
+        """For pixels with two neighbors that are not `beside` nodes, the sum of both: less the one,
+        it is the other."""
         plain = self.ring.sum(axis=0) == 2
         sums = 2 * self.pixels[plain] + self.around @ self.ring[:, plain]
-        return dict(zip(self.pixels[plain].tolist(), sums.tolist(), strict=True))
+        found = dict(zip(self.pixels[plain].tolist(), sums.tolist(), strict=True))
+        for pixel in beside & found.keys():
+            del found[pixel]
+        return found
 
     def place(self, pixels: Indices | int) -> Floats:
         """Points (..., 2) in the picture without the rim."""
-        rows, columns = np.divmod(pixels, self.stride)
-        return np.stack([columns, rows], axis=-1) - 1.0
+        found = np.empty((*np.shape(pixels), 2))
+        found[..., 1], found[..., 0] = np.divmod(pixels, self.stride)
+        found -= 1.0
+        return found
 
 
 def trace(skeleton: Booleans) -> Graph:
@@ -94,7 +100,7 @@ def _walk(graph: Graph, thin: _Thinned, owner: dict[int, int]) -> None:
     steps = (-1, 1, -stride, stride, -stride - 1, -stride + 1, stride - 1, stride + 1)
     free = set(thin.pixels.tolist()) - owner.keys()
     beside = {pixel + s for pixel in owner for s in steps}
-    onward = thin.onward()
+    onward = thin.onward(beside)
 
     def go(pixel: int, start: int, path: list[int]) -> None:
         """Follow free pixels until a node or a dead end."""
@@ -102,8 +108,9 @@ def _walk(graph: Graph, thin: _Thinned, owner: dict[int, int]) -> None:
             path.append(pixel)
             free.discard(pixel)
             if pixel not in beside and len(path) > 2:  # most pixels: no need to look for nodes
-                both = onward.get(pixel)
-                pixel = _first(pixel, free, steps) if both is None else both - path[-2]
+                pixel = _run(path, onward, free)
+                if pixel not in free:
+                    pixel = _first(path[-1], free, steps)
                 if pixel not in free:
                     return _add(graph, start, None, path, thin)
                 continue
@@ -131,7 +138,9 @@ def _walk(graph: Graph, thin: _Thinned, owner: dict[int, int]) -> None:
         node = graph.add_node(thin.place(root))
         if following in free:
             owner[root] = node
-            beside.update(root + s for s in steps)
+            for s in steps:
+                beside.add(root + s)
+                onward.pop(root + s, None)
             go(following, node, [])
 
 
@@ -144,6 +153,19 @@ def _tips(free: set[int], thin: _Thinned) -> list[int]:
     is_free[pixels] = 1
     neighbors = is_free.take(pixels + thin.around[:, None]).sum(axis=0)
     return [int(pixel) for pixel in pixels[neighbors <= 1]]
+
+
+def _run(path: list[int], onward: dict[int, int], free: set[int]) -> int:
+    """Carry a path on along pixels from which there is one way on. Returns the pixel after them, or
+    the last one of the path if more or no ways lead on from it."""
+    begun, (before, pixel) = len(path), path[-2:]
+    while (both := onward.get(pixel)) is not None:
+        before, pixel = pixel, both - before
+        if pixel not in free or pixel not in onward:
+            break
+        path.append(pixel)
+    free.difference_update(path[begun:])
+    return pixel
 
 
 def _first(pixel: int, free: set[int], steps: tuple[int, ...]) -> int:
