@@ -108,9 +108,7 @@ def _walk(graph: Graph, thin: _Thinned, owner: dict[int, int]) -> None:
             path.append(pixel)
             free.discard(pixel)
             if pixel not in beside and len(path) > 2:  # most pixels: no need to look for nodes
-                pixel = _run(path, onward, free)
-                if pixel not in free:
-                    pixel = _first(path[-1], free, steps)
+                pixel = _run(path, onward, free, steps)
                 if pixel not in free:
                     return _add(graph, start, None, path, thin)
                 continue
@@ -155,9 +153,9 @@ def _tips(free: set[int], thin: _Thinned) -> list[int]:
     return [int(pixel) for pixel in pixels[neighbors <= 1]]
 
 
-def _run(path: list[int], onward: dict[int, int], free: set[int]) -> int:
-    """Carry a path on along pixels from which there is one way on. Returns the pixel after them, or
-    the last one of the path if more or no ways lead on from it."""
+def _run(path: list[int], onward: dict[int, int], free: set[int], steps: tuple[int, ...]) -> int:
+    """Carry a path on along pixels from which there is one way on; returns the pixel after them, -1
+    if there is none."""
     begun, (before, pixel) = len(path), path[-2:]
     while (both := onward.get(pixel)) is not None:
         before, pixel = pixel, both - before
@@ -165,7 +163,7 @@ def _run(path: list[int], onward: dict[int, int], free: set[int]) -> int:
             break
         path.append(pixel)
     free.difference_update(path[begun:])
-    return pixel
+    return pixel if pixel in free else _first(path[-1], free, steps)
 
 
 def _first(pixel: int, free: set[int], steps: tuple[int, ...]) -> int:
