@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
@@ -217,3 +218,12 @@ def test_a_ring_with_no_room_for_a_bend_stays_a_ring() -> None:
     (tiny,) = [road for road in found.roads if road.closed]
     assert np.isfinite(tiny.points).all()
     assert tiny.length > 8
+
+
+def test_digits_beside_a_road_are_rings_that_keep_their_shape() -> None:
+    """A zero has hardly room for the bends of a road: made smooth, it shrank to a point."""
+    image = band(30, 39, 120, 200)
+    cv2.ellipse(image, (100, 90), (4, 6), 0, 0, 360, 1.0, 1, cv2.LINE_AA)
+    found = roads_of_surface(image, "test", least=0.0)
+    (zero,) = [road for road in found.roads if road.closed]
+    assert zero.length == pytest.approx(32, abs=3)

@@ -139,3 +139,12 @@ def test_what_is_transparent_is_white() -> None:
     assert as_colors(gray)[0, :, 0].tolist() == [255, 191, 40]
     color = np.array([[[10, 20, 30, 255], [10, 20, 30, 0]]], np.uint8)
     assert as_colors(color).tolist() == [[[10, 20, 30], [255, 255, 255]]]
+
+
+def test_white_lines_on_nothing_are_drawn_on_black() -> None:
+    """White on white they would not be seen."""
+    image = np.full((20, 30, 4), 255, np.uint8)
+    image[:8, :, 3] = image[12:, :, 3] = 0
+    assert as_colors(image)[:, 5, 0].tolist() == [0] * 8 + [255] * 4 + [0] * 8
+    image[9, :10, :3] = 90
+    assert as_colors(image)[:8].min() == 255

@@ -23,6 +23,7 @@ from .placed_pixels import Pixels, PlacedPixels, placed
 MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
 _SILENT = 0
+_HALF, _WHITE, _NEARLY_ALL = 0.5, 200.0, 0.99
 
 
 @dataclass(frozen=True)
@@ -181,7 +182,8 @@ def _set_log_level(level: int) -> int:
 
 
 def as_colors(pixels: NDArray[np.generic]) -> Pixels:
-    """Any depth and number of channels to 8-bit BGR; transparent pixels become white."""
+    """Any depth and number of channels to 8-bit BGR; transparent pixels become white, or black
+    where little but white lines is drawn."""
     eight = _as_bytes(pixels)
     if eight.ndim == 2:
         eight = eight[..., None]
@@ -189,10 +191,19 @@ def as_colors(pixels: NDArray[np.generic]) -> Pixels:
     if channels in (2, 4):
         cover = eight[..., -1:].astype(np.float32) / 255.0
         colors = eight[..., :-1].astype(np.float32)
-        eight = np.rint(colors * cover + 255.0 * (1.0 - cover)).astype(np.uint8)
+        ground = 0.0 if _is_drawn_white(colors, cover[..., 0] > 0.5) else 255.0
+        eight = np.rint(colors * cover + ground * (1.0 - cover)).astype(np.uint8)
     if eight.shape[2] == 1:
         eight = np.repeat(eight, 3, axis=2)
     return np.ascontiguousarray(eight[..., :3])
+
+
+def _is_drawn_white(colors: NDArray[np.float32], drawn: NDArray[np.bool_]) -> bool:
+    """Whether what covers less than half of the picture is white: on white it would vanish."""
+    shown = colors[drawn]
+    if not 0 < len(shown) < _HALF * drawn.size:
+        return False
+    return bool(np.mean(shown.min(axis=-1) > _WHITE) > _NEARLY_ALL)
 
 
 def _as_bytes(pixels: NDArray[np.generic]) -> Pixels:

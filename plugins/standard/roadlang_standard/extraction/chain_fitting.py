@@ -18,6 +18,7 @@ from .junction_points import at_stations, extended, foot_station
 from .smoothing import resample, smooth, stations
 
 _FITS = 2
+_SHRUNK = 0.75
 _FADE = 12.0
 """Pixels over which a curve that is not fair leaves the line to meet a node."""
 
@@ -27,13 +28,15 @@ class Run:
     """The curve (n, 2) of a chain, a point about each pixel; a closed one repeats its first point.
 
     It was fitted beside what was `traced`. `reached` are lengths along it of the chain's nodes,
-    about; those of a closed run are its parts' starts.
+    about; those of a closed run are its parts' starts. A `tiny` ring has no room for the tightest
+    bend and stays as it was traced: smoothed, it would shrink to a point.
     """
 
     chain: LineChain
     curve: Floats
     traced: Traced
-    reached: tuple[float, ...]
+    reached: tuple[float, ...] = ()
+    tiny: bool = False
 
     @property
     def nodes(self) -> list[int]:
@@ -46,7 +49,7 @@ class Run:
 
     def is_fair(self, fit: Fit) -> bool:
         """Whether lines and arcs are sought for its curve."""
-        return fit.fair and not _is_tiny(self.traced.line, self.chain.closed, fit)
+        return fit.fair and not self.tiny
 
 
 def fitted(
@@ -68,32 +71,38 @@ def fitted(
     return [_with_curve(*each) for each in zip(runs, curves, strict=True)]
 
 
+def _has_shrunk(curve: Floats, traced: Floats) -> bool:
+    """Whether a ring has lost a good part of its length to its smoothness."""
+    return bool(stations(curve)[-1] < _SHRUNK * stations(traced)[-1])
+
+
 def _rough(chain: LineChain, free: tuple[bool, bool], nodes: Mapping[int, Floats], fit: Fit) -> Run:
     """The chain as it was traced, rid of waves."""
     pieces = [line.points if forward else line.points[::-1] for line, forward in chain.parts]
     traced = resample(np.vstack([pieces[0], *[piece[1:] for piece in pieces[1:]]]))
     inner = [piece[0] for piece in pieces[1:]]
-    if _is_tiny(traced, chain.closed, fit):
-        return Run(chain, traced, Traced(traced, np.zeros((0, 2))), ())
+    alone = Traced(traced, np.zeros((0, 2)))
     curve = _without_waves(traced, inner, chain.closed, free, fit)
+    if chain.closed and (
+        stations(traced)[-1] < 2 * np.pi * fit.tightest or _has_shrunk(curve, traced)
+    ):
+        return Run(chain, traced, alone, tiny=True)
     if not fit.fair:
-        return Run(chain, curve, Traced(traced, np.zeros((0, 2))), ())
+        return Run(chain, curve, alone)
     ends = [free[0] and not chain.closed, *[False] * len(inner), free[1] or chain.closed]
     places = [nodes[node] for node, end in zip(chain.nodes, ends, strict=True) if not end]
     junctions = np.array(places).reshape(-1, 2)
-    return Run(chain, even_points(curve, chain.closed), Traced(traced, junctions), ())
+    return Run(chain, even_points(curve, chain.closed), Traced(traced, junctions))
 
 
 def _with_curve(run: Run, curve: Floats) -> Run:
     """The run with another curve, and how far along it the nodes are reached."""
+    traced = run.traced.line
+    if run.chain.closed and _has_shrunk(curve, traced):
+        run, curve = replace(run, tiny=True), traced
     shares = np.cumsum([0.0, *[line.length for line, _ in run.chain.parts]])
     reached = shares / shares[-1] * stations(curve)[-1]
     return replace(run, curve=curve, reached=tuple(reached[:-1] if run.chain.closed else reached))
-
-
-def _is_tiny(traced: Floats, closed: bool, fit: Fit) -> bool:
-    """Whether a ring has no room for the tightest bend: smoothed, it would shrink to a point."""
-    return closed and bool(stations(traced)[-1] < 2 * np.pi * fit.tightest)
 
 
 def _without_waves(

@@ -13,6 +13,7 @@ from roadlang.geometry import Booleans
 from .found_network import FoundNetwork
 from .masks import roads_of_surface, without_specks
 from .open_edges import with_closed_ends
+from .road_markings import with_markings_filled
 from .road_regions import RoadRegion, road_regions
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
@@ -35,7 +36,7 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
         layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
     ]
     best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
-    return roads_of_surface(best, "filled road", width=width)
+    return roads_of_surface(with_markings_filled(best), "filled road", width=width)
 
 
 def _ink(image: Image, paper: NDArray[np.float64]) -> Layer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -21,11 +21,13 @@ from .linking import link
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 from .square_stubs import add_square_stubs
+from .thin_strokes import drop_thin_strokes
 from .tracing import trace
 
 Layer = NDArray[np.float32]
 _WAVES, _ALL_WAVES = 2.0, 0.5
 """Shortest wavelengths of center lines, in widths: of smooth curves, and of lines as traced."""
+_LEFT_OUT = "what is short and drawn thinner than the roads, such as names and arrows, was left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
 
@@ -57,14 +59,16 @@ def roads_of_surface(
     smooth.
     """
     mask = without_specks(surface >= 0.5, specks)
-    thin = skeleton(mask)
-    while _is_noise(thin) and specks < 1e4:
+    lines = skeleton(mask)
+    while _is_noise(lines) and specks < 1e4:
         specks *= 4
         surface = cv2.GaussianBlur(surface, (0, 0), 2.0)
         mask = without_specks(surface >= 0.5, specks)
-        thin = skeleton(mask)
-    graph = trace(thin)
-    typical, led_out = _tidy(graph, mask, least, cover)
+        lines = skeleton(mask)
+    graph = trace(lines)
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    thin = drop_thin_strokes(graph, inner) if least is None and cover is None else 0
+    typical, led_out = _tidy(graph, mask, inner, least, cover)
     leaving = typical if cover is None else max(typical, cover.widest)
     extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * leaving + 2, led_out)
     settings = Draft(
@@ -77,15 +81,15 @@ def roads_of_surface(
         covered=None if cover is None else cover.mask,
     )
     score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
-    return with_doubts(draft(graph, surface, score, settings, method))
+    found = with_doubts(draft(graph, surface, score, settings, method))
+    return replace(found, remarks=(*found.remarks, _LEFT_OUT)) if thin else found
 
 
 def _tidy(
-    graph: Graph, mask: Booleans, least: float | None, cover: Cover | None
+    graph: Graph, mask: Booleans, inner: Layer, least: float | None, cover: Cover | None
 ) -> tuple[float, set[int]]:
     """Clean the graph of a mask's skeleton, in place; the usual width of its roads, pixels, and the
-    nodes at which they leave the picture."""
-    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    nodes at which they leave the picture. `inner` (h, w): distance to the edge of the mask."""
     typical = width_within(graph, inner)
     drop_corners(graph, inner, typical)
     if cover is not None:

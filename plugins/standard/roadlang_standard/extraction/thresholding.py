@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from .drawing import between_lines, likeness
 from .found_network import FoundNetwork
 from .masks import roads_of_surface
+from .road_markings import with_markings_filled
 from .tones import Image, Layer, away_from, tones
 
 EDGE_LINES = "edge lines"
@@ -126,4 +127,4 @@ def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
         between = between_lines(ink >= 0.5)
         if between is not None:
             return between, EDGE_LINES
-    return max(sides.values(), key=likeness), "contour"
+    return with_markings_filled(max(sides.values(), key=likeness)), "contour"

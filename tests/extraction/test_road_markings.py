@@ -1,0 +1,44 @@
+"""Lines painted on a drawn road are part of it; what parts two roads is not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang.api import Picture
+from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.road_markings import with_markings_filled
+from tests.extraction.graph_drawings import surface
+from tests.extraction.painted_roads import band, painted
+
+_DASHES = [(slice(64, 67), slice(start, start + 16)) for start in range(10, 380, 28)]
+
+
+def _dashed() -> np.ndarray:
+    """A road of rows 50 to 80 with dashes along its middle."""
+    return band(50, 81, 130, 400) - surface(130, 400, *_DASHES)
+
+
+def test_dashes_are_filled() -> None:
+    assert np.array_equal(with_markings_filled(_dashed()), band(50, 81, 130, 400))
+
+
+@pytest.mark.parametrize("gap", [slice(61, 70), slice(58, 73)])
+def test_a_wide_gap_between_two_roads_stays(gap: slice) -> None:
+    apart = band(50, 81, 130, 400) - surface(130, 400, (gap, slice(20, 380)))
+    assert with_markings_filled(apart) is apart
+
+
+def test_a_block_between_streets_stays() -> None:
+    block = band(20, 110, 130, 400) - surface(130, 400, (slice(30, 100), slice(20, 60)))
+    assert with_markings_filled(block) is block
+
+
+@pytest.mark.parametrize("marking", [255, 200])
+def test_a_gray_road_with_a_dashed_middle_is_one_road(marking: int) -> None:
+    image = painted(_dashed(), road=90, ground=marking)
+    image[:50] = image[81:] = (90, 160, 80) if marking == 200 else (255, 255, 255)
+    (road,) = Auto().extract(Picture(image, 1.0)).network.edges
+    middle = Picture(image, 1.0).to_pixels(road.curve.at(np.linspace(0, road.length, 50)))
+    assert np.abs(middle[:, 1] - 65).max() < 0.6
+    assert road.width.at(road.length / 2) == pytest.approx(31, abs=0.6)
