@@ -40,8 +40,11 @@ def infer_call(checker: Checker, call: ast.CallExpression, context: Context) -> 
         return _built_in(checker, call, name, context)
     verbs = verbs_with(checker, context.verbs, name)[:1] or verbs_with(checker, FUNCTIONS, name)
     if not verbs and context.verbs == () and name in checker.program.declarations:
-        checker.use(name, context)
-        return checker.report(Code.NOT_A_FUNCTION, call.function.span, name=name)
+        habit = function_help(call, name)
+        if habit is None:  # else another function is meant, as in `expect ttc: always (ttc(a, b)`
+            checker.use(name, context)
+        help_ = () if habit is None else habit[0]
+        return checker.report(Code.NOT_A_FUNCTION, call.function.span, name=name, help=help_)
     if not verbs:
         return _no_function(checker, call, name, context)
     if len(verbs) == 1:

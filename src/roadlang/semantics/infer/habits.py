@@ -95,12 +95,20 @@ _SETTINGS = {
     ("sample", "iterations"): "attempts",
     ("drive", "at"): "station",
     ("drive", "position"): "station",
+    ("drive", "time_gap"): "headway",
+    ("drive", "time_headway"): "headway",
 }
 """Other tools' names of options, by verb."""
+_MOMENT = "a condition says from when on it drives: `when: time > 5s`"
+_DRIVE_OPTIONS = dict.fromkeys(("after", "begin", "delay", "start", "trigger"), _MOMENT)
 _PLACES = ("position", "at", "on")
 _NETWORK_WIDTH = (
     "the width of roads from a picture is an option of what reads it: "
     "`extract with auto { width: 7m }`"
+)
+_LANE_WIDTH = (
+    "lanes with widths of their own are listed, `right: [drive(3.5m), drive(3.5m)]`; `width` is "
+    "that of all drivable lanes together"
 )
 _SIDES = {"right": "-1", "left": "1"}
 
@@ -176,6 +184,10 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
     if name in (*PASS_VERBS, "sample", "simulate", "falsify"):
         return (f"write `{name} with KIND {{ ... }}`",)
     verb = owner.strip("`").split(" ")[0]
+    if name == "lane_width" and verb in ("road", "network"):
+        return (_LANE_WIDTH,)
+    if verb == "drive" and name in _DRIVE_OPTIONS and "when" in known:
+        return (_DRIVE_OPTIONS[name],)
     if verb == "drive" and name in {option.name for option in common_options("agent")}:
         return (f"`{name}` is an option of the agent: write it beside `drive with`",)
     if _SETTINGS.get((verb, name)) in known:

@@ -31,7 +31,7 @@ from .expression_habits import (
 from .form_mistakes import actor_order, interval_form, list_operand, option_without_value
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .placement_habits import position_on_road
-from .scenic_habits import scenic_operator, scenic_placement
+from .scenic_habits import controllers_in_turn, scenic_operator, scenic_placement
 from .sign_mistakes import (
     colon_before_monitor,
     extra_sign,
@@ -64,6 +64,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     decimal_point,
     decimal_comma,
     subscript,
+    controllers_in_turn,
     conditional,
     function_definition,
     position_range,

@@ -13,6 +13,20 @@ _SIGHT = (
     "of others is up to their sensors, `sense with KIND`"
 )
 
+_IN_TURN = (
+    "of several `drive with`, the last one is in charge whose conditions hold: "
+    "`drive with brake { when: time > 5s }` begins then, `{ while: time < 5s }` ends then"
+)
+
+
+def controllers_in_turn(place: ErrorPosition) -> Mistake | None:
+    """`then drive with brake`, `drive with K until time > 5s`, `drive with K for 5s`."""
+    words = [text for _, text, *_ in place.tokens[: place.index]]
+    has_controller = "drive" in words and place.first_kind == "AGENT" and place.in_block
+    if has_controller and (words[-1] in ("then", "for") or place.word() in ("then", "until")):
+        return _refused(place, _IN_TURN)
+    return None
+
 
 def scenic_placement(place: ErrorPosition) -> Mistake | None:
     """`is car following ego for 10m`, `left of ego by 3m`, `offset by 2m`, `at 5m facing 30deg`."""
