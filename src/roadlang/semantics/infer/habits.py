@@ -96,7 +96,6 @@ _SETTINGS = {
     ("drive", "at"): "station",
     ("drive", "position"): "station",
     ("drive", "time_gap"): "headway",
-    ("drive", "time_headway"): "headway",
 }
 """Other tools' names of options, by verb."""
 _MOMENT = "a condition says from when on it drives: `when: time > 5s`"
