@@ -34,6 +34,7 @@ def test_what_is_asked_about_is_handed_on_and_answered_as_a_column() -> None:
     two, three, four = np.array([2.0]), np.array([3.0]), 4.0
     answers = {
         "line_ahead": (batch.line_ahead(two), (12.0, 0.0, 0.0, 0.0)),
+        "curvatures_ahead": (batch.curvatures_ahead(two[None])[0], (0.0,)),
         "speed_for_bends": (batch.speed_for_bends(two, three, four), (234.0,)),
         "vehicle_ahead": (batch.vehicle_ahead(), (12.0, 3.0)),
         "acceleration_ahead": (batch.acceleration_ahead(), (-1.5,)),

@@ -126,6 +126,28 @@ def test_points_of_the_path_lie_on_the_line_ahead() -> None:
     assert curve == pytest.approx(found, abs=1e-4)
 
 
+@pytest.mark.parametrize("pieces", [STRAIGHT, CURVED])
+def test_curvatures_ahead_are_those_of_the_line_ahead_to_the_last_bit(pieces: str) -> None:
+    _, view = seen(FORTH + BACK, pieces)
+    rows = np.array([1, 0])
+    distances = np.array([[0.0, -1.3], [7.7, 20.1], [35.0, 500.0]])
+    one_by_one = [view.line_ahead(rows, distance)[3] for distance in distances]
+    assert view.curvatures_ahead(rows, distances).tolist() == np.array(one_by_one).tolist()
+
+
+def test_agents_are_looked_up_by_the_array_that_names_them() -> None:
+    """The same array gives the same track, another array of the same agents one that is equal."""
+    _, view = seen(FORTH + BACK)
+    track, rows = view.world.track, np.array([1])
+    part = track.of_rows(rows)
+    assert track.of_rows(rows) is part
+    other = track.of_rows(np.array([0]))
+    assert part.row.tolist() == track.row[[1]].tolist()
+    assert other.row.tolist() == track.row[[0]].tolist()
+    for number in range(200):
+        assert track.of_rows(np.array([number % 2])).row.tolist() == [track.row[number % 2]]
+
+
 ACROSS = '''
 image plan from """
 ....#....

@@ -195,9 +195,10 @@ def leads_past(seen: ObservationBatch, line: Floats, end: Floats) -> Booleans:
     return np.asarray(free)
 
 
-def bends(seen: ObservationBatch, reach: Floats) -> list[Floats]:
-    """The curvatures (N,) of the reference lines at some places up to a distance ahead."""
+def bends(seen: ObservationBatch, reach: Floats) -> Floats:
+    """(LOOKS, N) the curvatures of the reference lines at some places up to a distance ahead."""
     import numpy as np
 
     far = np.where(np.isfinite(reach), reach, 0.0)
-    return [seen.line_ahead(far * (place / (LOOKS - 1)))[3] for place in range(LOOKS)]
+    shares = np.arange(LOOKS)[:, None] / (LOOKS - 1)
+    return seen.curvatures_ahead(far * shares)

@@ -17,6 +17,7 @@ from .surroundings import (
     LanesBeside,
     Neighbor,
     Neighbors,
+    curvatures_ahead,
     nearest_of,
     points_ahead,
 )
@@ -190,6 +191,8 @@ class ObservationBatch:
     nearby: Callable[[float], Neighbors]
     path_ahead: Callable[[Floats], tuple[Floats, Floats]]
     """`path_ahead(d)`: (K, N) x and y of those lines, at distances (K,)"""
+    curvatures_ahead: Callable[[Floats], Floats]
+    """`curvatures_ahead(d)`: (K, N) curvatures of those lines, at distances (K, N)"""
     nearest: Callable[[int], tuple[Floats, Floats, Floats, Floats]]
     """`nearest(n)`: (N, n) x, y, heading and speed of the nearest others; NaN: no more of them"""
     row_ahead: Callable[[Floats, float], tuple[Floats, Floats, Floats]] = _no_row
@@ -274,6 +277,7 @@ class ObservationBatch:
             junction_ahead=lambda: columns(seen.junction_ahead()),
             nearby=lambda range: Neighbors.of_single(seen.nearby(range)),
             path_ahead=lambda distances: points_ahead(seen.line_ahead, distances),
+            curvatures_ahead=lambda distances: curvatures_ahead(seen.line_ahead, distances),
             nearest=lambda count: nearest_of(seen, seen.others, count),
             row_ahead=_no_row,
             moving_ahead=lambda: columns((*seen.vehicle_ahead(), seen.acceleration_ahead())),

@@ -185,6 +185,15 @@ def points_ahead(
     return points[:, :1], points[:, 1:]
 
 
+def curvatures_ahead(
+    line_ahead: Callable[[float], tuple[float, float, float, float]], distances: Floats
+) -> Floats:
+    """(K, 1) curvatures of the line of one agent, `distances` (K, 1) ahead."""
+    import numpy as np
+
+    return np.array([[line_ahead(float(distance))[3]] for distance in distances[:, 0]])
+
+
 class _Placed(Protocol):
     """Where an agent is: an `Observation`."""
 

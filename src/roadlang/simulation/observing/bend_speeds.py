@@ -40,7 +40,7 @@ class BendSpeeds:
         with a lateral acceleration of at most `lateral`."""
         track = world.track.of_rows(rows)
         wanted = (rows, lateral, braking)
-        if world.followed.guided or not self._was_latest(*wanted):
+        if not self._was_latest(*wanted) or self._follows_others(world, rows):
             self._plan(world, track, *wanted)
         self._latest = wanted  # the next may be these very arrays
         along = track.wrapped(world.motion.along[rows] + distance)
@@ -48,6 +48,12 @@ class BendSpeeds:
             return compiled.looked_up(self._plans.ravel(), self._first[rows], track, along)
         cell, _ = track.cell(along)
         return np.asarray(self._plans.ravel().take(cell + self._first[rows]))
+
+    def _follows_others(self, world: World, rows: Any) -> bool:
+        """Whether agents follow other guides than those that were planned for."""
+        if not world.followed.guided:
+            return False
+        return bool(np.count_nonzero(world.followed.guide[rows] != self._guides[rows]))
 
     def _was_latest(self, *wanted: Any) -> bool:
         latest = self._latest

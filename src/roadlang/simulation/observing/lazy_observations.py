@@ -116,6 +116,7 @@ _DERIVED: Mapping[str, Callable[[LazyObservations], Any]] = {
     "heading_error": _heading_error,
     "road_width": _road_width,
     "line_ahead": lambda seen: partial(seen.view.line_ahead, seen.rows),
+    "curvatures_ahead": lambda seen: partial(seen.view.curvatures_ahead, seen.rows),
     "path_ahead": lambda seen: partial(seen.view.path_ahead, seen.rows),
     "speed_for_bends": lambda seen: partial(
         seen.view.surroundings.bends.at, seen.view.world, seen.rows

@@ -75,6 +75,20 @@ class View:
             curvature = np.where(moving, curvature + bend, curvature)
         return x, y, heading, curvature
 
+    def curvatures_ahead(self, rows: Any, distances: Floats) -> Floats:
+        """(K, N) curvatures of the lines to follow, some distances (K, N) on: those of
+        `line_ahead`."""
+        world = self.world
+        if self.sensing is not None:
+            distances = distances + self._lead(rows)
+        track = world.track.of_rows(rows)
+        along = track.wrapped(world.motion.along[rows] + distances)
+        cell, _ = track.cell(along)
+        curvature: Floats = track.lines.seen_curvature.take(cell)
+        speed = world.motion.speed[rows]
+        _, _, bend, moving = world.followed.ahead(rows, distances, speed, along)
+        return curvature if moving is None else np.where(moving, curvature + bend, curvature)
+
     def path_ahead(self, rows: Any, distances: Floats) -> tuple[Floats, Floats]:
         """(K, N) x and y of the lines to follow, some distances (K,) on. The same points as those
         of `line_ahead`, but for rounding and `(curvature * cell)^2 / 8` of the offset."""

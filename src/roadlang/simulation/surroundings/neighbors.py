@@ -16,6 +16,8 @@ from ..vehicles.poses import Poses
 from .levels import apart_where_met, ground_heights
 from .standing_objects import StandingObjects
 
+_NODES_AT_ONCE = 8192
+"""Nodes that are looked at together, so few that they fit into the caches."""
 LONGER = 1.6
 """How much farther along a line than as the crow flies what is near may be: a half circle."""
 
@@ -142,11 +144,15 @@ class Nearby:
 def _nearest_nodes(lines: Lines, span: tuple[Integers, Integers], x: Floats, y: Floats) -> Integers:
     """(P,) numbers of the nodes, from the first of a span of them up to before the second, that are
     nearest to points."""
-    out = np.empty(len(x), dtype=np.int64)
-    bounds = zip(*(end.tolist() for end in span), strict=True)
-    for pair, (begin, end) in enumerate(bounds):
-        off_x, off_y = x[pair] - lines.x[begin:end], y[pair] - lines.y[begin:end]
-        out[pair] = begin + (off_x * off_x + off_y * off_y).argmin()
+    begin, end = span
+    out, steps = np.empty(len(x), dtype=np.int64), np.arange(int((end - begin).max()))
+    count = max(1, _NODES_AT_ONCE // len(steps))
+    for first in range(0, len(x), count):
+        pairs = slice(first, first + count)
+        # Beyond its end a shorter span repeats its last node: of equal ones the first is found.
+        nodes = np.minimum(begin[pairs, None] + steps, end[pairs, None] - 1)
+        off_x, off_y = x[pairs, None] - lines.x[nodes], y[pairs, None] - lines.y[nodes]
+        out[pairs] = begin[pairs] + (off_x * off_x + off_y * off_y).argmin(axis=1)
     return out
 
 

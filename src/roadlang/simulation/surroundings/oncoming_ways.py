@@ -17,6 +17,8 @@ from .levels import apart_at, ground_heights
 
 SPACING, VIEW = 3.0, 150.0
 """Meters between two places of a line, and how far others are looked for."""
+_PLACES_AT_ONCE = 8192
+"""Places of others that are looked at together, so few that they fit into the caches."""
 BESIDE = 0.6
 """Meters between the sides of two that meet, at least."""
 SAME_WAY = 0.3
@@ -98,14 +100,19 @@ def _gaps(
     width = 0.5 * (world.bodies.width[agent] + world.bodies.width[other]) + BESIDE
     out = np.full(len(place), math.inf)
     distance = np.arange(0.0, VIEW, SPACING)
+    limit = width * width + SPACING * SPACING
+    count = max(1, _PLACES_AT_ONCE // there[0].size)
     for x, y, heading in here:
-        for step in range(len(ahead)):
-            off_x, off_y = there[0] - x[step, place], there[1] - y[step, place]
-            near = off_x * off_x + off_y * off_y < width * width + SPACING * SPACING
-            near &= np.cos(there[2] - heading[step, place]) < SAME_WAY
-            near &= ahead[step] <= reach[place]
-            first = np.where(near, distance[:, None], math.inf).min(axis=0)
-            out = np.minimum(out, first)
+        for begin in range(0, len(ahead), count):
+            steps = slice(begin, begin + count)
+            off_x = there[0] - x[steps, None, place]
+            off_y = there[1] - y[steps, None, place]
+            near = off_x * off_x + off_y * off_y < limit
+            near &= (ahead[steps, None] <= reach[place])[:, None]
+            if near.any():
+                near &= np.cos(there[2] - heading[steps, None, place]) < SAME_WAY
+                first = np.where(near, distance[:, None], math.inf).min(axis=(0, 1))
+                out = np.minimum(out, first)
     return out
 
 

@@ -25,7 +25,7 @@ def line_steering(seen: ObservationBatch) -> Floats:
     """(N,) steering angle that keeps to the line: its curvature, looked up ahead, and a correction
     of the errors in place and heading and, as the faster a car goes the more it swings, of the yaw
     rate. No tire slips by more than what the greatest grip takes."""
-    _, _, _, curvature = seen.line_ahead(PREVIEW_TIME * seen.speed)
+    (curvature,) = seen.curvatures_ahead((PREVIEW_TIME * seen.speed)[None])
     # A car on a circle points along the circle at its rear axle.
     _, _, rear_heading, _ = seen.line_ahead(-0.5 * seen.wheelbase)
     correction = np.arctan(2.0 * seen.cross_track_error / np.maximum(seen.speed, SLOWEST))

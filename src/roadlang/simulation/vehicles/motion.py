@@ -72,6 +72,10 @@ class Motion:
 MOTION_COLUMNS = tuple(field.name for field in fields(Motion))
 
 
+_PARTS = 64
+"""Tracks of some agents that are remembered"""
+
+
 @dataclass(frozen=True)
 class Track:
     """The line of each agent: columns (N,) of `lines` that every step needs."""
@@ -120,12 +124,25 @@ class Track:
         """That of some agents."""
         if isinstance(rows, slice):
             return self
+        known = self._parts.get(id(rows))
+        if known is not None:
+            return known[1]
         closed = self.closed[rows]
-        return Track(
+        part = Track(
             self.lines, self.row[rows], self.first[rows], self.last[rows], self.origin[rows],
             self.spacing[rows], self.per_meter[rows], self.length[rows], closed,
             bool(closed.any()),
         )  # fmt: skip
+        if len(self._parts) >= _PARTS:
+            self._parts.clear()
+        self._parts[id(rows)] = rows, part
+        return part
+
+    @cached_property
+    def _parts(self) -> dict[int, tuple[Any, Track]]:
+        """Tracks of agents by the very arrays that name them: the same in every step, never written
+        to. Each is kept with its track, so that its identity remains its own."""
+        return {}
 
     def wrapped(self, along: Floats) -> Floats:
         """Arc lengths, on closed lines within one lap."""
