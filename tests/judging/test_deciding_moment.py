@@ -33,6 +33,33 @@ def test_the_moment_is_that_of_the_least_robustness_and_the_violation_is_the_fir
 
 
 @pytest.mark.parametrize(
+    "formula",
+    [
+        {"eventually": {">": ["v", 12.0]}},
+        {"not": {"always": {"<=": ["v", 12.0]}}},
+        {"and": [{"eventually": {">": ["v", 12.0]}}, {"always": {">": ["v", 0.0]}}]},
+    ],
+    ids=["eventually", "not always", "in a conjunction"],
+)
+def test_what_never_comes_about_goes_wrong_when_it_was_nearest(formula: Any) -> None:
+    """Fastest after 4 s, and never as fast as it should be: that it was slow at 0 s is nothing
+    to look at."""
+    drive = trace(agent("ego", 100.0 * TIME, speed=10.0 - 0.5 * np.abs(TIME - 4.0)))
+    fast = condition(formula, v=("speed", {"agent": "ego"}))
+    assert seen(first_violation(of(fast), drive, REGISTRY)) == (40, ["ego"])
+
+
+def test_what_does_not_follow_in_time_goes_wrong_where_it_should_have_begun() -> None:
+    """Too slow from 3 s on, and not fast again within 2 s."""
+    drive = trace(agent("ego", 100.0 * TIME, speed=np.where(TIME < 2.95, 10.0, 5.0)))
+    formula = {"always": {"implies": [
+        {"<": ["v", 8.0]}, {"eventually": {">": ["v", 8.0]}, "interval": [0.0, 2.0]}
+    ]}}  # fmt: skip
+    slow = condition(formula, v=("speed", {"agent": "ego"}))
+    assert seen(first_violation(of(slow), drive, REGISTRY))[0] == 30
+
+
+@pytest.mark.parametrize(
     "verdict",
     [of(None), of(FAST, "road"), of(FAST, "scene"), of({"monitor": {"kind": "calm"}})],
     ids=["no formula", "over a road", "of numbers", "a monitor"],

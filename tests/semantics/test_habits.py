@@ -196,6 +196,8 @@ HABITS = [
         "`headway`",
         None,
     ),
+    ('network t { read with osm { file: "town.osm" } }', "RL220", 'from "town.osm"', None),
+    ('network t from file("town.osm")', "RL225", 'from "town.osm"', None),
     ("road b { lane_width: 3.5m }", "RL220", "right: [drive(3.5m), drive(3.5m)]", None),
     (EGO + LEAD + "expect ttc: always (ttc(ego, lead) > 5s)", "RL226", "time_to_collision", None),
     (EGO + "agent a is car in front of ego", "RL001", "`at ahead_of(ego, 10m)`", None),

@@ -35,7 +35,8 @@ def deciding_moment(verdict: Verdict, trace: Trace, registry: Registry) -> Decid
 
 def first_violation(verdict: Verdict, trace: Trace, registry: Registry) -> DecidingMoment | None:
     """When a violated formula goes wrong: the first sample at which a comparison fails that it
-    would have needed. None for what is no formula over the drive."""
+    would have needed; of something that has not come about, when it was nearest to. None for what
+    is no formula over the drive."""
     return _moment(verdict, trace, registry, first_cause)
 
 

@@ -150,7 +150,7 @@ class Viewer {
       if (index) line.append(make("br"));
       line.append(make("span", { class: word.replace(" ", "-") }, word), ` ${verdict.name} `, make("code", {}, verdict.text));
       if (verdict.robustness !== null) line.append(`, robustness ${shown(verdict.robustness, verdict.unit)}`);
-      if (verdict.name === drive.worst && drive.place) line.append(`, ${drive.failed ? "first violated" : "worst"} at ${drive.place}`);
+      if (verdict.name === drive.worst && drive.place) line.append(`, ${drive.failed ? "violated" : "worst"} at ${drive.place}`);
     });
     for (const [agent, time, reason] of drive.controllerFailures) {
       const [first, ...rest] = reason.split("\n");

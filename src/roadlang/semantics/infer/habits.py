@@ -45,6 +45,8 @@ _FUNCTIONS = {
     "collides": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "collision": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "intersects": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
+    "file": 'a file is named in quotes: `network town from "town.osm"`',
+    "localPath": 'a file is named in quotes: `network town from "town.osm"`',
     "ttc": "write `time_to_collision(ego, lead) > 2s`",
 }
 _RANGES = ("Range", "VerifaiRange", "random", "rand", "range", "Uniform")
@@ -191,6 +193,8 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
         return (f"`{name}` is an option of the agent: write it beside `drive with`",)
     if _SETTINGS.get((verb, name)) in known:
         return (f"it is called `{_SETTINGS[verb, name]}`",)
+    if verb == "read" and name in ("file", "path", "map"):
+        return (_FUNCTIONS["file"],)
     positions = tuple(checker.registry.of("position")) if verb in ("agent", "object") else ()
     if any(entry.name == name for entry in positions):
         return (f"the position is written before the block: `at {name}(...)`",)

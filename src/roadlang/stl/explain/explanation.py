@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -140,14 +141,35 @@ def decider(
 def first_cause(
     formula: f.Formula, positions: Positions, signals: Signals
 ) -> tuple[frozenset[str], int]:
-    """As `decider`, of the first comparison that fails although the formula would have needed it;
-    where there is none, what decides."""
+    """As `decider`, of the first comparison that fails although the formula would have needed it.
+
+    What decides, where there is none, and where something has not come about at any time (of
+    `eventually p`, the sample at which p is nearest to true: p fails from the start on).
+    """
     trace = SampledSignals.of(positions, signals, formula.variables, None).alone(0)
-    stretches = violated_stretches(formula, trace)
+    chain, _ = _Finder(trace).chain(formula)
+    stretches = () if _waits([part for part, _ in chain]) else violated_stretches(formula, trace)
     if not stretches:
-        return decider(formula, positions, signals)
+        return chain[-1][0].variables, chain[-1][1]
     first = stretches[0]
     return frozenset(first.signals), int(np.searchsorted(trace.positions, first.start))
+
+
+def _waits(chain: list[f.Formula]) -> bool:
+    """Whether the first temporal operator on the way to the comparison that decides is one that a
+    single moment would satisfy."""
+    is_positive = True
+    for whole, part in pairwise(chain):
+        if isinstance(whole, f.UnaryTemporal):
+            return whole.least != is_positive
+        if isinstance(whole, f.Pointwise):
+            trend = whole.trends[whole.parts.index(part)]
+            if trend == 0:
+                return False
+            is_positive = is_positive == (trend > 0)
+        elif not isinstance(whole, f.Derived):
+            return False
+    return False
 
 
 class _Finder:
