@@ -31,6 +31,9 @@ settings.load_profile("roadlang")
 pytest_plugins = ["roadlang.testing", "tests.scene_texts"]
 
 
+COLLECTED_AFTER = (50_000, 20, 100)
+"""Thresholds of the garbage collector, above its defaults: most objects of a test live until it
+ends, and two in a hundred seconds went into looking for others."""
 MOST_WORKERS = 8
 """`-n auto` starts no more, however many cores there are: each has Godot engines of its own."""
 
@@ -54,6 +57,7 @@ def pytest_collection() -> Generator[None, object, object]:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(*COLLECTED_AFTER)
         gc.enable()
 
 

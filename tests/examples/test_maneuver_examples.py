@@ -10,6 +10,8 @@ import pytest
 import roadlang
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+COUNTS = {"roundabout": 6}
+"""Of this many scenes one goes wrong, where three are not enough."""
 
 
 def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
@@ -42,7 +44,7 @@ def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
     ],
 )
 def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
-    assert all(kept(name, tmp_path, 5))
+    assert all(kept(name, tmp_path, 3))
 
 
 @pytest.mark.slow
@@ -67,4 +69,4 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
 def test_its_expectations_fail_where_it_goes_wrong(
     name: str, changes: dict[str, str], tmp_path: Path
 ) -> None:
-    assert not all(kept(name, tmp_path, 6, **changes))
+    assert not all(kept(name, tmp_path, COUNTS.get(name, 3), **changes))

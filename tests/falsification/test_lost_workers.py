@@ -35,6 +35,7 @@ agent ego is choice(car, van) on bent at 5m..15m {
 }
 world { friction: 0.45 }
 expect in_lane: always (abs(ego.cross_track_error) < 1.5m)
+simulate with builtin { control_step: 0.1s }
 """
 FEW: dict[str, Any] = {"evaluations": 90, "batch": 30, "seed": 2}
 
