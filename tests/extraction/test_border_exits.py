@@ -8,6 +8,7 @@ import pytest
 
 from roadlang.api import Picture
 from roadlang_standard.extract_contour import Contour
+from roadlang_standard.extraction.drawing import likeness
 
 HEIGHT, WIDTH = 320, 480
 MIDDLE = np.array([240.0, 160.0])
@@ -51,3 +52,33 @@ def test_a_road_along_the_border_stays_where_it_is() -> None:
     (road,) = Contour().extract(picture).network.edges
     points = picture.to_pixels(road.curve.at(np.linspace(0.0, road.length, 100)))
     assert np.abs(points[:, 1] - 4.0).max() < 1.0
+
+
+def _arc(center: tuple[float, float], radius: float, width: int) -> Picture:
+    """A drawing of a round road about a place that may be beyond the border."""
+    large = np.full((HEIGHT * _FINE, WIDTH * _FINE), 255, np.uint8)
+    place = np.round((np.add(center, 0.5) * _FINE - 0.5) * 2**_SHIFT).astype(int).tolist()
+    around = round(radius * _FINE * 2**_SHIFT)
+    cv2.circle(large, place, around, 0, width * _FINE, cv2.LINE_AA, _SHIFT)
+    gray = cv2.resize(large, (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA)
+    return Picture(cv2.merge([gray] * 3), 1.0)
+
+
+@pytest.mark.parametrize("width", [12, 28])
+@pytest.mark.parametrize("aside", [-6.0, 0.0, 6.0])
+def test_a_road_that_bends_leaves_through_a_corner_as_it_bends(aside: float, width: int) -> None:
+    """No side of the picture shows the middle of its cut."""
+    center, radius = (250.0, -250.0), np.hypot(250.0, 250.0) + aside
+    picture = _arc(center, radius, width)
+    (road,) = Contour().extract(picture).network.edges
+    points = picture.to_pixels(road.curve.at(np.linspace(0.0, road.length, 300)))
+    away = np.hypot(*(points - center).T) - radius
+    assert np.abs(away).max() < 1.0
+
+
+def test_the_ground_beside_a_road_from_corner_to_corner_is_no_road() -> None:
+    """The picture shows no middle of what is on either side: it is not thin for that."""
+    picture = _arc((547.0, 635.0), 627.5, 27)
+    pixels = cv2.copyMakeBorder(picture.pixels, 0, 40, 0, 0, cv2.BORDER_REPLICATE)
+    light = (pixels[..., 0] / 255.0).astype(np.float32)
+    assert likeness(1 - light) > 10 * likeness(light)

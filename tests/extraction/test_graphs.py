@@ -20,7 +20,7 @@ from roadlang_standard.extraction.graph_cleanup import (
 )
 from roadlang_standard.extraction.linking import attach
 from roadlang_standard.extraction.tracing import trace
-from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, picture
+from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, picture, surface
 
 
 def test_a_line_is_traced_from_pixel_to_pixel() -> None:
@@ -226,6 +226,17 @@ def test_a_road_that_ends_within_the_picture_stays() -> None:
     graph = graph_of(((50, 60), (50, 20)))
     extend_to_border(graph, (80, 100), 10.0)
     assert graph.lines[0].points[-1].tolist() == [50, 20]
+
+
+def test_a_road_that_is_seen_to_end_before_the_border_stays() -> None:
+    """It leaves where its surface ends at most half of the 10 px and one before the border."""
+    graph = graph_of(((20, 40), (91, 8)))
+    ends = surface(80, 100, (slice(0, 80), slice(0, 92))) > 0
+    extend_to_border(graph, (80, 100), 10.0, surface=ends)
+    assert graph.lines[0].points[-1].tolist() == [91, 8]
+    near = surface(80, 100, (slice(0, 80), slice(0, 96))) > 0
+    extend_to_border(graph, (80, 100), 10.0, surface=near)
+    assert graph.lines[0].points[-1, 0] == pytest.approx(99.5)
 
 
 def test_a_road_along_the_border_does_not_leave_far_away() -> None:

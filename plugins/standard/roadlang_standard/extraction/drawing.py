@@ -53,13 +53,17 @@ def _rest(others: NDArray[np.float64], index: int) -> list[NDArray[np.float64]]:
 
 
 def likeness(surface: Layer) -> float:
-    """How much a surface (h, w) looks like roads: long, of even width, not too little."""
+    """How much a surface (h, w) looks like roads: long, of even width, not too little.
+
+    What reaches the border of the picture may have its middle beyond it: then most of its pixels
+    are farther from its edge than its ridge says.
+    """
     mask = without_specks(surface >= 0.5, 12)
     if not mask.any():
         return 0.0
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & mask]
-    width = 2 * float(np.quantile(ridge, 0.9))
+    width = 2 * float(max(np.quantile(ridge, 0.9), np.quantile(inner[mask], 0.9)))
     length = float(mask.sum()) / max(width, 1.0)
     return float(min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape)))
 

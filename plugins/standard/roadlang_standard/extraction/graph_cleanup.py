@@ -6,7 +6,7 @@ from collections.abc import Collection, Container
 
 import numpy as np
 
-from roadlang.geometry import Floats
+from roadlang.geometry import Booleans, Floats
 
 from .chains import direction
 from .graph import Graph, Line
@@ -148,10 +148,15 @@ def _joined(first: Line, second: Line, node: int) -> Line:
 
 
 def extend_to_border(
-    graph: Graph, shape: tuple[int, int], distance: float, done: Container[int] = ()
+    graph: Graph,
+    shape: tuple[int, int],
+    distance: float,
+    done: Container[int] = (),
+    surface: Booleans | None = None,
 ) -> None:
     """Carry dead ends within `distance` pixels of the picture's edge straight on to it, in place,
-    but for nodes that are there already (`done`).
+    but for nodes that are there already (`done`), and those that end on the `surface` (h, w) before
+    it is reached.
 
     Near the edge a skeleton turns toward the corner of its mask: that bit is cut off first.
     """
@@ -168,10 +173,21 @@ def extend_to_border(
             points = _without_hook(points, distance)
             straight = Line(line.start, line.end, points)
             goal = _border_ahead(points[0], -direction(straight, 0, 2 * distance + 4), shape)
+            if surface is not None and _off(points[0], goal, surface) > 0.5 * distance + 1:
+                continue
             if np.hypot(*(goal - points[0])) <= 3.5 * distance:
                 points = np.vstack([goal, points])
             line.points = points if side == 0 else points[::-1]
             graph.nodes[node] = points[0]
+
+
+def _off(start: Floats, goal: Floats, surface: Booleans) -> float:
+    """Pixels of the way between two places that are not on a surface (h, w)."""
+    count = 2 + int(np.hypot(*(goal - start)))
+    height, width = surface.shape
+    way = np.round(np.linspace(start, goal, count)).astype(int)
+    columns, rows = np.clip(way, 0, (width - 1, height - 1)).T
+    return float((~surface[rows, columns]).sum())
 
 
 def _without_hook(points: Floats, distance: float) -> Floats:

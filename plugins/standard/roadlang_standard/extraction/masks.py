@@ -70,7 +70,8 @@ def roads_of_surface(
     thin = drop_thin_strokes(graph, inner) if least is None and cover is None else 0
     typical, led_out = _tidy(graph, mask, inner, least, cover)
     leaving = typical if cover is None else max(typical, cover.widest)
-    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * leaving + 2, led_out)
+    seen = mask if cover is None else None
+    extend_to_border(graph, (mask.shape[0], mask.shape[1]), 0.7 * leaving + 2, led_out, seen)
     settings = Draft(
         typical,
         _WAVES if spline else _ALL_WAVES,
