@@ -48,6 +48,7 @@ def _moment(moment: Mapping[str, Any] | None) -> list[str]:
     if moment is None:
         return []
     place = "" if moment["station"] is None else f", s = {moment['station']:.1f} m"
+    place += f" ({moment['place']})" if moment["place"] else ""
     speed = "" if moment["speed"] is None else f", {moment['agent']} at {moment['speed']:.1f} m/s"
     partner = f", {moment['partner']}" if moment["partner"] else ""
     return [f"goes wrong at {moment['time']:.1f} s{place}{speed}{partner}"]

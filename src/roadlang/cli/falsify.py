@@ -140,6 +140,7 @@ def _line(failure: Failure) -> str:
     if moment is not None:
         place = f", at {moment.time:.1f} s"
         place += "" if moment.station is None else f", s = {moment.station:.0f} m"
+        place += f" ({moment.place})" if moment.place else ""
         place += f", {moment.partner}" if moment.partner else ""
     for failed in failure.outcome.controller_failures[:1]:
         place += f"; controller of {failed.agent} failed at {failed.time:.1f} s: {failed.summary}"

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..geometry.rings import outside_ring
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..judging.deciding_moment import first_violation
@@ -42,6 +43,7 @@ def moment_of(verdict: Verdict, scene: Scene, trace: Trace, registry: Registry) 
         "" if partner is None else partner.name,
         "" if partner is None else kinds.get(partner.name, ""),
         None if partner is None else _closing(agent, partner, sample),
+        _place(scene, agent, sample),
     )
 
 
@@ -99,6 +101,27 @@ def road_of(scene: Scene, name: str) -> SceneRoad | None:
     if actor is not None and actor.road in roads:
         return roads[actor.road]
     return next((road for road in scene.roads if road.derived), None)
+
+
+def _place(scene: Scene, agent: AgentTrace, sample: int) -> str:
+    """The road or junction of a network in which an agent is."""
+    number = float(agent.road[sample])
+    if number >= 0.0:
+        road = scene.roads[int(number)]
+        return road.name if road.network else ""
+    if math.isnan(number):
+        return ""
+    at = agent.x[sample : sample + 1], agent.y[sample : sample + 1]
+    near = [
+        (
+            float(outside_ring(np.array(junction.area), *at)[0]),
+            f"junction {junction.id} of {network.name}",
+        )
+        for network in scene.networks
+        for junction in network.junctions
+        if junction.area
+    ]
+    return min(near, default=(0.0, ""))[1]
 
 
 def _mentioned(verdict: Verdict) -> list[str]:

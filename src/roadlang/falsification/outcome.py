@@ -30,6 +30,8 @@ class Moment:
     partner_kind: str = ""
     closing: float | None = None
     """speed with which the partner comes closer, m/s"""
+    place: str = ""
+    """the road or junction of a network; empty where the agent is in none"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +75,10 @@ class Outcome:
 
     @property
     def cause(self) -> str:
-        """What failed and against whom: failures of different causes are distinct."""
-        moment = self.moment
-        violated = "" if moment is None else f"{moment.expectation} {moment.partner_kind}".rstrip()
-        return " ".join((violated, *(failure.agent for failure in self.controller_failures)))
+        """What failed, against whom and where in a network: failures of different causes are
+        distinct."""
+        moment, failed = self.moment, (failure.agent for failure in self.controller_failures)
+        if moment is None:
+            return " ".join(("", *failed))
+        parts = (moment.expectation, moment.partner_kind, moment.place)
+        return " ".join((*filter(None, parts), *failed))
