@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from roadlang import testing
-from roadlang.geometry.simplifying import simplified
+from roadlang.geometry.simplifying import all_simplified, simplified
 from roadlang.report.decimation import deltas, samples_of
 from roadlang.report.outlines import outline
 
@@ -34,6 +34,12 @@ def test_a_simplified_line_stays_near_every_point(line: np.ndarray) -> None:
                 else np.hypot(*point)
             )
             assert gap <= TOLERANCE + 1e-6
+
+
+@given(st.lists(LINES, max_size=4))
+def test_lines_are_simplified_together_as_each_is_alone(lines: list[np.ndarray]) -> None:
+    together = [kept.tolist() for kept in all_simplified(lines, TOLERANCE)]
+    assert together == [simplified(line, TOLERANCE).tolist() for line in lines]
 
 
 def test_points_on_a_straight_line_are_dropped() -> None:

@@ -37,7 +37,7 @@ def lane_bands(road: SceneRoad) -> Iterator[LaneBand]:
     borders = section.border_offsets(part.stations)
     for place, lane in enumerate(section.lanes):
         if not lane.drivable:
-            sides = [few_points(part.beside(borders[place + side])) for side in (0, 1)]
+            sides = few_points(*(part.beside(borders[place + side]) for side in (0, 1)))
             yield LaneBand(_around(*sides), lane.raised, first <= place < last)
 
 

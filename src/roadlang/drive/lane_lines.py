@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..geometry.simplifying import simplified
+from ..geometry.simplifying import all_simplified
 from ..geometry.strokes_of_lanes import LaneStroke, lane_strokes
 from ..geometry.unfolding import unfolded_lines
 from ..ir.scene import SceneRoad
@@ -59,10 +59,13 @@ def painted_lines(road: SceneRoad, pixels_per_meter: float) -> Iterator[tuple[Fl
     driven = max(sum(lane.drivable for lane in section.lanes), 1)
     lane = float(np.mean(road.width)) * pixels_per_meter / driven
     borders = section.border_offsets(part.stations)
+    pieces, strokes = [], []
     for stroke in lane_strokes(section.markings, lane, pixels_per_meter):
         line = part.beside(borders[stroke.border] + stroke.shift / pixels_per_meter)
         for piece in unfolded_lines(line, part.points, _LOOPS_SEEN_FROM / pixels_per_meter):
-            yield few_points(piece), stroke
+            pieces.append(piece)
+            strokes.append(stroke)
+    yield from zip(few_points(*pieces), strokes, strict=True)
 
 
 def line_beside(road: SceneRoad, offset: Floats) -> Floats:
@@ -72,6 +75,7 @@ def line_beside(road: SceneRoad, offset: Floats) -> Floats:
     return np.asarray(np.stack([road.x, road.y], axis=-1) + offset[:, None] * left)
 
 
-def few_points(line: Floats) -> Floats:
-    """A line with few points, which looks the same."""
-    return np.asarray(line[simplified(line, TOLERANCE)])
+def few_points(*lines: Floats) -> list[Floats]:
+    """Lines with few points, which look the same."""
+    kept = all_simplified(lines, TOLERANCE)
+    return [line[indices] for line, indices in zip(lines, kept, strict=True)]

@@ -20,7 +20,7 @@ class Plan:
     evaluations: int
     failures: int | None = None
     seconds: float | None = None
-    batch: int = 250
+    batch: int = 500
     islands: int = 1
     random: float = 0.05
     """share of the candidates that are drawn at random"""

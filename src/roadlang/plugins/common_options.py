@@ -244,7 +244,7 @@ class FalsifyOptions:
         example="600s",
     )
     batch: Integer = option(
-        250,
+        500,
         minimum=1,
         maximum=100_000,
         help="greatest number of candidates that are evaluated together",

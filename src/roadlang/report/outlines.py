@@ -104,13 +104,15 @@ def surface(road: SceneRoad) -> Floats:
     left, right = (line_beside(road, border) for border in (borders[0], borders[-1]))
     if road.closed:
         return _with_hole(left, right)
-    return np.concatenate([few_points(left), few_points(right)[::-1]])
+    left, right = few_points(left, right)
+    return np.concatenate([left, right[::-1]])
 
 
 def _with_hole(left: Floats, right: Floats) -> Floats:
     """The ring of a closed road: out along one side, back along the other."""
     outer, inner = (np.concatenate([side, side[:1]]) for side in (left, right))
-    ring: Floats = np.concatenate([few_points(outer), few_points(inner)[::-1]])
+    outer, inner = few_points(outer, inner)
+    ring: Floats = np.concatenate([outer, inner[::-1]])
     return ring
 
 
