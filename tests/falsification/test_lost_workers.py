@@ -70,21 +70,24 @@ def test_a_killed_process_loses_nothing(alone: Falsification) -> None:
 
 def test_a_process_killed_at_work_loses_nothing(alone: Falsification) -> None:
     before = {process.pid for process in multiprocessing.active_children()}
-    killed, ended = list[int](), threading.Event()
+    killed, evaluates = list[int](), threading.Event()
 
     def kill_one() -> None:
-        while not (killed or ended.wait(0.02)):  # until there are two workers
-            ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
-            if len(ours) == 2 and ours[1] is not None and not ended.wait(1.0):
-                killed.append(ours[1])
-                os.kill(ours[1], signal.SIGKILL)
+        evaluates.wait()  # until the first batch is done, whatever it takes to start two workers
+        time.sleep(0.05)
+        ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
+        if ours and ours[-1] is not None:
+            killed.append(ours[-1])
+            os.kill(ours[-1], signal.SIGKILL)
 
     with ThreadPoolExecutor(1) as threads:
         killing = threads.submit(kill_one)
         try:
-            found = roadlang.loads(TEXT).falsify(**FEW, jobs=2)
+            found = roadlang.loads(TEXT).falsify(
+                **FEW, jobs=2, progress=lambda done, wanted: evaluates.set()
+            )
         finally:
-            ended.set()
+            evaluates.set()
         killing.result()
     assert killed
     assert found.outcomes == alone.outcomes

@@ -53,7 +53,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> list[Written]:
 @pytest.mark.parametrize("version", ["1.7", "1.8"])
 def test_the_asam_checker_finds_nothing(written: list[Written], version: str) -> None:
     files = []
-    for item in written[::3] if version == "1.8" else written[1::6]:
+    for item in written[::5] if version == "1.8" else written[1::6]:
         file = item.file.with_suffix(f".{version}.xodr")
         file.write_text(OpenDriveBackend(version=version).files(item.scene)["xodr"], "utf-8")  # type: ignore[arg-type]
         files.append(str(file))
@@ -77,7 +77,7 @@ def test_carla_has_every_lane_and_drives_every_turn(written: list[Written]) -> N
 
 def test_reference_lines_keep_to_the_roads_with_few_pieces(written: list[Written]) -> None:
     pieces, meters = 0, 0.0
-    for item in written:
+    for item in written[::2]:
         file = ReadFile.of(item.file.read_text(encoding="utf-8"))
         for part in road_parts(item.scene, 0.005, "one_way_roads"):
             read = file.roads[part.id]
