@@ -1,5 +1,5 @@
-"""CommonRoad and Lanelet2 files of every second example and of random networks, by the tools that read
-them."""
+"""CommonRoad and Lanelet2 files of every second example and of random networks, by the tools that
+read them."""
 
 from __future__ import annotations
 
