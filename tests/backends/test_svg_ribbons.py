@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang.drive.lane_lines import painted_lines
+from roadlang.drive.lane_lines import painted_lines, shown_part
 from roadlang.ir.scene_lane import SceneLane
 from roadlang_standard.svg import ghost, labels, palette
 from roadlang_standard.svg.lanes import bands, lane_lines
@@ -185,9 +185,11 @@ def test_a_figure_of_a_drive_has_the_lines_of_the_figure_of_its_scene() -> None:
         for line in of(lane_lines(ribbon_of(main, PAGE), 40.0 / 1.5, 10.0), "path")
         for y, width in lines_of([line])
     ]
+    part = shown_part(main)
+    assert part is not None
     of_drive = [
         (PAGE.place(line)[0, 1], stroke.width, stroke.dashes)
-        for line, stroke in painted_lines(main, 10.0)
+        for line, stroke in painted_lines(part, 10.0)
     ]
     assert len(of_drive) == 5
     for (y, width, dashes), (as_y, as_width, as_dashes) in zip(of_scene, of_drive, strict=True):

@@ -14,11 +14,13 @@ from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
 from ..scenes.figure_colors import FIGURE_COLORS
 from ..scenes.junction_paint import crosswalk_paint, junction_paint
-from .lane_bands import LaneBand, lane_bands, roadway
-from .lane_lines import painted_lines
+from .lane_bands import LaneBand, bands_with_few_points, lane_bands
+from .lane_lines import TOLERANCE, ShownPart, painted_lines, shown_part, with_few_points
 
 _SEAM = 2.0
 """Pixels: areas are drawn so much wider in all, or thin lines of ground show between them."""
+_UNSEEN = 0.25
+"""Pixels by which a drawn line may be off."""
 _SMALLEST_PAINT = 2.5
 """Pixels of a meter, below which arrows are left out and the stripes of crossings blur."""
 _THINNEST = 0.8
@@ -39,26 +41,28 @@ def drawn_roads(
         for junction in network.junctions
         if shown.issuperset(arm.road for arm in junction.arms)
     ]
-    bands = [band for road in roads for band in lane_bands(road)]
+    parts = [part for road in roads if (part := shown_part(road)) is not None]
+    tolerance = min(TOLERANCE, _UNSEEN / scale)
+    bands = bands_with_few_points([b for part in parts for b in lane_bands(part)], tolerance)
     for band in bands:
-        if not band.inner:
-            yield _band(band, place, _SEAM)
+        if not (band.is_driven or band.inner):
+            yield _band(band, place)
     for junction in junctions:
         yield _area(place(*np.array(junction.area).T), FIGURE_COLORS.surface)
-    for road in roads:
-        driven = roadway(road)
-        if driven is not None:
-            yield _area(place(*driven.T), FIGURE_COLORS.surface)
+    for band in bands:
+        if band.is_driven:
+            yield _band(band, place)
     for band in bands:
         if band.inner:
-            yield _band(band, place, 0.0)
-    yield from _lane_lines(roads, place, scale)
+            yield _band(band, place)
+    yield from _lane_lines(parts, place, scale, tolerance)
     yield from _paint(scene, junctions, place, scale)
 
 
-def _band(band: LaneBand, place: Place, seam: float) -> str:
-    color = FIGURE_COLORS.raised if band.raised else FIGURE_COLORS.beside
-    return _area(place(*band.ring.T), color, seam)
+def _band(band: LaneBand, place: Place) -> str:
+    beside = FIGURE_COLORS.raised if band.raised else FIGURE_COLORS.beside
+    color = FIGURE_COLORS.surface if band.is_driven else beside
+    return _area(place(*band.ring.T), color, 0.0 if band.inner else _SEAM)
 
 
 def _area(ring: Floats, color: str, seam: float = _SEAM) -> str:
@@ -67,13 +71,16 @@ def _area(ring: Floats, color: str, seam: float = _SEAM) -> str:
     return f'<polygon points="{points}" fill="{color}"{stroke}/>'
 
 
-def _lane_lines(roads: Sequence[SceneRoad], place: Place, scale: float) -> Iterator[str]:
+def _lane_lines(
+    parts: Sequence[ShownPart], place: Place, scale: float, tolerance: float
+) -> Iterator[str]:
     """The lines along lanes, a shape for all that look alike."""
     looks: dict[LaneStroke, list[str]] = {}
-    for road in roads:
-        for line, stroke in painted_lines(road, scale):
-            look = replace(stroke, border=0, shift=0.0, width=round(stroke.width, 1))
-            looks.setdefault(look, []).append(_path(place(*line.T)))
+    painted = [found for part in parts for found in painted_lines(part, scale)]
+    few = with_few_points([line for line, _ in painted], tolerance)
+    for line, (_, stroke) in zip(few, painted, strict=True):
+        look = replace(stroke, border=0, shift=0.0, width=round(stroke.width, 1))
+        looks.setdefault(look, []).append(_path(place(*line.T)))
     for look, lines in looks.items():
         color = FIGURE_COLORS.curb if look.is_curb else FIGURE_COLORS.marking
         yield _stroke("".join(lines), color, look.width, look.dashes)

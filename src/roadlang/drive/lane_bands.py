@@ -3,53 +3,49 @@ different, as figures of drives and reports draw them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.cross_section import drivable_borders
-from ..ir.scene import SceneRoad
-from .lane_lines import few_points, shown_part
+from .lane_lines import TOLERANCE, ShownPart, with_few_points
 
 
 @dataclass(frozen=True, eq=False)
 class LaneBand:
-    """A lane that nobody drives on."""
+    """The surface between two lines (n, 2) along a road."""
 
-    ring: Floats
-    """(n, 2) around it, meters"""
-    raised: bool
+    left: Floats
+    right: Floats
+    is_driven: bool = True
+    raised: bool = False
     """behind a curb"""
-    inner: bool
+    inner: bool = False
     """between drivable lanes"""
 
+    @property
+    def ring(self) -> Floats:
+        """(n, 2) around it."""
+        return np.concatenate([self.left, self.right[::-1]])
 
-def lane_bands(road: SceneRoad) -> Iterator[LaneBand]:
-    """The lanes that are no roadway; none of a road inside a junction."""
-    section = road.cross_section()
-    drivable = np.array([lane.drivable for lane in section.lanes])
-    part = None if drivable.all() else shown_part(road)
-    if part is None:
-        return
+
+def lane_bands(part: ShownPart) -> Iterator[LaneBand]:
+    """The roadway, with what lies between its lanes, and each lane that nobody drives on."""
+    drivable = np.array([lane.drivable for lane in part.section.lanes])
     first, last = drivable_borders(drivable)
-    borders = section.border_offsets(part.stations)
-    for place, lane in enumerate(section.lanes):
-        if not lane.drivable:
-            sides = few_points(*(part.beside(borders[place + side]) for side in (0, 1)))
-            yield LaneBand(_around(*sides), lane.raised, first <= place < last)
+    yield LaneBand(part.beside(part.borders[first]), part.beside(part.borders[last]))
+    for place in np.flatnonzero(~drivable).tolist():
+        left, right = (part.beside(part.borders[place + side]) for side in (0, 1))
+        raised = part.section.lanes[place].raised
+        yield LaneBand(left, right, False, raised, first <= place < last)
 
 
-def roadway(road: SceneRoad) -> Floats | None:
-    """(n, 2) around the drivable lanes and what lies between them; None of a road inside a
-    junction."""
-    part, section = shown_part(road), road.cross_section()
-    if part is None:
-        return None
-    edges = drivable_borders(np.array([lane.drivable for lane in section.lanes]))
-    return _around(*map(part.beside, section.border_offsets(part.stations)[list(edges)]))
-
-
-def _around(left: Floats, right: Floats) -> Floats:
-    return np.concatenate([left, right[::-1]])
+def bands_with_few_points(
+    bands: Sequence[LaneBand], tolerance: float = TOLERANCE
+) -> list[LaneBand]:
+    """Bands that look the same."""
+    sides = [side for band in bands for side in (band.left, band.right)]
+    thin = iter(with_few_points(sides, tolerance))
+    return [replace(band, left=next(thin), right=next(thin)) for band in bands]

@@ -2,30 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..geometry.cross_section import CrossSection
 from ..geometry.simplifying import all_simplified
 from ..geometry.strokes_of_lanes import LaneStroke, lane_strokes
 from ..geometry.unfolding import unfolded_lines
 from ..ir.scene import SceneRoad
 
 TOLERANCE = 0.1
-"""How far the drawn line may be from the road's, meters."""
+"""How far a drawn line may be from the road's, meters."""
 _LOOPS_SEEN_FROM = 0.35
 """Pixels"""
 
 
 @dataclass(frozen=True, eq=False)
 class ShownPart:
-    """What the junctions leave of a road: stations, points (n, 2) and unit vectors to the left."""
+    """What the junctions leave of a road: points (n, 2) and unit vectors to the left."""
 
-    stations: Floats
     points: Floats
     left: Floats
+    section: CrossSection
+    borders: Floats
+    """(L + 1, n) of the lanes, meters left of the points"""
+    width: float
+    """meters, of the drivable lanes on average"""
 
     def beside(self, offset: Floats) -> Floats:
         """(n, 2) points `offset` (n,) meters left of the road."""
@@ -47,25 +52,19 @@ def shown_part(road: SceneRoad) -> ShownPart | None:
     if road.closed:
         s = np.append(s, axis[0])
         points, left = (np.concatenate([part, part[:1]]) for part in (points, left))
-    return ShownPart(s, points, left)
+    section = road.cross_section()
+    width = float(np.mean(road.width))
+    return ShownPart(points, left, section, section.border_offsets(s), width)
 
 
-def painted_lines(road: SceneRoad, pixels_per_meter: float) -> Iterator[tuple[Floats, LaneStroke]]:
-    """The lines along the lanes of a road outside of junctions (n, 2), in meters with few points,
-    and how each is drawn at this scale."""
-    section, part = road.cross_section(), shown_part(road)
-    if part is None:
-        return
-    driven = max(sum(lane.drivable for lane in section.lanes), 1)
-    lane = float(np.mean(road.width)) * pixels_per_meter / driven
-    borders = section.border_offsets(part.stations)
-    pieces, strokes = [], []
-    for stroke in lane_strokes(section.markings, lane, pixels_per_meter):
-        line = part.beside(borders[stroke.border] + stroke.shift / pixels_per_meter)
+def painted_lines(part: ShownPart, pixels_per_meter: float) -> Iterator[tuple[Floats, LaneStroke]]:
+    """The lines (n, 2) along the lanes, and how each is drawn at this scale."""
+    driven = max(sum(lane.drivable for lane in part.section.lanes), 1)
+    lane = part.width * pixels_per_meter / driven
+    for stroke in lane_strokes(part.section.markings, lane, pixels_per_meter):
+        line = part.beside(part.borders[stroke.border] + stroke.shift / pixels_per_meter)
         for piece in unfolded_lines(line, part.points, _LOOPS_SEEN_FROM / pixels_per_meter):
-            pieces.append(piece)
-            strokes.append(stroke)
-    yield from zip(few_points(*pieces), strokes, strict=True)
+            yield piece, stroke
 
 
 def line_beside(road: SceneRoad, offset: Floats) -> Floats:
@@ -75,7 +74,7 @@ def line_beside(road: SceneRoad, offset: Floats) -> Floats:
     return np.asarray(np.stack([road.x, road.y], axis=-1) + offset[:, None] * left)
 
 
-def few_points(*lines: Floats) -> list[Floats]:
-    """Lines with few points, which look the same."""
-    kept = all_simplified(lines, TOLERANCE)
+def with_few_points(lines: Sequence[Floats], tolerance: float = TOLERANCE) -> list[Floats]:
+    """Lines (n, 2) that look the same; of many in hardly more time than of one."""
+    kept = all_simplified(lines, tolerance)
     return [line[indices] for line, indices in zip(lines, kept, strict=True)]

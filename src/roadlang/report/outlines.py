@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..drive.lane_bands import lane_bands
-from ..drive.lane_lines import few_points, line_beside, painted_lines
+from ..drive.lane_bands import bands_with_few_points, lane_bands
+from ..drive.lane_lines import line_beside, painted_lines, shown_part, with_few_points
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
@@ -86,14 +86,18 @@ def _painted(shapes: Iterable[PaintedShape]) -> tuple[Floats, ...]:
 
 def outline(road: SceneRoad, paint: tuple[Floats, ...] = ()) -> Outline:
     """A road with its lanes, and what is painted across them."""
-    last = len(road.cross_section().lanes)
-    painted = painted_lines(road, _SCALE)
+    part = shown_part(road)
+    if part is None:
+        return Outline(surface(road), paint=paint)
+    last = len(part.section.lanes)
     # The surface shows where the road ends: a page of many roads stays small.
-    inner = ((line, stroke) for line, stroke in painted if 0 < stroke.border < last)
+    inner = [(line, s) for line, s in painted_lines(part, _SCALE) if 0 < s.border < last]
+    lines = with_few_points([line for line, _ in inner])
+    bands = bands_with_few_points([b for b in lane_bands(part) if not b.is_driven])
     return Outline(
         surface(road),
-        tuple((line, stroke.dashes is not None) for line, stroke in inner),
-        tuple((band.ring, band.raised) for band in lane_bands(road)),
+        tuple((line, s.dashes is not None) for line, (_, s) in zip(lines, inner, strict=True)),
+        tuple((band.ring, band.raised) for band in bands),
         paint,
     )
 
@@ -101,19 +105,11 @@ def outline(road: SceneRoad, paint: tuple[Floats, ...] = ()) -> Outline:
 def surface(road: SceneRoad) -> Floats:
     """(n, 2) around all lanes of a road, inside junctions too."""
     borders = road.cross_section().border_offsets(np.array(road.stations))
-    left, right = (line_beside(road, border) for border in (borders[0], borders[-1]))
-    if road.closed:
-        return _with_hole(left, right)
-    left, right = few_points(left, right)
+    sides = [line_beside(road, border) for border in (borders[0], borders[-1])]
+    if road.closed:  # out along one side, back along the other: a ring with a hole
+        sides = [np.concatenate([side, side[:1]]) for side in sides]
+    left, right = with_few_points(sides)
     return np.concatenate([left, right[::-1]])
-
-
-def _with_hole(left: Floats, right: Floats) -> Floats:
-    """The ring of a closed road: out along one side, back along the other."""
-    outer, inner = (np.concatenate([side, side[:1]]) for side in (left, right))
-    outer, inner = few_points(outer, inner)
-    ring: Floats = np.concatenate([outer, inner[::-1]])
-    return ring
 
 
 def _flat(points: Floats) -> list[list[int]]:
