@@ -227,3 +227,9 @@ def test_digits_beside_a_road_are_rings_that_keep_their_shape() -> None:
     found = roads_of_surface(image, "test", least=0.0)
     (zero,) = [road for road in found.roads if road.closed]
     assert zero.length == pytest.approx(32, abs=3)
+
+
+@pytest.mark.parametrize("thickness", [1, 2, 3, 8])
+def test_a_thin_line_is_as_sure_as_a_thick_one(thickness: int) -> None:
+    (road,) = roads_of_surface(band(50, 50 + thickness), "test").roads
+    assert road.confidence > 0.9

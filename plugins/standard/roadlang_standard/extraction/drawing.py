@@ -10,13 +10,17 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .dashed_roads import with_dashes_joined
 from .found_network import FoundNetwork
 from .masks import roads_of_surface, without_specks
 from .open_edges import with_closed_ends
 from .road_markings import with_markings_filled
-from .road_regions import RoadRegion, road_regions
+from .road_regions import PaperParts, RoadRegion, road_regions
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
+
+_SAMPLE = 50_000
+"""About so many pixels tell how thick a surface is."""
 
 
 def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
@@ -36,7 +40,8 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
         layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
     ]
     best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
-    return roads_of_surface(with_markings_filled(best), "filled road", width=width)
+    best = with_dashes_joined(with_markings_filled(best))
+    return roads_of_surface(best, "filled road", width=width)
 
 
 def _ink(image: Image, paper: NDArray[np.float64]) -> Layer:
@@ -63,7 +68,9 @@ def likeness(surface: Layer) -> float:
         return 0.0
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & mask]
-    width = 2 * float(max(np.quantile(ridge, 0.9), np.quantile(inner[mask], 0.9)))
+    depths = inner[mask]
+    depths = depths[:: max(1, len(depths) // _SAMPLE)]
+    width = 2 * float(max(np.quantile(ridge, 0.9), np.quantile(depths, 0.9)))
     length = float(mask.sum()) / max(width, 1.0)
     return float(min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape)))
 
@@ -88,6 +95,7 @@ def _between(ink: Booleans) -> list[RoadRegion]:
     pen = _pen_width(ink)
     if pen > 0.02 * min(ink.shape) + 3:
         return []
+    parts = PaperParts.about(ink)
     for gap in (0, 2, 4, 8):
         closed = ink
         if gap:
@@ -95,7 +103,10 @@ def _between(ink: Booleans) -> list[RoadRegion]:
             closed = cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_CLOSE, kernel).view(bool)
             if np.array_equal(closed, ink):
                 continue
-        ribbons = road_regions(closed)
+            before, parts = parts, PaperParts.about(closed)
+            if parts.divides_as(before):
+                continue
+        ribbons = road_regions(closed, parts)
         if ribbons and _edged(ribbons, ink, pen):
             return ribbons
     capped = with_closed_ends(ink, pen)

@@ -18,6 +18,7 @@ from .found_network import FoundNetwork
 from .graph import Graph
 from .graph_cleanup import contract, drop_crumbs, drop_loops, extend_to_border, join, prune
 from .linking import link
+from .mask_parts import parts_of
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 from .square_stubs import add_square_stubs
@@ -27,6 +28,8 @@ from .tracing import trace
 Layer = NDArray[np.float32]
 _WAVES, _ALL_WAVES = 2.0, 0.5
 """Shortest wavelengths of center lines, in widths: of smooth curves, and of lines as traced."""
+_FINE = 4.0
+"""A usual width of lines, pixels, of which a blurred mask keeps little."""
 _LEFT_OUT = "what is short and drawn thinner than the roads, such as names and arrows, was left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
@@ -81,7 +84,7 @@ def roads_of_surface(
         fair=spline,
         covered=None if cover is None else cover.mask,
     )
-    score = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), 0.8)
+    score = cv2.GaussianBlur(_seen(mask, typical).astype(np.float32), (0, 0), 0.8)
     found = with_doubts(draft(graph, surface, score, settings, method))
     return replace(found, remarks=(*found.remarks, _LEFT_OUT)) if thin else found
 
@@ -126,6 +129,13 @@ def _is_noise(thin: Booleans) -> bool:
     return bool(thin.size > 100_000 and thin.mean() > 0.03)
 
 
+def _seen(mask: Booleans, typical: float) -> NDArray[np.uint8]:
+    """The mask, of lines thinner than `_FINE` pixels with their neighbors: a road that is drawn a
+    pixel wide is as sure as others."""
+    seen = mask.view(np.uint8)
+    return seen if typical >= _FINE else np.asarray(cv2.dilate(seen, np.ones((3, 3), np.uint8)))
+
+
 def _accuracy(surface: Layer) -> float:
     """How far in pixels a curve may be off what was seen: half a pixel, less where edges are soft
     and so say where they are between pixels."""
@@ -143,7 +153,7 @@ def without_specks(mask: Booleans, least: float) -> Booleans:
 
 def without_holes(mask: Booleans, least: float, connectivity: int = 4) -> Booleans:
     """The mask with holes of fewer than `least` pixels filled; itself if there are none."""
-    count, labels = cv2.connectedComponents((~mask).view(np.uint8), connectivity=connectivity)
+    count, labels = parts_of(~mask, connectivity)
     small = np.bincount(labels.ravel(), minlength=count) < least
     small[0] = False
     return mask | small.take(labels) if small.any() else mask

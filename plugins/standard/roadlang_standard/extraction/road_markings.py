@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from scipy.ndimage import maximum
 
+from .mask_parts import parts_of
 from .tones import Layer
 
 _THIN = 5.0
@@ -22,8 +23,8 @@ def with_markings_filled(surface: Layer) -> Layer:
     """The surface (h, w), 0..1, with thin short gaps within its roads filled; itself if there are
     none."""
     mask = (surface >= 0.5).astype(np.uint8)
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(1 - mask, connectivity=4)
-    areas = stats[:, cv2.CC_STAT_AREA]
+    count, labels = parts_of(mask == 0)
+    areas = np.bincount(labels.ravel(), minlength=count)
     keys = np.flatnonzero(areas < _LARGEST * mask.size)
     keys = keys[keys > 0]
     if not len(keys):

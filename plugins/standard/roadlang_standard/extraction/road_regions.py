@@ -8,8 +8,11 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import find_objects
 
 from roadlang.geometry import Booleans
+
+from .mask_parts import parts_of
 
 _LEAST = 40
 """Square pixels of a region."""
@@ -67,22 +70,49 @@ class _Region:
         return float(self.area) / max(width, 1.0) ** 2
 
 
-def road_regions(ink: Booleans) -> list[RoadRegion]:
-    """The road-like regions of the paper about the ink (h, w): the longest, and pieces as wide."""
-    _, labels, stats, _ = cv2.connectedComponentsWithStats((~ink).view(np.uint8), connectivity=4)
+@dataclass(frozen=True)
+class PaperParts:
+    """The connected parts of the paper about the ink: their labels (h, w), 0 for ink, and how many
+    labels there are."""
+
+    labels: NDArray[np.int32]
+    count: int
+
+    @staticmethod
+    def about(ink: Booleans) -> PaperParts:
+        """Those about the ink (h, w)."""
+        count, labels = parts_of(~ink)
+        return PaperParts(labels, count)
+
+    def divides_as(self, before: PaperParts) -> bool:
+        """Whether more ink has left the parts the same, each a little smaller."""
+        if self.count != before.count:
+            return False
+        origin = np.zeros(self.count, np.int32)
+        origin[self.labels.ravel()] = before.labels.ravel()
+        return len(np.unique(origin[1:])) == self.count - 1
+
+
+def road_regions(ink: Booleans, parts: PaperParts | None = None) -> list[RoadRegion]:
+    """The road-like regions of the paper about the ink (h, w), which may be divided in `parts`
+    already: the longest, and pieces as wide."""
+    parts = parts or PaperParts.about(ink)
+    labels = parts.labels
     likely = []
-    for region in _regions(ink, labels, stats[:, cv2.CC_STAT_AREA]):
+    for region in _regions(ink, labels, np.bincount(labels.ravel(), minlength=parts.count)):
         least, most = region.width_between()
         if region.is_even(most) and region.elongation(least) > _PIECE:
             likely.append((region, least))
     if not any(region.elongation(least) > _LONG for region, least in likely):
         return []
     widths = [(region, region.width()) for region, _ in likely]
-    found = [
-        RoadRegion(*_cut(labels, stats, region.key), width, region.elongation(width))
-        for region, width in widths
-        if region.is_even(width)
-    ]
+    windows = find_objects(labels)
+    found = []
+    for region, width in widths:
+        if region.is_even(width):
+            window = windows[region.key - 1]
+            part = labels[window] == region.key
+            found.append(RoadRegion(window, part, width, region.elongation(width)))
     long = [region for region in found if region.elongation > _LONG]
     if not long:
         return []
@@ -92,7 +122,7 @@ def road_regions(ink: Booleans) -> list[RoadRegion]:
 
 
 def _regions(
-    ink: Booleans, labels: NDArray[np.int32], areas: NDArray[np.int32]
+    ink: Booleans, labels: NDArray[np.int32], areas: NDArray[np.intp]
 ) -> Iterator[_Region]:
     """The parts of the paper, by the order of their labels, that are not tiny."""
     padded = cv2.copyMakeBorder((~ink).view(np.uint8), 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
@@ -108,12 +138,3 @@ def _regions(
         if key:
             depth = depths[ends[key - 1] : ends[key]]
             yield _Region(key, int(areas[key]), int(rims[key]), depth)
-
-
-def _cut(
-    labels: NDArray[np.int32], stats: NDArray[np.int32], key: int
-) -> tuple[tuple[slice, slice], Booleans]:
-    """The window around a part, and its mask there."""
-    x, y, w, h, _ = stats[key].tolist()
-    window = (slice(y, y + h), slice(x, x + w))
-    return window, labels[window] == key

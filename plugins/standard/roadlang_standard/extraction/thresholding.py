@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from .dashed_roads import with_dashes_joined
 from .drawing import between_lines, likeness
 from .found_network import FoundNetwork
 from .masks import roads_of_surface
@@ -127,4 +128,5 @@ def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
         between = between_lines(ink >= 0.5)
         if between is not None:
             return between, EDGE_LINES
-    return with_markings_filled(max(sides.values(), key=likeness)), "contour"
+    road = max(sides.values(), key=likeness)
+    return with_dashes_joined(with_markings_filled(road)), "contour"

@@ -1,0 +1,23 @@
+"""The connected parts of a mask."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+
+def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int32]]:
+    """How many labels there are, and the label (h, w) of each pixel, 0 where the mask is not set.
+
+    Without diagonals OpenCV's usual algorithm takes twice as long as this one (Bolelli et al.
+    2019), which numbers the parts alike.
+    """
+    seen = mask.view(np.uint8)
+    if connectivity == 8:
+        count, labels = cv2.connectedComponents(seen, connectivity=8)
+    else:
+        count, labels = cv2.connectedComponentsWithAlgorithm(seen, 4, cv2.CV_32S, cv2.CCL_BOLELLI)
+    return count, np.asarray(labels, np.int32)
