@@ -229,3 +229,36 @@ def test_origins_that_are_not_on_earth_are_reported(kind: str, origin: str, word
     road = "road main { draw with segments { pieces: [straight(50m)] } }\n"
     with pytest.raises(DiagnosticError, match=word):
         testing.sample(f"{road}emit {kind} {{ origin: {origin} }}")
+
+
+@pytest.mark.parametrize("longitude", [179.9995, 179.9975])
+def test_what_crosses_the_antimeridian_is_cut_there(longitude: float, tmp_path: Path) -> None:
+    """RFC 7946, section 3.1.9: lines and areas in parts, none of which crosses it, and the streets
+    are those of a town elsewhere when they are read."""
+    found = features(scene_of(TOWN), origin=(ORIGIN[0], math.radians(longitude)))
+    cut = [feature for feature in found if feature["geometry"]["type"].startswith("Multi")]
+    assert {feature["properties"]["type"] for feature in cut} >= {"road", "lane"}
+    for feature in found:
+        assert np.abs(_longitudes(feature["geometry"])).max() <= 180.0
+    path = tmp_path / "town.geojson"
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": found}))
+    elsewhere = tmp_path / "elsewhere.geojson"
+    usual = {"type": "FeatureCollection", "features": features(scene_of(TOWN))}
+    elsewhere.write_text(json.dumps(usual))
+    here, there = GeoJson().read(path), GeoJson().read(elsewhere)
+    assert abs(here.network.origin[1]) == pytest.approx(180.0, abs=0.01)
+    lengths = [sorted(edge.curve.length for edge in one.network.edges) for one in (here, there)]
+    assert lengths[0] == pytest.approx(lengths[1], abs=0.05)
+
+
+def _longitudes(geometry: dict[str, Any]) -> Floats:
+    numbers = json.loads(json.dumps(geometry["coordinates"]))
+    flat: list[float] = []
+    pending = [numbers]
+    while pending:
+        part = pending.pop()
+        if isinstance(part[0], float):
+            flat.append(part[0])
+        else:
+            pending.extend(part)
+    return np.array(flat)

@@ -106,6 +106,7 @@ FAILING = {
     "is no JSON object: 'ready'": """
         sys.stdin.readline()
         GREET
+        sys.stdin.readline()
         print("ready", flush=True)
         time.sleep(60)
     """,
@@ -142,6 +143,19 @@ def test_what_goes_wrong_is_an_error_with_the_reason(tmp_path: Path, reason: str
     assert reason in str(found.value)
     assert "Traceback" not in str(found.value)
     assert "it drives `ego` and failed 0.00 s into the drive" in str(found.value)
+
+
+def test_a_program_that_writes_more_than_its_answers_is_an_error(tmp_path: Path) -> None:
+    """Every later answer would be to what the agent saw before."""
+    body = """
+        sys.stdin.readline()
+        GREET
+        for line in sys.stdin:
+            answer = '{"steering": 0, "acceleration": 1}'
+            print(answer + "\\n" + answer, flush=True)
+    """
+    with pytest.raises(roadlang.DiagnosticError, match="although it was asked nothing"):
+        driven(scene(program(tmp_path, body)))
 
 
 def test_a_program_that_ended_before_it_was_written_to_is_named_with_its_code() -> None:
@@ -292,4 +306,18 @@ def test_no_program_outlives_a_run_that_is_terminated(tmp_path: Path) -> None:
         time.sleep(0.5)
         run.send_signal(signal.SIGTERM)
         run.wait(300)
+    assert all(ended(int(line)) for line in pids.read_text().split())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="looks at processes as POSIX has them")
+def test_no_program_outlives_a_run_with_workers_that_fails(tmp_path: Path) -> None:
+    """One program fails, and breaks off the drives of the other worker."""
+    pids = tmp_path / "pids"
+    body = STUBBORN.replace("PIDS", str(pids)).replace("LIMIT", "0.5")
+    (tmp_path / "scene.rl").write_text(scene(program(tmp_path, body), ", timeout: 1s"))
+    command = [sys.executable, "-m", "roadlang", "run", "scene.rl", "-n", "4", "--jobs", "2"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert run.returncode == 5
+    assert "RL740" in run.stderr
+    assert "Traceback" not in run.stderr
     assert all(ended(int(line)) for line in pids.read_text().split())

@@ -101,6 +101,8 @@ def _node(point: Any, nodes: dict[str, OsmNode], number: int, fault: Fault) -> s
     if abs(latitude) > 89.0 or abs(longitude) > 180.0:
         place = f"{latitude:g}, {longitude:g} degrees"
         raise fault(f"feature {number}: {place} is not a place on Earth")
+    # Lines are cut at the antimeridian: both of their parts have this point.
+    longitude = 180.0 if longitude == -180.0 else longitude
     id = f"{latitude} {longitude}"
     nodes.setdefault(id, OsmNode(latitude, longitude, {}))
     return id

@@ -137,6 +137,10 @@ def _driven(seen: ObservationBatch, row: int) -> str:
 
 
 def _send(program: ControllerProcess, line: str) -> None:
+    from .process.messages import refuse_unasked
+
+    # Every later answer would be to what the agent saw a step before.
+    refuse_unasked(program.unasked())
     program.send(line)
 
 

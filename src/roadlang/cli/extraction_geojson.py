@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..geometry.geojson_geometry import line_geometry
 from ..geometry.local_projection import LocalProjection
 from ..ir.picture import Extraction, Picture
 from .extraction_files import in_meters
@@ -42,14 +43,5 @@ def _feature(picture: Picture, edge: Any, projection: LocalProjection) -> dict[s
             "length": round(edge.length, 2),
             "confidence": round(float(edge.confidence), 4),
         },
-        "geometry": {
-            "type": "LineString",
-            "coordinates": [_place(x, y, projection) for x, y in points.tolist()],
-        },
+        "geometry": line_geometry(projection.longitudes_and_latitudes(points), _DIGITS),
     }
-
-
-def _place(x: float, y: float, projection: LocalProjection) -> tuple[float, float]:
-    """Longitude, from -180 to 180, and latitude."""
-    latitude, longitude = projection.place(x, y)
-    return round((longitude + 180.0) % 360.0 - 180.0, _DIGITS), round(latitude, _DIGITS)

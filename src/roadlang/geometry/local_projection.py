@@ -10,6 +10,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
+from .arrays import Floats
+
 _RADIUS = 6_378_137.0
 """Meters at the equator."""
 _SQUARED = 0.00669437999014
@@ -53,6 +57,11 @@ class LocalProjection:
             latitude += math.degrees((y - north) / r)
             longitude += math.degrees((x - east) / (n * cosine))
         return latitude, longitude
+
+    def longitudes_and_latitudes(self, points: Floats) -> Floats:
+        """(n, 2) longitudes and latitudes in degrees of points (n, 2) in meters; on the far side
+        of the antimeridian longitudes go on beyond 180 or -180."""
+        return np.array([self.place(x, y)[::-1] for x, y in points.tolist()]).reshape(-1, 2)
 
 
 def _meridian(phi: float) -> float:

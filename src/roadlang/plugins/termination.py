@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import os
 import signal
+from collections.abc import Callable
 from types import FrameType
 
 
@@ -16,9 +17,16 @@ _numbers = itertools.count(1)  # counted in one step: a signal may interrupt its
 _received = False
 
 
-def end_on_sigterm() -> None:
-    """Raise `Terminated` in the main thread on SIGTERM, so that half-written files are removed."""
-    signal.signal(signal.SIGTERM, _receive)
+def end_on_sigterm(is_idle: Callable[[], bool] = lambda: False) -> None:
+    """Raise `Terminated` in the main thread on SIGTERM, so that half-written files are removed and
+    programs that were started end. A process that `is_idle` just ends."""
+
+    def receive(number: int, frame: FrameType | None) -> None:
+        if is_idle():
+            os._exit(128 + number)
+        _receive(number, frame)
+
+    signal.signal(signal.SIGTERM, receive)
 
 
 def stop_noticing_sigterm() -> None:

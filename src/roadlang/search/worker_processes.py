@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
 import os
+import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from functools import partial
 from typing import Any
 
+from ..plugins.termination import Terminated, end_on_sigterm
 from .ordered_results import results_in_order
 
 _RESTARTS = 3
@@ -66,13 +69,21 @@ class WorkerProcesses:
         return self._executor
 
 
+_CLEANING = 10.0
+"""Seconds that a worker whose parent was killed may take to end the programs that it started."""
 _process_state: list[Any] = []
 """The state of a worker process: an executor has no other place for what its jobs share.
 Filled once, when the process starts; empty in the process that hands out the work."""
 
 
+_is_idle = threading.Event()
+"""Whether a worker process waits for a job."""
+
+
 def _start(state: Any) -> None:
     _process_state.append(state)
+    _is_idle.set()
+    end_on_sigterm(_is_idle.is_set)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 
@@ -81,8 +92,25 @@ def _end_with_parent() -> None:
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()
+        os.kill(os.getpid(), signal.SIGTERM)
+        _is_idle.wait(_CLEANING)
         os._exit(1)
 
 
 def _run(work: Callable[[Any, Any], Any], job: Any) -> Any:
-    return work(_process_state[0], job)
+    """What was started for a job, such as the programs of controllers, ends before the process does
+    where SIGTERM breaks it off."""
+    _is_idle.clear()
+    try:
+        result = work(_process_state[0], job)
+    except Terminated:
+        pass  # with it goes what the job held, but for circles
+    except BaseException:
+        _is_idle.set()
+        raise
+    else:
+        _is_idle.set()
+        return result
+    gc.collect()
+    # It ends here, where it holds no lock of the queue of results that others wait for.
+    os._exit(128 + signal.SIGTERM)

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from roadlang.geometry.geojson_geometry import area_geometry, line_geometry
 from roadlang.geometry.local_projection import LocalProjection
 
 from .features import Feature, junction_features, lane_features, road_features, standing_features
@@ -35,24 +36,11 @@ def _features(scene: Scene, lanes: bool) -> Iterator[Feature]:
 
 def _json(feature: Feature, projection: LocalProjection) -> dict[str, object]:
     """RFC 7946, section 3.2."""
-    lines = [[_place(x, y, projection) for x, y in line.tolist()] for line in feature.lines]
-    geometry = {
-        "type": "Polygon" if feature.is_area else "LineString",
-        "coordinates": lines if feature.is_area else lines[0],
-    }
+    lines = [projection.longitudes_and_latitudes(line) for line in feature.lines]
+    geometry = area_geometry(lines) if feature.is_area else line_geometry(lines[0])
     return {
         "type": "Feature",
         "id": feature.id,
         "properties": feature.properties,
         "geometry": geometry,
     }
-
-
-_DIGITS = 9
-"""Decimals of degrees: a tenth of a millimeter."""
-
-
-def _place(x: float, y: float, projection: LocalProjection) -> tuple[float, float]:
-    """Longitude, from -180 to 180, and latitude."""
-    latitude, longitude = projection.place(x, y)
-    return round((longitude + 180.0) % 360.0 - 180.0, _DIGITS), round(latitude, _DIGITS)

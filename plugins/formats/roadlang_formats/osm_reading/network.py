@@ -103,12 +103,15 @@ def network_of_ways(
 
 
 def _middle(extract: OsmExtract, used: set[str]) -> tuple[float, float]:
-    """The center of the bounding box of all nodes, to 1e-5 degrees."""
+    """The center of the bounding box of all nodes, to 1e-5 degrees; of a map on both sides of the
+    antimeridian that of the box across it."""
     latitudes = [extract.nodes[id].latitude for id in used]
     longitudes = [extract.nodes[id].longitude for id in used]
+    if max(longitudes) - min(longitudes) > 180.0:
+        longitudes = [longitude % 360.0 for longitude in longitudes]
     middle = ((min(values) + max(values)) / 2.0 for values in (latitudes, longitudes))
     latitude, longitude = (round(value, 5) for value in middle)
-    return latitude, longitude
+    return latitude, longitude - 360.0 if longitude > 180.0 else longitude
 
 
 def _streets(extract: OsmExtract, options: OsmOptions) -> list[Street]:

@@ -94,6 +94,15 @@ def _reading(reading: Reading) -> dict[str, Any]:
     return out
 
 
+def refuse_unasked(line: str | None) -> None:
+    """Raises ProgramFailed for a line that nobody asked for, such as one printed to find a bug."""
+    if line is not None:
+        raise ProgramFailed(
+            f"it wrote a line although it was asked nothing: {_short(line)}; it answers each line"
+            " with one line, and writes all else to standard error"
+        )
+
+
 def control(line: str) -> tuple[float, float]:
     """Steering angle and acceleration in an answer. Raises ProgramFailed."""
     answer = _object(line)

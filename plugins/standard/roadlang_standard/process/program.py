@@ -46,6 +46,7 @@ class ControllerProcess:
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             raise ProgramFailed(f"it cannot be started: {reason}{_words_of(command)}") from error
+        self.close = weakref.finalize(self, _end, self._process)
         self._errors: deque[bytes] = deque(maxlen=TAIL)
         self._answers: queue.Queue[bytes] = queue.Queue()
         process = self._process
@@ -58,7 +59,6 @@ class ControllerProcess:
         for thread in self._threads:
             thread.daemon = True
             thread.start()
-        self.close = weakref.finalize(self, _end, process)
 
     def send(self, line: str) -> None:
         """Write a line. Raises ProgramFailed where nobody reads."""
@@ -70,6 +70,15 @@ class ControllerProcess:
             code = self._exit_code()
             ended = "it closed its standard input" if code is None else f"it ended with code {code}"
             raise self.failed(ended) from error
+
+    def unasked(self) -> str | None:
+        """A line that it wrote although it was asked nothing; None where there is none."""
+        with contextlib.suppress(queue.Empty):
+            line = self._answers.get_nowait()
+            if line.endswith(b"\n"):
+                return line.decode("utf-8", "replace").rstrip("\r\n")
+            self._answers.put(line)  # the end, or too long a line: `receive` says so
+        return None
 
     def receive(self, seconds: float) -> str:
         """The next line of its standard output. Raises ProgramFailed where there is none."""
@@ -127,18 +136,20 @@ def _read_errors(stream: IO[bytes], errors: deque[bytes]) -> None:
 
 def _end(process: subprocess.Popen[bytes]) -> None:
     """End a program and all that it has started: kindly, then not."""
-    with contextlib.suppress(OSError, ValueError):
-        if process.stdin is not None:
-            process.stdin.close()
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        process.wait(PATIENCE)
-    with contextlib.suppress(OSError):
-        if hasattr(os, "killpg"):
-            os.killpg(process.pid, signal.SIGKILL)
-        else:
-            process.kill()
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        process.wait(PATIENCE)
+    try:
+        with contextlib.suppress(OSError, ValueError):
+            if process.stdin is not None:
+                process.stdin.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(PATIENCE)
+    finally:  # SIGTERM or Ctrl-C while it waits
+        with contextlib.suppress(OSError):
+            if hasattr(os, "killpg"):
+                os.killpg(process.pid, signal.SIGKILL)
+            else:
+                process.kill()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(PATIENCE)
 
 
 def _words_of(command: Sequence[str]) -> str:
