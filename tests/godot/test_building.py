@@ -16,6 +16,7 @@ from roadlang_godot.build.line import polyline
 from roadlang_godot.build.road_mesh import road_parts, strip_part
 from roadlang_godot.engines.engine import Engine
 from roadlang_godot.faults import EngineError
+from roadlang_godot.net.messages import refusal
 from roadlang_godot.net.protocol import Message
 from roadlang_godot.net.scene_part import ScenePart
 from roadlang_godot.net.session import Session
@@ -141,9 +142,15 @@ def test_an_engine_that_dies_is_noticed_at_once() -> None:
 def test_a_second_client_is_refused_while_the_first_is_there(fast_engine: Engine) -> None:
     with (
         fast_engine.connect("first"),
-        pytest.raises(EngineError, match=r"RL503.*another client"),
+        pytest.raises(EngineError, match=r"RL503.*another client") as refused,
     ):
         fast_engine.connect("second")
+    assert "start another engine with `roadlang godot --port" in str(refused.value)
+
+
+@pytest.mark.parametrize("payload", [b"\xff\x00", b"[1]", b"null", b'{"code": []}', b""])
+def test_a_refusal_that_is_no_complaint_is_an_error_all_the_same(payload: bytes) -> None:
+    assert "error[RL503]" in str(refusal(payload))
 
 
 def test_a_hundred_kilometers_are_proven_built(session: Session) -> None:

@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from roadlang.api import Code
+from roadlang_godot.faults import EngineError, fault
+
 
 @dataclass(frozen=True, slots=True)
 class Proof:
@@ -23,8 +26,27 @@ def as_json(value: Mapping[str, Any]) -> bytes:
 
 
 def text_of(payload: bytes) -> str:
-    """The text of an engine's complaint, or the first bytes of what is no JSON."""
+    """The text of an engine's complaint, or the first bytes of what is none."""
+    return str(_complaint(payload).get("text", payload[:80].decode("ascii", "replace")))
+
+
+_HELP = {
+    "busy": "an engine serves one client: end the other one, or start another engine with"
+    " `roadlang godot --port 4243`",
+    "protocol": "start the engine that belongs to this version of roadlang with `roadlang godot`",
+}
+"""What to do where an engine refuses a client, by its reason."""
+
+
+def refusal(payload: bytes) -> EngineError:
+    """The error RL503 of an engine's complaint to who greets it."""
+    help = _HELP.get(str(_complaint(payload).get("code")), ())
+    return fault(Code.GODOT_REFUSED, help, reason=text_of(payload))
+
+
+def _complaint(payload: bytes) -> dict[str, Any]:
     try:
-        return str(json.loads(payload).get("text", ""))
+        found = json.loads(payload)
     except ValueError:
-        return payload[:80].decode("ascii", "replace")
+        return {}
+    return found if isinstance(found, dict) else {}

@@ -15,7 +15,7 @@ from roadlang.api import Code
 from ..faults import fault, not_built
 from . import protocol
 from .link import DatagramLink
-from .messages import Proof, as_json, text_of
+from .messages import Proof, as_json, refusal, text_of
 from .protocol import Message
 from .reliable_channel import Channel
 from .scene_part import RECORD_BYTES, Key, ScenePart, part_digest, record_key, removal, unlike
@@ -270,7 +270,7 @@ class Session:
                 if frame is None:
                     continue
                 if frame.type == Message.ERROR and frame.session == 0:
-                    raise fault(Code.GODOT_REFUSED, reason=text_of(frame.payload))
+                    raise refusal(frame.payload)
                 if frame.type == Message.WELCOME:
                     self._session = frame.session
                     self._last_heard = time.monotonic()
