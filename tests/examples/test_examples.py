@@ -25,12 +25,10 @@ SCENES = sorted(EXAMPLES.rglob("*.rl"))
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: p.relative_to(EXAMPLES).as_posix())
 def test_an_example_compiles_to_valid_json_and_svg(path: Any, tmp_path: Path) -> None:
     # Examples for an engine emit to it; what they emit is tested where that engine is.
-    assert run(["compile", str(path), "-o", str(tmp_path), "-n", "2", "--emit", "json,svg"]) == 0
-    scenes = sorted(tmp_path.glob("scene-*.json"))
-    assert len(scenes) == 2
-    for scene in scenes:
-        jsonschema.validate(json.loads(scene.read_text()), scene_schema())
-        assert scene.with_suffix(".svg").read_text().startswith("<?xml")
+    assert run(["compile", str(path), "-o", str(tmp_path), "-n", "1", "--emit", "json,svg"]) == 0
+    (scene,) = tmp_path.glob("scene-*.json")
+    jsonschema.validate(json.loads(scene.read_text()), scene_schema())
+    assert scene.with_suffix(".svg").read_text().startswith("<?xml")
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: p.relative_to(EXAMPLES).as_posix())

@@ -14,7 +14,9 @@ COUNTS = {"roundabout": 6}
 """Of this many scenes one goes wrong, where three are not enough."""
 
 
-def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
+def kept(
+    name: str, folder: Path, count: int, control_step: float | None = None, **changes: str
+) -> list[bool]:
     """Whether all expectations hold, in `count` scenes of an example in which texts are changed."""
     text = (EXAMPLES / f"{name}.rl").read_text(encoding="utf-8")
     for old, new in changes.items():
@@ -25,7 +27,7 @@ def kept(name: str, folder: Path, count: int, **changes: str) -> list[bool]:
         shutil.copy(picture, folder)
     (folder / f"{name}.rl").write_text(text, encoding="utf-8")
     scenes = roadlang.load(folder / f"{name}.rl").sample(count)
-    return [one.satisfied for one in scenes.run("builtin")]
+    return [one.satisfied for one in scenes.run("builtin", control_step=control_step)]
 
 
 @pytest.mark.slow
@@ -69,4 +71,4 @@ def test_an_example_keeps_its_expectations(name: str, tmp_path: Path) -> None:
 def test_its_expectations_fail_where_it_goes_wrong(
     name: str, changes: dict[str, str], tmp_path: Path
 ) -> None:
-    assert not all(kept(name, tmp_path, COUNTS.get(name, 3), **changes))
+    assert not all(kept(name, tmp_path, COUNTS.get(name, 3), 0.1, **changes))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -117,6 +119,27 @@ def test_drives_and_scenes_are_data_frames() -> None:
     assert frame["slow"].tolist() == pytest.approx([2.0, 1.0, 0.0, -1.0])
     assert frame.index.name == "scene"
     assert found[0].to_frame()["ego.x"].loc[2.0] == pytest.approx(20.0)
+
+
+def test_what_becomes_a_data_frame_is_the_table_with_its_index(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Seen by a stand-in: pandas is no dependency of ours, and few machines of tests have it."""
+    made: list[tuple[dict[str, Any], str]] = []
+
+    def frame(columns: dict[str, Any]) -> Any:
+        return SimpleNamespace(set_index=lambda index: made.append((columns, index)))
+
+    monkeypatch.setitem(sys.modules, "pandas", SimpleNamespace(DataFrame=frame))
+    scenes = testing.sample(TEXT, 2, kinds=[Sled])
+    found = scenes.run()
+    for table in (scenes, found, found[0]):
+        table.to_frame()
+    (of_scenes, _), (of_drives, _), (of_one, _) = made
+    assert [index for _, index in made] == ["scene", "scene", "time"]
+    assert of_scenes == scenes.to_dict()
+    assert of_drives == found.to_dict()
+    assert of_one["ego.x"][-1] == pytest.approx(20.0)
 
 
 @dataclass(frozen=True)

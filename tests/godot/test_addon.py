@@ -62,13 +62,17 @@ func _ended(reason: String) -> void:
 """
 
 
+def _write_game(folder: Path) -> Path:
+    (folder / "project.godot").write_text(PROJECT_FILE)
+    (folder / "game.tscn").write_text(GAME_SCENE)
+    (folder / "game.gd").write_text(GAME_SCRIPT)
+    return folder
+
+
 @pytest.fixture
 def game(tmp_path: Path) -> Path:
     """A game that has a `RoadlangStage`."""
-    (tmp_path / "project.godot").write_text(PROJECT_FILE)
-    (tmp_path / "game.tscn").write_text(GAME_SCENE)
-    (tmp_path / "game.gd").write_text(GAME_SCRIPT)
-    return tmp_path
+    return _write_game(tmp_path)
 
 
 def _run(*arguments: str) -> tuple[int, str]:
@@ -103,9 +107,11 @@ def test_the_addon_has_the_version_of_the_protocol() -> None:
     assert f'version="{protocol.VERSION}"' in config
 
 
-def _imported(game: Path) -> None:
+@pytest.fixture(scope="module")
+def imported_game(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Roadlang is in the game, and Godot has found its classes."""
     require_engine()
+    game = _write_game(tmp_path_factory.mktemp("game"))
     install_addon(game)
     engine = str(engines.find())
     imported = subprocess.run(
@@ -113,16 +119,16 @@ def _imported(game: Path) -> None:
     )
     assert imported.returncode == 0
     assert "ERROR" not in imported.stdout + imported.stderr
+    return game
 
 
 @pytest.mark.slow
 @pytest.mark.godot
-def test_a_game_receives_scenes(game: Path) -> None:
-    _imported(game)
+def test_a_game_receives_scenes(imported_game: Path) -> None:
     line = bends()
     sent = scene(line, agents=[car("ego", line, 5.0, call("lane_follow", speed=10.0))])
     with (
-        started(fixed_fps=60, extra=["--path", str(game)]) as running,
+        started(fixed_fps=60, extra=["--path", str(imported_game)]) as running,
         running.connect() as session,
     ):
         layout = layout_of(sent)
@@ -138,13 +144,12 @@ def test_a_game_receives_scenes(game: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.godot
-def test_a_game_knows_where_an_agent_is_that_python_drives(game: Path) -> None:
-    _imported(game)
+def test_a_game_knows_where_an_agent_is_that_python_drives(imported_game: Path) -> None:
     line = road("line", pieces(straight(200.0)))
     ego = car("ego", line, 5.0, call("lane_follow", speed=10.0), offset=1.0)
     layout = layout_of(scene(line, agents=[ego]))
     with (
-        started(fixed_fps=20, extra=["--path", str(game)]) as running,
+        started(fixed_fps=20, extra=["--path", str(imported_game)]) as running,
         running.connect() as session,
     ):
         session.begin(layout.settings(60), clear=True)
