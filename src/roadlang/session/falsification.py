@@ -115,10 +115,9 @@ class Failure:
     @property
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
-        search = self._search
-        for place, found in enumerate(search.failures):  # shrunk ones are not among them
-            if found.outcome is self.outcome:
-                return search.failure_drives[place]
+        search, place = self._search, self.rank - 1
+        if search.failures[place].outcome is self.outcome:  # it is not shrunk
+            return search.failure_drives[place]
         return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 
 
