@@ -13,11 +13,14 @@ from .dashed_roads import with_dashes_joined
 from .drawing import between_lines, likeness
 from .found_network import FoundNetwork
 from .masks import roads_of_surface
+from .pale_roads import pale_surfaces
 from .road_markings import with_markings_filled
 from .tones import Image, Layer, away_from, tones
 
 EDGE_LINES = "edge lines"
 """The method by which roads between two lines are found."""
+_DOUBTFUL = 0.5
+"""Roads less sure may be names: then roads are sought in the ground between these."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,13 @@ def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
         empty = np.zeros(gray.shape, bool)
         return FoundNetwork(np.zeros((0, 2)), (), empty, "contour", ("the picture has one tone",))
     surface, settings = _surface(light, chain)
-    found = roads_of_surface(surface, settings, chain.spline, chain.width, chain.min_length)
+    fixed = (chain.spline, chain.width, chain.min_length)
+    found = roads_of_surface(surface, settings, *fixed)
+    if found.confidence < _DOUBTFUL and chain.threshold is None and chain.road == "auto":
+        pale = pale_surfaces(gray, level)
+        if pale is not None:
+            other = roads_of_surface(with_markings_filled(_road(pale)), "contour", *fixed)
+            found = max((found, other), key=lambda network: network.confidence)
     return replace(found, scores={"threshold": round(level / 255, 4)})
 
 
@@ -128,5 +137,9 @@ def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
         between = between_lines(ink >= 0.5)
         if between is not None:
             return between, EDGE_LINES
-    road = max(sides.values(), key=likeness)
-    return with_dashes_joined(with_markings_filled(road)), "contour"
+    road = with_markings_filled(_road(tuple(sides.values())))
+    return with_dashes_joined(road), "contour"
+
+
+def _road(surfaces: tuple[Layer, ...]) -> Layer:
+    return max(surfaces, key=likeness)
