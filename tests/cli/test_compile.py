@@ -57,6 +57,14 @@ def test_a_scene_does_not_depend_on_how_many_are_asked_for(folder: Path) -> None
         assert few[name] == many[name]
 
 
+def test_outputs_are_one_list_or_several_options(folder: Path) -> None:
+    roadlang("compile", "scene.rl", "--emit", "svg,json", "-o", "one", cwd=folder)
+    roadlang("compile", "scene.rl", "--emit", "svg", "--emit", "json", "-o", "two", cwd=folder)
+    names = [sorted(path.name for path in (folder / out).iterdir()) for out in ("one", "two")]
+    assert names[0] == names[1]
+    assert {"scene-0000.json", "scene-0000.svg"} <= set(names[0])
+
+
 def test_emit_on_the_command_line_replaces_the_files(folder: Path) -> None:
     roadlang("compile", "scene.rl", "--emit", "svg", "-o", "out", cwd=folder)
     assert sorted(files_of(folder / "out")) == ["manifest.json", "scene-0000.svg"]

@@ -83,6 +83,7 @@ def test_positions_and_signals(tmp_path: Path) -> None:
         ("a.csv", "s,x\n0,1\n2\n", "line 3 has 1 cells, not 2"),
         ("a.csv", "s,x\none,0\n", "line 2, column `s`"),
         ("a.csv", "s,s\n0,1\n", "the same name, `s`"),
+        ("a.csv", ",s,x\n0,1,2\n", r"column 1, .* has no name; pandas .* `index=False`"),
         ("a.csv", "s,,x\n0,1,2\n", "column 2 has no name"),
         ("a.csv", "s,\n0,1\n", "column 2 has no name"),
         ("a.csv", "# only\n# comments\n", "empty"),

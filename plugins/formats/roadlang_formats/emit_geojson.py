@@ -57,7 +57,8 @@ class GeoJsonBackend(Backend):
                     kind="emit geojson",
                     reason="is missing, and no map says where on Earth the scene is",
                     help="write latitude and longitude of (0, 0): "
-                    "`emit geojson { origin: (48.137deg, 11.575deg) }`",
+                    "`emit geojson { origin: (48.137deg, 11.575deg) }`, on the command line"
+                    " `--emit 'geojson{origin: (48.137deg, 11.575deg)}'`",
                 )
             )
         return {"geojson": document(scene, origin, self.lanes)}

@@ -40,11 +40,7 @@ _CONCRETE = ".json"
 @shared_options.settings
 @shared_options.params
 @shared_options.duration
-@click.option(
-    "--emit",
-    metavar="KIND,...",
-    help="Files to write of each drive, in place of the file's `emit`s: `openscenario`.",
-)
+@shared_options.emit_of_drives
 @click.option("--window", is_flag=True, help="Show the drive in a window, in real time.")
 @click.option("--json", "as_json", is_flag=True, help="Print the verdicts as JSON.")
 def command(  # noqa: PLR0913 - one parameter per option

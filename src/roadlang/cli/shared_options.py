@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
 import click
 
 from .quantities import seconds
+
+Command: TypeAlias = Callable[..., Any]
 
 output = click.option(
     "-o",
@@ -49,8 +54,18 @@ engine = click.option("--engine", help="Simulator, in place of the file's `simul
 duration = click.option(
     "--duration", type=seconds(min=0.1), help="Maximum duration of a drive, such as 60s."
 )
-emit = click.option(
-    "--emit",
-    metavar="KIND,...",
-    help="Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.",
+
+
+def _listed(_: click.Context, __: click.Parameter, values: tuple[str, ...]) -> str | None:
+    """As one list; None where the option is not given."""
+    return ",".join(values) if values else None
+
+
+def _emit(help: str) -> Callable[[Command], Command]:
+    return click.option("--emit", metavar="KIND,...", multiple=True, callback=_listed, help=help)
+
+
+emit = _emit("Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.")
+emit_of_drives = _emit(
+    "Files to write of each drive, in place of the file's `emit`s: `openscenario`."
 )

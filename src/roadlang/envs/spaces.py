@@ -15,8 +15,11 @@ ACTIONS: Space[NDArray[np.float32]] = Box(-1.0, 1.0, (2,), np.float32)
 
 
 def checked_actions(actions: Any, *shape: int) -> Floats:
-    """Actions within -1 and 1. Raises ValueError for another shape, and NaN."""
-    found = np.asarray(actions, dtype=np.float64)
+    """Actions within -1 and 1. Raises ValueError for what is no numbers, another shape, and NaN."""
+    try:
+        found = np.asarray(actions, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"actions must be numbers, not {actions!r}") from None
     if found.shape != shape:
         raise ValueError(f"actions must have the shape {shape}, not {found.shape}")
     if np.isnan(found).any():

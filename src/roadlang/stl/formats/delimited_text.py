@@ -166,6 +166,11 @@ def _is_filled(rest: str, delimiter: str | None, count: int) -> bool:
 
 def _fault_of(names: list[str]) -> str:
     """Why these cannot be names of columns."""
+    if not names[0]:
+        return (
+            "column 1, which holds the positions, has no name; pandas writes the index of a frame"
+            ' so: use `to_csv(path, index_label="time")` if that is the time, else `index=False`'
+        )
     if not all(names):
         return f"column {names.index('') + 1} has no name"
     return f"two columns have the same name, `{next(n for n in names if names.count(n) > 1)}`"
