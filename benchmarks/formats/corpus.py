@@ -47,9 +47,10 @@ class MadeUp(Extractor):
         return Extraction(RoadNetwork(made.network.nodes, edges))
 
 
-def example_scenes(seed: int, every: int = 1) -> Iterator[tuple[str, Scene]]:
-    """One scene of every example, or of every second one and so on, with its name."""
-    for path in sorted(_EXAMPLES.glob("*.rl"))[::every]:
+def example_scenes(seed: int, first: int = 0, every: int = 1) -> Iterator[tuple[str, Scene]]:
+    """One scene of every example, or from the first on of every second one and so on, with its
+    name."""
+    for path in sorted(_EXAMPLES.glob("*.rl"))[first::every]:
         yield path.stem, roadlang.load(path).sample(1, seed=seed)[0].record
 
 
