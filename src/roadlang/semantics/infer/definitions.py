@@ -12,6 +12,7 @@ from ..names.program import Declaration, Setting, expression_of
 from ..types import expression_types as ty
 from ..types.dimensions import unit_missing
 from ..types.expression_types import TypedExpression, unknown
+from ..types.quoted_strings import as_string
 
 
 def define(checker: Checker, declaration: Declaration, context: Context) -> TypedExpression:
@@ -71,14 +72,12 @@ def _agreeing(
         return _same_dimension(checker, name, default.type, typed, labels)
     if type(default.type) is not type(typed.type):
         what, expected = f"`{name}`", default.type
+        is_string = isinstance(default.type, ty.StringType)
+        help_, fixes = as_string(typed) if is_string else ((), ())
         return checker.report(
-            Code.WRONG_TYPE,
-            typed.span,
-            labels=labels,
-            what=what,
-            expected=expected,
-            found=typed.type,
-        )
+            Code.WRONG_TYPE, typed.span, labels=labels, what=what, expected=expected,
+            found=typed.type, help=help_, fixes=fixes,
+        )  # fmt: skip
     return typed
 
 

@@ -72,8 +72,9 @@ class Motion:
 MOTION_COLUMNS = tuple(field.name for field in fields(Motion))
 
 
-_PARTS = 64
-"""Tracks of some agents that are remembered"""
+_PARTS, _FEW = 64, 1024
+"""Tracks of some agents that are remembered, and of how many agents at most: with more of them the
+look-up takes no time beside all else."""
 
 
 @dataclass(frozen=True)
@@ -133,9 +134,10 @@ class Track:
             self.spacing[rows], self.per_meter[rows], self.length[rows], closed,
             bool(closed.any()),
         )  # fmt: skip
-        if len(self._parts) >= _PARTS:
-            self._parts.clear()
-        self._parts[id(rows)] = rows, part
+        if len(closed) <= _FEW:
+            if len(self._parts) >= _PARTS:
+                self._parts.clear()
+            self._parts[id(rows)] = rows, part
         return part
 
     @cached_property
