@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -12,13 +13,15 @@ from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
 from .map_letters import letters_of_map, without_letters
-from .map_tones import LOSSY, flat_colors, map_tones, tolerance_of, without_jpeg_noise
+from .map_lines import THIN, holes, parts_touching, short_parts, with_line_colors, without_outlines
+from .map_tones import LOSSY, MapTone, flat_colors, map_tones, tolerance_of, without_jpeg_noise
 from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
+from .skeleton import skeleton
 from .tones import Image, Layer
 
-_COLORS, _FEW, _LETTERED = 3, 3, 0.003
+_COLORS, _FEW, _LETTERED = 2, 3, 0.003
 """A map has at least so many colors; with so few it has letters on this share of it, or it is a
 drawing."""
 _THIN, _LONG = 0.5, 5.0
@@ -32,8 +35,23 @@ are filled up to so many square widths."""
 _ROAD, _LAND, _UNKNOWN = 0.25, 0.002, 0.6
 """How easily a bridge between dead ends crosses road, land, and what covers either: it should not
 turn back along its own road."""
+_NEAR = 4
+"""Short parts of a road's color belong to it so many pixels from others."""
 _ON_LETTERS = 0.6
 """A tone that lies so much about letters is their outline."""
+
+
+@dataclass(frozen=True)
+class _Roads:
+    """The colors of roads on a map without letters, and all its tones."""
+
+    tones: list[MapTone]
+    roads: list[MapTone]
+
+    def width(self, of: Callable[[MapTone], float]) -> float:
+        """Usual width of the roads, pixels, given that of each tone."""
+        lengths = np.array([tone.steady_length for tone in self.roads])
+        return float(lengths @ [of(tone) for tone in self.roads] / lengths.sum())
 
 
 def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | None:
@@ -49,21 +67,24 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     colors = flat_colors(plain, tolerance)
     if len(colors) < _COLORS:
         return None
-    tones = without_water(map_tones(plain, colors, tolerance))
-    roads = road_tones(tones, min(image.shape[:2]))
-    if not roads:
+    chosen = None if tolerance is LOSSY else _thin_roads(plain, with_line_colors(plain, colors))
+    thin = chosen is not None
+    if chosen is None:
+        tones = without_water(map_tones(plain, colors, tolerance))
+        chosen = _Roads(tones, road_tones(tones, min(image.shape[:2])))
+    if not chosen.roads:
         return None
-    lengths = np.array([tone.steady_length for tone in roads])
-    usual = float(lengths @ [tone.width for tone in roads] / lengths.sum())
-    letters = letters_of_map(image, usual)
-    if len(colors) <= _FEW and letters.mean() < _LETTERED:
+    usual = chosen.width(lambda tone: tone.width)
+    typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
+    letters = letters_of_map(image, typical)
+    shown = [tone.color for tone in chosen.tones] if thin else colors
+    if len(shown) <= _FEW and letters.mean() < _LETTERED:
         return None
-    seen = tones if plain is image else without_water(map_tones(image, colors, tolerance))
-    taken = [any(tone is road for road in roads) for tone in tones]
-    mask = np.logical_or.reduce([one.mask for one, road in zip(seen, taken, strict=True) if road])
-    others = [one.mask for one, road in zip(seen, taken, strict=True) if not road]
-    widest = max(tone.width * max(1.0, tone.spread / MOST_SPREAD) for tone in roads)
-    surface, hidden = _uncovered(mask, others, letters, usual, widest)
+    is_plain = plain is image and not thin
+    seen = chosen.tones if is_plain else without_water(map_tones(image, shown, tolerance, thin))
+    mask, others = _masks(seen, chosen, letters if thin else None)
+    widest = max(tone.width * max(1.0, tone.spread / MOST_SPREAD) for tone in chosen.roads)
+    surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
     found = roads_of_surface(
         surface.astype(np.float32),
         "map",
@@ -74,16 +95,50 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     return replace(found, mask=surface)
 
 
+def _thin_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
+    """The roads of a lossless map (h, w, 3) without letters; None if they are usually wide."""
+    tones = without_water(map_tones(plain, colors, smooth=True))
+    found = _Roads(tones, road_tones(without_outlines(tones), min(plain.shape[:2])))
+    return found if found.roads and found.width(lambda tone: tone.width) < THIN else None
+
+
+def _masks(
+    seen: list[MapTone], chosen: _Roads, letters: Booleans | None
+) -> tuple[Booleans, list[Booleans]]:
+    """Where (h, w) the roads are, and where each of the other colors is, as `seen`.
+
+    Thin roads and what is beside them are also as they are without letters, but not on these.
+    """
+    mask, others = np.zeros(seen[0].mask.shape, bool), []
+    for one, plain in zip(seen, chosen.tones, strict=True):
+        same = (road for road in chosen.roads if np.array_equal(road.color, one.color))
+        road = next(same, None)
+        if road is None:
+            others.append(one.mask if letters is None else one.mask | (plain.mask & ~letters))
+        elif letters is None:
+            mask |= one.mask
+        else:
+            mask |= parts_touching(one.mask, road.mask) | (road.mask & ~letters)
+    if letters is not None:
+        near = _grown(mask | letters, _NEAR)
+        mask |= short_parts(chosen.tones, chosen.roads, near) & ~letters
+    return mask, others
+
+
 def _uncovered(
-    mask: Booleans, others: list[Booleans], letters: Booleans, width: float, widest: float
+    mask: Booleans,
+    others: list[Booleans],
+    letters: Booleans,
+    widths: tuple[float, float, float],
 ) -> tuple[Booleans, Layer]:
     """The surface with what letters and casings cover, and how likely roads are hidden, 0..1."""
+    width, typical, widest = widths
     area = np.zeros(mask.shape, bool)
     for other in others:
         if (other & letters).sum() < _ON_LETTERS * other.sum():
             area |= _opened(other)
     surface = _without_areas(without_specks(_without_thin(mask, width), 0.5 * width**2), widest)
-    near = _closed(surface, _GAP * width) | (_closed(surface, _LETTER_GAP * width) & letters)
+    near = _closed(surface, _GAP * width) | (_closed(surface, _LETTER_GAP * typical) & letters)
     surface = without_holes(surface | (near & ~area), _HOLE * width**2)
     surface = _without_islands(surface, _LONG * width)
     covered = _grown(surface, width) | _opened(~surface & ~area) | letters
@@ -130,8 +185,24 @@ def _without_thin(mask: Booleans, width: float) -> Booleans:
 
 
 def _without_islands(mask: Booleans, least: float) -> Booleans:
-    """Without parts that are nowhere `least` pixels long: buildings of a road's color."""
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    long = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= least
-    long[0] = False
-    return np.asarray(long[parts])
+    """Without parts that are nowhere `least` pixels long, buildings of a road's color, and without
+    rings of thin lines that nothing joins: outlines."""
+    parts, stats = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)[1:3]
+    kept = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= least
+    kept[0] = False
+    kept &= ~_rings(mask, parts, len(stats))
+    return np.asarray(kept[parts])
+
+
+def _rings(mask: Booleans, parts: NDArray[np.int32], count: int) -> Booleans:
+    """Which of the connected parts (n,) of a mask (h, w) are thin lines around one hole, without
+    ends; never the largest part."""
+    line = skeleton(mask)
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    near = cv2.filter2D(line.astype(np.uint8), -1, np.ones((3, 3)), borderType=cv2.BORDER_CONSTANT)
+    length = np.maximum(np.bincount(parts[line], minlength=count), 1)
+    ends = np.bincount(parts[line & (near <= 2)], minlength=count)
+    width = 2 * np.bincount(parts[line], weights=inner[line], minlength=count) / length - 1
+    rings = (holes(mask, parts, count) == 1) & (ends == 0) & (width < THIN)
+    rings[length.argmax()] = False
+    return np.asarray(rings)

@@ -13,6 +13,7 @@ from roadlang.geometry import Booleans
 from .counted_colors import color_codes, counted_colors
 from .map_ribbons import ribbon_share
 from .masks import without_specks
+from .mixed_pixels import with_thin_lines
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from
 
@@ -36,6 +37,8 @@ _LONG = 5.0
 """A ribbon is longer than so many widths."""
 _SHAPED, _GRAIN = 0.2, 4.0
 """Noise of a color is in ribbons to a smaller share than this, and no wider than so many pixels."""
+_MIXED = 1.5
+"""Wide and thin roads of one color are on average wider than usual by more than this factor."""
 _SPECK = 8
 """Parts and holes of fewer pixels are not looked at."""
 
@@ -85,6 +88,13 @@ class MapTone:
         """Whether it is black, gray or white."""
         return float(np.ptp(self.color)) < _GRAY * 255
 
+    @property
+    def typical_width(self) -> float:
+        """Of most of its length or, where much of that is thin lines, of most of its surface;
+        pixels."""
+        mean = float(self.mask.sum()) / max(1.0, self.length)
+        return mean if mean > _MIXED * self.width else self.width
+
 
 def tolerance_of(image: Image) -> Tolerance:
     """How exact the colors of a map (h, w, 3) are: JPEG leaves noise at edges."""
@@ -104,8 +114,15 @@ def without_jpeg_noise(image: Image) -> Image:
 
 def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:
     """The colors (3,) BGR of the even parts of a picture (h, w, 3), most frequent first."""
-    is_flat = _spread(image) <= tolerance.flat
-    flat = counted_colors(color_codes(image)[is_flat])
+    return frequent_colors(image, _spread(image) <= tolerance.flat, tolerance)
+
+
+def frequent_colors(
+    image: Image, within: Booleans, tolerance: Tolerance = EXACT
+) -> list[NDArray[np.float64]]:
+    """The colors (3,) BGR that many of some pixels (h, w) of a picture (h, w, 3) have, most
+    frequent first."""
+    flat = counted_colors(color_codes(image)[within])
     blue, green, red = (flat.colors >> _BITS).astype(np.int32).T
     cell = (blue * _LEVELS + green) * _LEVELS + red
     counts = flat.binned(cell, _LEVELS**3)
@@ -133,26 +150,34 @@ def _spread(image: Image) -> Image:
 
 
 def map_tones(
-    image: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance = EXACT
+    image: Image,
+    colors: list[NDArray[np.float64]],
+    tolerance: Tolerance = EXACT,
+    smooth: bool = False,
 ) -> list[MapTone]:
     """Where the `colors` of a rendered map (h, w, 3) are, and what shapes they have.
 
     In a JPEG, a color that forms no shape is noise: its pixels go to the nearest color in reach.
+    With `smooth`, thin lines have the pixels that a renderer smoothed.
     """
-    tones = _tones_of(image, colors, tolerance.near)
+    tones = _tones_of(image, colors, tolerance.near, smooth)
     shaped = [tone.color for tone in tones if tone.ribbons >= _SHAPED or tone.width > _GRAIN]
     if tolerance is LOSSY and 0 < len(shaped) < len(tones):
         return _tones_of(image, shaped, tolerance.near)
     return tones
 
 
-def _tones_of(image: Image, colors: list[NDArray[np.float64]], near: int) -> list[MapTone]:
+def _tones_of(
+    image: Image, colors: list[NDArray[np.float64]], near: int, smooth: bool = False
+) -> list[MapTone]:
     label = np.full(image.shape[:2], -1, np.int16)
     best = np.full(image.shape[:2], near + 1, np.int16)
     for index, color in enumerate(colors):
         away = away_from(image, color).astype(np.int16)
         closer = away < best
         best[closer], label[closer] = away[closer], index
+    if smooth:
+        label = with_thin_lines(image, label, colors)
     return [map_tone(color, label == index) for index, color in enumerate(colors)]
 
 

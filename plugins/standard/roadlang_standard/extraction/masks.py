@@ -63,7 +63,7 @@ def roads_of_surface(
     """
     mask = without_specks(surface >= 0.5, specks)
     lines = skeleton(mask)
-    while _is_noise(lines) and specks < 1e4:
+    while cover is None and _is_noise(lines) and specks < 1e4:
         specks *= 4
         surface = cv2.GaussianBlur(surface, (0, 0), 2.0)
         mask = without_specks(surface >= 0.5, specks)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import colorsys
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -32,10 +33,16 @@ the land in the other direction than roads do, darker or lighter."""
 _WIDE = 1.5
 """Water is wider than so many roads."""
 _AREA = 4.3
-"""A tone that is anywhere so many times as wide as a road is an area."""
-_TOUCHING = 0.5
+_AREAS = 0.25
+"""A tone that is so many times as wide as a road on more than this share of its surface is an
+area."""
+_CASING, _BESIDE = 3.0, 0.5
+"""Casings are at most so wide, in pixels, and lie beside a wider road with more than this share."""
+_MANY = 0.3
+"""Thin lines are streets where they are at least so long as the main roads: railways are not."""
+_TOUCHING = 0.4
 """Least share of a tone that lies in parts which touch other roads."""
-_EDGE, _EDGES = 3, 0.4
+_EDGE, _EDGES = 4, 0.4
 """Tones touch across edge lines of so many pixels, or of this share of a road's width."""
 
 
@@ -47,8 +54,8 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         for tone in tones
         if tone is not land and tone.width <= _WIDEST * side and _is_steady(tone)
     ]
+    ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons)]
     sure = [tone for tone in ribbons if tone.steady >= _STEADY]
-    sure = [tone for tone in sure if tone.width > THINNEST] or sure
     if not sure:
         return []
     # Squares: what is far less even than any roads may still be long in all.
@@ -59,8 +66,8 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         tone
         for tone in ribbons
         if tone is not main
-        and (tone.width > THINNEST or tone.steady_length >= main.steady_length)
-        and tone.widest < _AREA * max(main.width, tone.width)
+        and (tone.width > THINNEST or tone.steady_length >= _MANY * main.steady_length)
+        and not _is_area(tone, _AREA * max(main.width, tone.width))
         and not _is_water(tone, main, land)
     ]
     return [main, *_joined(main, others)]
@@ -83,9 +90,30 @@ def _is_steady(tone: MapTone) -> bool:
     )
 
 
+def _is_casing(tone: MapTone, ribbons: list[MapTone]) -> bool:
+    """Whether a tone is thin lines along the edges of wider roads: streets meet them at ends."""
+    if tone.width > _CASING:
+        return False
+    kernel = np.ones((2 * _EDGE + 1, 2 * _EDGE + 1), np.uint8)
+    return any(
+        cv2.dilate(other.mask.astype(np.uint8), kernel)[tone.mask].mean() > _BESIDE
+        for other in ribbons
+        if other.width > tone.width + 1
+    )
+
+
 def _is_plain(tone: MapTone) -> bool:
     """Whether a tone is black, gray or white, and nearly all ribbons."""
     return tone.is_gray and tone.ribbons >= _PLAIN_RIBBONS
+
+
+def _is_area(tone: MapTone, width: float) -> bool:
+    """Whether much of a tone is wider than so many pixels."""
+    if tone.widest < width:
+        return False
+    inner = cv2.distanceTransform(tone.mask.astype(np.uint8), cv2.DIST_L2, 5)
+    wide = cv2.distanceTransform((inner < width / 2).astype(np.uint8), cv2.DIST_L2, 5) < width / 2
+    return bool(wide[tone.mask].mean() > _AREAS)
 
 
 def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
@@ -110,19 +138,23 @@ def _joined(main: MapTone, others: list[MapTone]) -> list[MapTone]:
     found = True
     while found:
         found = False
-        for tone in left:
-            if any(tone is one for one in taken):
-                continue
-            if _share_touching(tone.mask, reach) >= _TOUCHING:
-                taken.append(tone)
-                reach |= cv2.dilate(tone.mask.astype(np.uint8), kernel) > 0
-                found = True
+        for tone in [*left]:
+            # Casings of a street's color touch all roads, and outlines of houses touch none.
+            rest = tone.mask & ~reach if tone.width <= _CASING else tone.mask
+            near = cv2.dilate(reach.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+            touching = _parts_touching(rest, near)
+            if touching.sum() >= _TOUCHING * rest.sum():
+                found, left = True, [one for one in left if one is not tone]
+                whole = rest is tone.mask
+                mask = tone.mask if whole else touching | (tone.mask & reach)
+                taken.append(replace(tone, mask=mask))
+                reach |= cv2.dilate(mask.astype(np.uint8), kernel) > 0
     return taken
 
 
-def _share_touching(mask: Booleans, reach: Booleans) -> float:
-    """Share of a mask (h, w) that lies in parts which meet `reach`: buildings stand apart."""
+def _parts_touching(mask: Booleans, reach: Booleans) -> Booleans:
+    """The parts of a mask (h, w) that meet `reach`: buildings stand apart."""
     count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
     touching = np.bincount(parts[reach], minlength=count) > 0
     touching[0] = False
-    return float(touching[parts].sum() / max(1, mask.sum()))
+    return np.asarray(touching[parts])

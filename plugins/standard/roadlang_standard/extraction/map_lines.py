@@ -1,0 +1,148 @@
+"""Thin lines of a map that may be streets: their colors, and which parts of a color are lines."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+from .map_tones import EXACT, MapTone, frequent_colors, map_tone
+from .mixed_pixels import Labels
+from .tones import Image
+
+_Pixel = TypeVar("_Pixel", bound=np.generic)
+
+_STEP = 6
+"""A line differs by more gray levels from both of its sides, and by no more along itself."""
+_REACH = 2
+"""Its sides are so many pixels away: lines of up to three pixels have no even part."""
+THIN = 4.5
+"""Colors of lines whose usual width is less, in pixels, may be those of houses as well."""
+_EXTENT, _LONG = 40, 5.0
+"""A line reaches over so many pixels, and so many of its widths; outlines of houses do not."""
+_STEADY = 0.45
+"""Least share of streets that keeps its width: rows of houses do not."""
+_SHORT, _BENT = 16, 1.4
+"""A short street reaches over so many pixels, and has no more surface than this share of its width
+times the way it goes; an outline of a house comes back."""
+_SIDE = 2
+"""The sides of a line are looked at so many pixels off its edges."""
+
+
+def with_line_colors(image: Image, colors: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
+    """The `colors` (3,) BGR of a map (h, w, 3), and those of its thin lines, which are nowhere
+    even."""
+    known = [*colors]
+    for color in frequent_colors(image, _ridges(image)):
+        if all(np.abs(color - one).max() > EXACT.near for one in known):
+            known.append(color)
+    return known
+
+
+def _ridges(image: Image) -> Booleans:
+    """Where (h, w) a map is brighter or darker than at both sides, and as before and after."""
+    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.int16)
+    found = np.zeros(gray.shape, bool)
+    for across, along in (((0, 1), (1, 0)), ((1, 0), (0, 1)), ((1, 1), (1, -1)), ((1, -1), (1, 1))):
+        sides = [_moved(gray, across, _REACH * sign) for sign in (1, -1)]
+        ends = [_moved(gray, along, sign) for sign in (1, -1)]
+        ridge = (gray - np.maximum(*sides) > _STEP) | (np.minimum(*sides) - gray > _STEP)
+        found |= ridge & (np.abs(ends[0] - gray) <= _STEP) & (np.abs(ends[1] - gray) <= _STEP)
+    return found
+
+
+def _moved(picture: NDArray[_Pixel], step: tuple[int, int], times: int) -> NDArray[_Pixel]:
+    """A picture (h, w) or (h, w, 3) moved by some steps, its rim repeated."""
+    rows = np.clip(np.arange(picture.shape[0]) + step[0] * times, 0, picture.shape[0] - 1)
+    columns = np.clip(np.arange(picture.shape[1]) + step[1] * times, 0, picture.shape[1] - 1)
+    return picture[rows[:, None], columns[None, :]]
+
+
+def without_outlines(tones: list[MapTone]) -> list[MapTone]:
+    """The tones of a map; of those that are mostly thin lines, only what may be streets.
+
+    A street is long, and has the same color on both sides; an outline of a house or of a park, and
+    the casing of a road, has one inside and another one outside.
+    """
+    labels = np.full(tones[0].mask.shape, -1, np.int16)
+    for index, tone in enumerate(tones):
+        labels[tone.mask] = index
+    land = max(tones, key=lambda tone: float(tone.mask.sum()))
+    return [
+        _streets(tone, labels) if 0 < tone.width < THIN and tone is not land else tone
+        for tone in tones
+    ]
+
+
+def _streets(tone: MapTone, labels: Labels) -> MapTone:
+    mask = tone.mask.astype(np.uint8)
+    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+    extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+    long = extents >= max(_EXTENT, _LONG * tone.width)
+    long[0] = False
+    lines = np.asarray(long[parts])
+    alike, differ = _sides(lines, labels, _SIDE + int(tone.width / 2))
+    votes = [np.bincount(parts[side], minlength=count) for side in (alike, differ)]
+    between = votes[1] > votes[0]
+    if differ.sum() <= alike.sum():
+        # A street between a park and houses is an outline of both, but goes around neither.
+        between &= holes(tone.mask, parts, count) > 0
+    streets = map_tone(tone.color, np.asarray((long & ~between)[parts]))
+    return streets if streets.steady >= _STEADY else map_tone(tone.color, lines & False)
+
+
+def holes(mask: Booleans, parts: NDArray[np.int32], count: int) -> NDArray[np.int64]:
+    """How many holes each of the connected parts (n,) of a mask (h, w) has."""
+    contours, tree = cv2.findContours(mask.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    found = np.zeros(count, np.int64)
+    for _, _, _, outer in tree[0] if contours else ():
+        if outer >= 0:
+            x, y = contours[outer][0, 0]
+            found[parts[y, x]] += 1
+    return found
+
+
+def _sides(mask: Booleans, labels: Labels, away: int) -> tuple[Booleans, Booleans]:
+    """Where (h, w) a thin line ends on two opposite sides, and these have the same color; and where
+    they have two."""
+    alike, differ = np.zeros(mask.shape, bool), np.zeros(mask.shape, bool)
+    for step in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        line = mask & ~_moved(mask, step, away) & ~_moved(mask, step, -away)
+        # A line of two pixels has its middle between them: one side is a pixel farther away.
+        there, back = (
+            [_moved(labels, step, sign * far) for far in (away, away + 1)] for sign in (1, -1)
+        )
+        same = np.logical_or.reduce([(a == b) & (a >= 0) for a in there for b in back])
+        known = np.maximum(*there) >= 0
+        alike |= line & same
+        differ |= line & ~same & known & (np.maximum(*back) >= 0)
+    return alike, differ & ~alike
+
+
+def parts_touching(mask: Booleans, reach: Booleans) -> Booleans:
+    """The connected parts of a mask (h, w) that meet another one (h, w)."""
+    count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+    met = np.bincount(parts[reach], minlength=count) > 0
+    met[0] = False
+    return np.asarray(met[parts])
+
+
+def short_parts(tones: list[MapTone], roads: list[MapTone], near: Booleans) -> Booleans:
+    """The short lines (h, w) of the colors of roads which are `near` (h, w) others: streets between
+    two wide roads, or between two names."""
+    found = np.zeros(near.shape, bool)
+    for tone in tones:
+        if any(np.array_equal(road.color, tone.color) for road in roads):
+            mask = tone.mask.astype(np.uint8)
+            _, parts, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+            extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+            reach = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+            straight = stats[:, cv2.CC_STAT_AREA] < _BENT * tone.typical_width * reach
+            street = straight & (extents >= _SHORT) & (extents < _EXTENT)
+            short = tone.mask & street[parts]
+            found |= parts_touching(short, near)
+    return found
