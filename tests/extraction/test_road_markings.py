@@ -16,7 +16,7 @@ _DASHES = [(slice(64, 67), slice(start, start + 16)) for start in range(10, 380,
 
 def _dashed() -> np.ndarray:
     """A road of rows 50 to 80 with dashes along its middle."""
-    return band(50, 81, 130, 400) - surface(130, 400, *_DASHES)
+    return np.asarray(band(50, 81, 130, 400) - surface(130, 400, *_DASHES))
 
 
 def test_dashes_are_filled() -> None:
@@ -42,3 +42,35 @@ def test_a_gray_road_with_a_dashed_middle_is_one_road(marking: int) -> None:
     middle = Picture(image, 1.0).to_pixels(road.curve.at(np.linspace(0, road.length, 50)))
     assert np.abs(middle[:, 1] - 65).max() < 0.6
     assert road.width.at(road.length / 2) == pytest.approx(31, abs=0.6)
+
+
+def _lined(line: slice, color: tuple[int, int, int]) -> np.ndarray:
+    """A gray road of rows 50 to 80 on white, from border to border, with a line along it."""
+    image = np.full((400, 400, 3), 255, np.uint8)
+    image[50:81], image[line] = (60, 60, 60), color
+    return image
+
+
+@pytest.mark.parametrize(
+    ("line", "color", "roads"),
+    [
+        (slice(64, 67), (255, 255, 255), 1),
+        (slice(61, 70), (255, 255, 255), 2),
+        (slice(62, 69), (0, 220, 255), 1),
+    ],
+    ids=["thin", "a gap", "wider, but yellow"],
+)
+def test_a_line_along_the_middle_is_a_marking_if_it_is_thin_or_has_a_color(
+    line: slice, color: tuple[int, int, int], roads: int
+) -> None:
+    image = _lined(line, color)
+    dark = (image.max(axis=2) < 128).astype(np.float32)
+    found = with_markings_filled(dark, image)
+    assert bool((found[65] > 0.5).all()) == (roads == 1)
+
+
+def test_colored_letters_beside_a_road_are_no_road() -> None:
+    image = _lined(slice(50, 50), (0, 0, 0))
+    image[30:33, 100:130] = (0, 0, 220)
+    dark = (image.max(axis=2) < 128).astype(np.float32)
+    assert with_markings_filled(dark, image) is dark

@@ -40,7 +40,7 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
         layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
     ]
     best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
-    best = with_dashes_joined(with_markings_filled(best))
+    best = with_dashes_joined(with_markings_filled(best, image))
     return roads_of_surface(best, "filled road", width=width)
 
 

@@ -65,7 +65,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     # Names on roads leave no even strips of them: the colors of roads are chosen without names.
     plain = image if tolerance is LOSSY else without_letters(image)
     colors = flat_colors(plain, tolerance)
-    if len(colors) < _COLORS:
+    if len(colors) < _COLORS or (len(colors) == _COLORS and _differing(plain, image) < _LETTERED):
         return None
     chosen = None if tolerance is LOSSY else _thin_roads(plain, with_line_colors(plain, colors))
     thin = chosen is not None
@@ -93,6 +93,11 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
         cover=Cover(letters, hidden, widest),
     )
     return replace(found, mask=surface)
+
+
+def _differing(one: Image, other: Image) -> float:
+    """Share of the pixels (h, w, 3) in which two pictures differ."""
+    return float(cv2.absdiff(one, other).any(axis=2).mean()) if one is not other else 0.0
 
 
 def _thin_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:

@@ -53,13 +53,13 @@ def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
     if light is None:
         empty = np.zeros(gray.shape, bool)
         return FoundNetwork(np.zeros((0, 2)), (), empty, "contour", ("the picture has one tone",))
-    surface, settings = _surface(light, chain)
+    surface, settings = _surface(light, chain, image)
     fixed = (chain.spline, chain.width, chain.min_length)
     found = roads_of_surface(surface, settings, *fixed)
     if found.confidence < _DOUBTFUL and chain.threshold is None and chain.road == "auto":
         pale = pale_surfaces(gray, level)
         if pale is not None:
-            other = roads_of_surface(with_markings_filled(_road(pale)), "contour", *fixed)
+            other = roads_of_surface(with_markings_filled(_road(pale), image), "contour", *fixed)
             found = max((found, other), key=lambda network: network.confidence)
     return replace(found, scores={"threshold": round(level / 255, 4)})
 
@@ -127,7 +127,7 @@ def _lightness(gray: Layer, level: float, dark: float, bright: float) -> Layer:
     return np.clip(0.5 + 0.5 * np.where(gray < level, below, above), 0, 1).astype(np.float32)
 
 
-def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
+def _surface(light: Layer, chain: ContourSteps, image: Image) -> tuple[Layer, str]:
     sides = {"light": light, "dark": 1 - light}
     if chain.road != "auto":
         return sides[chain.road], "contour"
@@ -137,7 +137,7 @@ def _surface(light: Layer, chain: ContourSteps) -> tuple[Layer, str]:
         between = between_lines(ink >= 0.5)
         if between is not None:
             return between, EDGE_LINES
-    road = with_markings_filled(_road(tuple(sides.values())))
+    road = with_markings_filled(_road(tuple(sides.values())), image)
     return with_dashes_joined(road), "contour"
 
 
