@@ -92,7 +92,7 @@ def _streets(tone: MapTone, labels: Labels) -> MapTone:
         # A street between a park and houses is an outline of both, but goes around neither.
         between &= holes(tone.mask, parts, count) > 0
     streets = map_tone(tone.color, np.asarray((long & ~between)[parts]))
-    return streets if streets.steady >= _STEADY else map_tone(tone.color, lines & False)
+    return streets if streets.steady >= _STEADY else map_tone(tone.color, np.zeros_like(lines))
 
 
 def holes(mask: Booleans, parts: NDArray[np.int32], count: int) -> NDArray[np.int64]:
