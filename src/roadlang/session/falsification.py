@@ -116,7 +116,8 @@ class Failure:
     def drive(self) -> Drive:
         """The scene, driven once more; all failures are driven together."""
         search, place = self._search, self.rank - 1
-        if search.failures[place].outcome is self.outcome:  # it is not shrunk
+        alike = search.failures[place : place + 1]  # none where it was read from a file alone
+        if alike and alike[0].outcome is self.outcome:  # it is not shrunk
             return search.failure_drives[place]
         return self.scene.run(self._search.drives.engine, **self._search.drives.options)
 
