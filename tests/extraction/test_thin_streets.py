@@ -32,7 +32,9 @@ def grid(width: float, turn: float = 0.15, houses: bool = True) -> tuple[np.ndar
     def at(x: float, y: float) -> tuple[float, float]:
         return 200 + cos * x - sin * y, 200 + sin * x + cos * y
 
-    def stroke(a: tuple[float, float], b: tuple[float, float], color: tuple, wide: float) -> None:
+    def stroke(
+        a: tuple[float, float], b: tuple[float, float], color: tuple[int, ...], wide: float
+    ) -> None:
         ends = [tuple(round((v + 0.5) * _FINER) for v in at(*end)) for end in (a, b)]
         cv2.line(canvas, ends[0], ends[1], color, round(wide * _FINER), cv2.LINE_AA)
         cv2.line(lines, *[tuple(round(v) for v in at(*end)) for end in (a, b)], 1)
