@@ -15,7 +15,7 @@ COUNTS = {"roundabout": 6}
 
 
 def kept(
-    name: str, folder: Path, count: int, control_step: float | None = None, **changes: str
+    name: str, folder: Path, count: int, control_step: float = 0.04, **changes: str
 ) -> list[bool]:
     """Whether all expectations hold, in `count` scenes of an example in which texts are changed."""
     text = (EXAMPLES / f"{name}.rl").read_text(encoding="utf-8")
