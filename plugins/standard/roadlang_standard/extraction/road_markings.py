@@ -102,7 +102,9 @@ def _sizes(
     gap = cv2.distanceTransform(parts, cv2.DIST_L2, 5)
     road = cv2.distanceTransform(mask | parts, cv2.DIST_L2, 5)
     # A line one pixel thick is at 1 from what is around it.
-    thickness, width = (2 * np.asarray(maximum(layer, labels, keys)) - 1 for layer in (gap, road))
+    # Where nothing else is in the picture, OpenCV's distance is the greatest number there is.
+    most = (np.asarray(maximum(layer, labels, keys), np.float64) for layer in (gap, road))
+    thickness, width = (2 * distance - 1 for distance in most)
     return thickness, width
 
 
