@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang.ir.scene import SceneNetwork, SceneRoad
-from roadlang.ir.scene_junctions import SceneJunction
+from roadlang.ir.scene_junctions import SceneArm, SceneJunction
 from roadlang.ir.scene_lane import SceneLane
 from roadlang.report.outlines import Outline, outline, outlines, surfaces
 from tests.backends.handmade_scenes import actor, bend, road, through
@@ -70,10 +70,10 @@ def test_a_closed_road_has_a_hole_and_its_line_comes_round() -> None:
 
 def test_only_derived_roads_are_drawn_where_there_are_some_and_junctions_of_their_network() -> None:
     area = ((0.0, 0.0), (9.0, 0.0), (9.0, 9.0))
-    place = SceneJunction(0, (0,), "junction", area, (), ())
+    place = SceneJunction(0, (0,), "junction", area, (SceneArm("main", "end", 0.0, 2, 0),), ())
     line = replace(place, id=1, area=area[:2])
     town = SceneNetwork("town", (), ("main",), junctions=(place, line))
-    main, bent = straight(network="town"), straight(derived=True)
+    main, bent = straight(network="town"), replace(straight(derived=True), name="bent")
     scene = replace(bend(), roads=(main,), networks=(town,))
     roads = outlines(scene)
     assert len(roads) == 2, "a road, and the only junction that has an area"

@@ -25,5 +25,5 @@ def test_a_number_is_written_as_a_string_in_double_quotes(
     printed = capsys.readouterr().err
     assert "error[RL206]" in printed
     written = f'label="{value}"'
-    assert f"a string stands in double quotes: `--set '{written}'`" in printed
+    assert f"strings are written in double quotes: `--set '{written}'`" in printed
     assert run(["check", str(path), "--set", written]) == 0

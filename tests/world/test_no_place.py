@@ -42,7 +42,7 @@ def test_what_is_placed_by_something_that_is_not_there_is_told(lead: str) -> Non
 agent lead is car on town at random {{ count: integer(0, 0) }}
 agent ego is car on town at ahead_of({lead}, 10m..12m) {{ drive with traffic }}
 """)
-    assert f"`ego` is placed by `{lead}`, which is not there" in told
+    assert f"`ego` is placed relative to `{lead}`, which does not exist in this scene" in told
 
 
 def test_the_search_counts_no_place_beside_meters() -> None:

@@ -41,8 +41,8 @@ class Cma(Searcher):
     default. It begins with random candidates. Until something fails, half of each batch is near the
     two drives that came nearest to it (near others where three batches find nothing better), and
     half where the model leaves hope. After 500 evaluations without a failure it discards them and
-    starts over. Then all are around failures, each unlike those that are known. The model goes by
-    the bends of the road, wherever along it they are, and by all draws. Most candidates that
+    starts over. Then all are around failures, each unlike those that are known. The model knows
+    roads by their bends, wherever along the road they are, and all draws. Most candidates that
     violate a requirement are replaced before they are evaluated, which costs a small part of a
     drive; they are not counted. The strategy leads to scenes that satisfy the requirements where
     none is found at random, and has what `spread` leaves."""

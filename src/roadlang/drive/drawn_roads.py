@@ -14,6 +14,7 @@ from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
 from ..scenes.figure_colors import FIGURE_COLORS
 from ..scenes.junction_paint import crosswalk_paint, junction_paint
+from ..scenes.shown_junctions import shown_junctions
 from .lane_bands import LaneBand, bands_with_few_points, lane_bands
 from .lane_lines import TOLERANCE, ShownPart, painted_lines, shown_part, with_few_points
 
@@ -34,13 +35,7 @@ def drawn_roads(
     scene: Scene, roads: Sequence[SceneRoad], place: Place, scale: float
 ) -> Iterator[str]:
     """SVG elements, `scale` pixels for each meter."""
-    shown = {road.name for road in roads}
-    junctions = [
-        junction
-        for network in scene.networks
-        for junction in network.junctions
-        if shown.issuperset(arm.road for arm in junction.arms)
-    ]
+    junctions = shown_junctions(scene, {road.name for road in roads})
     parts = [part for road in roads if (part := shown_part(road)) is not None]
     tolerance = min(TOLERANCE, _UNSEEN / scale)
     bands = bands_with_few_points([b for part in parts for b in lane_bands(part)], tolerance)

@@ -15,6 +15,7 @@ from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
 from ..scenes.junction_paint import PaintedShape, crosswalk_paint, junction_paint
 from ..scenes.paint_rings import paint_rings
+from ..scenes.shown_junctions import shown_junctions
 from .decimation import deltas
 
 CENTIMETERS = 100.0
@@ -67,11 +68,8 @@ def _driven(scene: Scene) -> list[SceneRoad]:
 
 
 def _junctions(scene: Scene) -> Iterator[SceneJunction]:
-    networks = {road.network for road in _driven(scene)}
-    for network in scene.networks:
-        for junction in network.junctions if network.name in networks else ():
-            if len(junction.area) > 2:
-                yield junction
+    names = {road.name for road in _driven(scene)}
+    return (one for one in shown_junctions(scene, names) if len(one.area) > 2)
 
 
 def _crosswalks(scene: Scene, road: SceneRoad) -> tuple[Floats, ...]:

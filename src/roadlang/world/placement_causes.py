@@ -38,7 +38,7 @@ def cause_of_place(actor: ScenarioActor, candidates: CandidateBatch) -> str | No
         return f"`{found[0]}` has no lane {found[1]} for `{actor.name}`"
     if why_no_place(actor, candidates) == NoPlace.NO_OTHER:
         other = named_other(actor, candidates.scenario)
-        return f"`{actor.name}` is placed by `{other}`, which is not there"
+        return f"`{actor.name}` is placed relative to `{other}`, which does not exist in this scene"
     if actor.on not in candidates.scenario.networks or "route" not in actor.options:
         return None
     return _without_turns(actor, candidates) or _without_way(actor, candidates)

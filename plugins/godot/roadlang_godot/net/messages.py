@@ -31,9 +31,9 @@ def text_of(payload: bytes) -> str:
 
 
 _HELP = {
-    "busy": "an engine serves one client: end the other one, or start another engine with"
-    " `roadlang godot --port 4243`",
-    "protocol": "start the engine that belongs to this version of roadlang with `roadlang godot`",
+    "busy": "an engine serves one client at a time: stop the other one, or start another engine"
+    " with `roadlang godot --port 4243`",
+    "protocol": "start the engine of this version of roadlang: `roadlang godot`",
 }
 """What to do where an engine refuses a client, by its reason."""
 

@@ -60,7 +60,7 @@ def _missing_entry(picture: Picture) -> str:
     color = None if picture.pixels is None else road_color(picture.pixels)
     if color is None or bgr(color) in map(bgr, picture.legend):
         return 'add an entry such as `"white": road` to the legend'
-    return f'add `"{color}": road` to the legend: what looks most like road has this color'
+    return f'add `"{color}": road` to the legend: it is the color of what looks most like a road'
 
 
 def _check_characters(legend: dict[str, str]) -> None:

@@ -98,8 +98,8 @@ def refuse_unasked(line: str | None) -> None:
     """Raises ProgramFailed for a line that nobody asked for, such as one printed to find a bug."""
     if line is not None:
         raise ProgramFailed(
-            f"it wrote a line although it was asked nothing: {_short(line)}; it answers each line"
-            " with one line, and writes all else to standard error"
+            f"it wrote a line without being asked: {_short(line)}; it must answer each line with"
+            " exactly one line, and write everything else to standard error"
         )
 
 

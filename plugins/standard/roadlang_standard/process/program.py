@@ -72,7 +72,7 @@ class ControllerProcess:
             raise self.failed(ended) from error
 
     def unasked(self) -> str | None:
-        """A line that it wrote although it was asked nothing; None where there is none."""
+        """A line that it wrote without being asked; None where there is none."""
         with contextlib.suppress(queue.Empty):
             line = self._answers.get_nowait()
             if line.endswith(b"\n"):

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roadlang.api import shown_junctions
+
 from . import palette
-from .junctions import shown_junctions
 from .markup import group, text
 
 if TYPE_CHECKING:

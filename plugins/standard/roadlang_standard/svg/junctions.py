@@ -21,16 +21,6 @@ _LEAST_LINE, _LEAST_THIN = 1.4, 0.4
 _ACROSS = ("stop_line", "yield_line")
 
 
-def shown_junctions(scene: Scene, names: set[str]) -> list[SceneJunction]:
-    """The junctions all of whose roads are drawn."""
-    return [
-        junction
-        for network in scene.networks
-        for junction in network.junctions
-        if names.issuperset(arm.road for arm in junction.arms)
-    ]
-
-
 def surface(junction: SceneJunction, viewport: Viewport, fill: str | None = None) -> str:
     """Its area."""
     ring = path_data(viewport.place(junction.area), closed=True)

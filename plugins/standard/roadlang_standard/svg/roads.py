@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from roadlang.api import junction_surface
+from roadlang.api import junction_surface, shown_junctions
 
 from . import palette
-from .junctions import curbs, heads, paint, shown_junctions, surface
+from .junctions import curbs, heads, paint, surface
 from .lanes import bands, covers, lane_lines
 from .markup import element, group, path_data
 

@@ -45,8 +45,8 @@ _FUNCTIONS = {
     "collides": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "collision": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
     "intersects": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
-    "file": 'a file is named in quotes: `network town from "town.osm"`',
-    "localPath": 'a file is named in quotes: `network town from "town.osm"`',
+    "file": 'write the name of the file in quotes: `network town from "town.osm"`',
+    "localPath": 'write the name of the file in quotes: `network town from "town.osm"`',
     "ttc": "write `time_to_collision(ego, lead) > 2s`",
 }
 _RANGES = ("Range", "VerifaiRange", "random", "rand", "range", "Uniform")
@@ -100,7 +100,7 @@ _SETTINGS = {
     ("drive", "time_gap"): "headway",
 }
 """Other tools' names of options, by verb."""
-_MOMENT = "a condition says from when on it drives: `when: time > 5s`"
+_MOMENT = "a condition says when it takes over: `when: time > 5s`"
 _DRIVE_OPTIONS = dict.fromkeys(("after", "begin", "delay", "start", "trigger"), _MOMENT)
 _PLACES = ("position", "at", "on")
 _NETWORK_WIDTH = (
@@ -108,8 +108,8 @@ _NETWORK_WIDTH = (
     "`extract with auto { width: 7m }`"
 )
 _LANE_WIDTH = (
-    "lanes with widths of their own are listed, `right: [drive(3.5m), drive(3.5m)]`; `width` is "
-    "that of all drivable lanes together"
+    "to set the width of lanes, list them: `right: [drive(3.5m), drive(3.5m)]`; `width` is the "
+    "total width of the drivable lanes"
 )
 _SIDES = {"right": "-1", "left": "1"}
 

@@ -18,4 +18,4 @@ def as_string(typed: TypedExpression) -> tuple[tuple[str, ...], tuple[Fix, ...]]
     meant, label = f'"{typed.span.text}"', typed.span.source.path
     is_setting = label.startswith(_SETTING)
     shown = f"--set '{label.removeprefix(_SETTING)}={meant}'" if is_setting else meant
-    return (f"a string stands in double quotes: `{shown}`",), (Fix(typed.span, meant),)
+    return (f"strings are written in double quotes: `{shown}`",), (Fix(typed.span, meant),)

@@ -14,8 +14,8 @@ _SIGHT = (
 )
 
 _IN_TURN = (
-    "of several `drive with`, the last one is in charge whose conditions hold: "
-    "`drive with brake { when: time > 5s }` begins then, `{ while: time < 5s }` ends then"
+    "of several `drive with`, the last one whose conditions hold is in charge: "
+    "`drive with brake { when: time > 5s }` takes over at 5 s, `{ while: time < 5s }` ends at 5 s"
 )
 
 
