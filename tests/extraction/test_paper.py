@@ -122,6 +122,20 @@ def test_few_straight_lines_are_not_printed() -> None:
     assert (without_ruling(ink, 0.1) == ink).all()
 
 
+@pytest.mark.parametrize("paper", [sheet(), ruled(sheet()), ruled(sheet(), squared=True)])
+def test_straight_streets_as_dark_as_other_ink_are_not_printed(paper: np.ndarray) -> None:
+    """Six each way, as even as printed lines: 6 x 7 pieces each way."""
+    town = paper
+    for x in range(60, 440, 70):
+        town = drawn(town, np.array([[x, 30.0], [x + 6, 330.0]]))
+    for y in range(50, 320, 50):
+        town = drawn(town, np.array([[40.0, y], [445.0, y - 8]]))
+    found = roads_on_paper(photographed(town))
+    assert found is not None
+    assert len(found.roads) == 2 * 6 * 7
+    assert found.confidence > 0.9
+
+
 def test_ends_are_closed_only_between_lines_that_run_the_same_way_abreast() -> None:
     ink = np.zeros((100, 200), bool)
     ink[40:43, 20:180] = True

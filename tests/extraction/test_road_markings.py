@@ -34,6 +34,25 @@ def test_a_block_between_streets_stays() -> None:
     assert with_markings_filled(block) is block
 
 
+def _town(streets: int) -> np.ndarray:
+    """So many streets of 4 pixels each way, dark (480, 480), from border to border."""
+    town = np.zeros((480, 480), np.float32)
+    for middle in np.linspace(0, 480, streets + 1)[:-1].astype(int) + 240 // streets:
+        town[middle - 2 : middle + 2] = town[:, middle - 2 : middle + 2] = 1.0
+    return town
+
+
+def test_the_many_blocks_of_a_town_stay() -> None:
+    """Were all of them filled, what is left would be one wide road."""
+    assert with_markings_filled(_town(12)).sum() == _town(12).sum()
+
+
+def test_a_town_of_many_streets_is_its_streets_not_its_blocks() -> None:
+    network = Auto().extract(Picture(painted(_town(12), 60, 255), 1.0)).network
+    assert len(network.edges) == 2 * 12 * 13
+    assert sum(edge.length for edge in network.edges) == pytest.approx(2 * 12 * 480, rel=0.01)
+
+
 @pytest.mark.parametrize("marking", [255, 200])
 def test_a_gray_road_with_a_dashed_middle_is_one_road(marking: int) -> None:
     image = painted(_dashed(), road=90, ground=marking)

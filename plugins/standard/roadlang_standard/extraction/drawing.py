@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import cv2
@@ -12,6 +13,7 @@ from roadlang.geometry import Booleans
 
 from .dashed_roads import with_dashes_joined
 from .found_network import FoundNetwork
+from .mask_parts import parts_of
 from .masks import roads_of_surface, without_specks
 from .open_edges import with_closed_ends
 from .road_markings import with_markings_filled
@@ -39,7 +41,7 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
     layers = [
         layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
     ]
-    best = max([*layers, ink] if len(others) != 1 else layers, key=likeness)
+    best = most_like_roads([*layers, ink] if len(others) != 1 else layers)
     best = with_dashes_joined(with_markings_filled(best, image))
     return roads_of_surface(best, "filled road", width=width)
 
@@ -55,6 +57,21 @@ def _ink(image: Image, paper: NDArray[np.float64]) -> Layer:
 
 def _rest(others: NDArray[np.float64], index: int) -> list[NDArray[np.float64]]:
     return [tone for i, tone in enumerate(others) if i != index]
+
+
+def most_like_roads(surfaces: Sequence[Layer]) -> Layer:
+    """The surface (h, w) that looks most like roads; of those that are as much like them as can be,
+    the one that hangs together most: not the blocks of a town between its streets."""
+    likenesses = [likeness(surface) for surface in surfaces]
+    best = [s for s, value in zip(surfaces, likenesses, strict=True) if value == max(likenesses)]
+    return best[0] if len(best) == 1 else max(best, key=_largest_share)
+
+
+def _largest_share(surface: Layer) -> float:
+    """The share of a surface (h, w) that is in its largest connected part."""
+    count, labels = parts_of(surface >= 0.5)
+    areas = np.bincount(labels.ravel(), minlength=count)[1:]
+    return float(areas.max(initial=0) / max(1, areas.sum()))
 
 
 def likeness(surface: Layer) -> float:

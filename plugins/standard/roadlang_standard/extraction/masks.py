@@ -30,6 +30,8 @@ _WAVES, _ALL_WAVES = 2.0, 0.5
 """Shortest wavelengths of center lines, in widths: of smooth curves, and of lines as traced."""
 _FINE = 4.0
 """A usual width of lines, pixels, of which a blurred mask keeps little."""
+_FULL, _OFTEN = 0.03, 40
+"""Share of a picture that a skeleton of noise fills at least, and pixels of it to each end."""
 _LEFT_OUT = "what is short and drawn thinner than the roads, such as names and arrows, was left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
@@ -125,8 +127,14 @@ def _bridge(graph: Graph, cover: Cover, width: float, shortest: float) -> None:
 
 
 def _is_noise(thin: Booleans) -> bool:
-    """Whether a skeleton fills a large picture more than roads do: it is smoothed first."""
-    return bool(thin.size > 100_000 and thin.mean() > 0.03)
+    """Whether a skeleton fills a large picture more than roads do, and ends often, as the streets
+    of a town do not: it is smoothed first."""
+    if thin.size <= 100_000 or thin.mean() <= _FULL:
+        return False
+    pixels = thin.view(np.uint8)
+    around = cv2.boxFilter(pixels, -1, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT)
+    ends = np.count_nonzero((around <= 2) & thin)
+    return bool(np.count_nonzero(thin) < _OFTEN * ends)
 
 
 def _seen(mask: Booleans, typical: float) -> NDArray[np.uint8]:

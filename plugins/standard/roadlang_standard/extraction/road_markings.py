@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import maximum, sum_labels
+from scipy.ndimage import find_objects, sum_labels
 
 from roadlang.geometry import Booleans
 
@@ -24,6 +26,8 @@ _ENCLOSED = 0.6
 """Share of what is around such a marking that is road."""
 _LARGEST = 0.02
 """No part that is more of the picture is a marking."""
+_BESIDE, _BESIDE_COLORED = 1.5, 0.75
+"""A marking has at least so many times its thickness of road on one of its sides."""
 _CHROMA = 60
 _FEWEST, _MOST_COLORED = 20, 0.05
 """Pixels, and share of the picture: where more has a color, road and ground may have one too."""
@@ -58,27 +62,91 @@ def _colored(image: Image) -> Booleans | None:
 
 def _plain_gaps(mask: NDArray[np.uint8]) -> Booleans:
     """(h, w) thin parts that are no road, and are short or as thin as lines."""
-    labels, areas, keys = _small_parts(mask == 0)
-    if not len(keys):
-        return np.zeros(mask.shape, bool)
-    thickness, width = _sizes(mask, labels, areas, keys)
-    thinner, length = width / thickness, areas[keys] / thickness
-    is_marking = (thinner > _THIN) & (length < _SHORT * width) | (thinner > _LINE)
-    return _union(labels, areas, keys[is_marking])
+    gaps = _gaps(mask, mask == 0, _BESIDE)
+    length = gaps.areas[gaps.keys] / gaps.thickness
+    is_marking = (gaps.thinner > _THIN) & (length < _SHORT * gaps.width) | (gaps.thinner > _LINE)
+    return gaps.union(gaps.keys[is_marking])
 
 
 def _colored_gaps(mask: NDArray[np.uint8], colored: Booleans) -> Booleans:
     """(h, w) thin parts within roads that have a color, however long."""
-    labels, areas, keys = _small_parts((mask == 0) & colored)
-    if not len(keys):
+    gaps = _gaps(mask, (mask == 0) & colored, _BESIDE_COLORED)
+    if not len(gaps.keys):
         return np.zeros(mask.shape, bool)
-    thickness, width = _sizes(mask, labels, areas, keys)
     # The smaller label where two meet: there are few such pixels.
-    rim = cv2.dilate(labels.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.int32)
-    rim[labels > 0] = 0
-    around = np.bincount(rim.ravel(), minlength=len(areas))[keys]
-    road = np.asarray(sum_labels(mask, rim, keys)) / np.maximum(around, 1)
-    return _union(labels, areas, keys[(width / thickness > _COLORED) & (road > _ENCLOSED)])
+    rim = cv2.dilate(gaps.labels.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.int32)
+    rim[gaps.labels > 0] = 0
+    around = np.bincount(rim.ravel(), minlength=len(gaps.areas))[gaps.keys]
+    road = np.asarray(sum_labels(mask, rim, gaps.keys)) / np.maximum(around, 1)
+    return gaps.union(gaps.keys[(gaps.thinner > _COLORED) & (road > _ENCLOSED)])
+
+
+@dataclass(frozen=True)
+class _Gaps:
+    """Small parts of a mask: the labels (h, w) of all parts and their areas; of the small ones the
+    labels `keys` (n,), how thick they are and how wide the road is with them (n,), pixels."""
+
+    labels: NDArray[np.int32]
+    areas: NDArray[np.int64]
+    keys: NDArray[np.int64]
+    thickness: NDArray[np.float64]
+    width: NDArray[np.float64]
+
+    @property
+    def thinner(self) -> NDArray[np.float64]:
+        """How many times as wide as they are thick the road is (n,)."""
+        return self.width / self.thickness
+
+    def union(self, keys: NDArray[np.int64]) -> Booleans:
+        """(h, w) where some of the parts are."""
+        if not len(keys):
+            return np.zeros(self.labels.shape, bool)
+        return _union(self.labels, self.areas, keys)
+
+
+def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float) -> _Gaps:
+    """The small parts of the `gaps` (h, w) of a road (h, w), which is at least so many times as
+    wide beside them as they are thick: else the blocks of a town, which are one wide road once all
+    of them are filled, would be lines upon it."""
+    labels, areas, keys = _small_parts(gaps)
+    none = np.zeros(0)
+    if not len(keys):
+        return _Gaps(labels, areas, keys, none, none)
+    parts = _union(labels, areas, keys).view(np.uint8)
+    thickness = _widths(parts, labels, parts, len(areas))
+    beside = cv2.distanceTransform(mask, cv2.DIST_L2, 5)
+    keys = keys[least * thickness[keys] <= 2 * float(beside.max(initial=0.0)) - 1]
+    windows = find_objects(labels) if len(keys) else []
+    wide = [_width_about(beside, windows[key - 1], thickness[key]) for key in keys.tolist()]
+    keys = keys[np.array(wide, float) >= least * thickness[keys]]
+    if not len(keys):
+        return _Gaps(labels, areas, keys, none, none)
+    parts = _union(labels, areas, keys).view(np.uint8)
+    width = _widths(mask | parts, labels, parts, len(areas))
+    return _Gaps(labels, areas, keys, thickness[keys], width[keys])
+
+
+def _width_about(
+    inner: NDArray[np.float32], window: tuple[slice, slice], thickness: float
+) -> float:
+    """How wide the road is at most within two thicknesses about a part, pixels."""
+    reach = int(2 * thickness) + 2
+    rows, columns = (slice(max(0, side.start - reach), side.stop + reach) for side in window)
+    return 2 * float(inner[rows, columns].max()) - 1
+
+
+def _widths(
+    mask: NDArray[np.uint8], labels: NDArray[np.int32], parts: NDArray[np.uint8], count: int
+) -> NDArray[np.float64]:
+    """How wide a mask (h, w) is at most where it covers `parts` (h, w), by their labels (count,).
+
+    A line one pixel thick is at 1 from what is around it. Where nothing else is in the picture,
+    OpenCV's distance is the greatest number there is.
+    """
+    inner, there = cv2.distanceTransform(mask, cv2.DIST_L2, 5).ravel(), np.flatnonzero(parts)
+    most = np.zeros(count)
+    np.maximum.at(most, labels.ravel()[there], inner[there].astype(np.float64))
+    return 2 * most - 1
 
 
 def _small_parts(
@@ -89,23 +157,6 @@ def _small_parts(
     areas = np.bincount(labels.ravel(), minlength=count)
     keys = np.flatnonzero(areas < _LARGEST * gaps.size)
     return labels, areas, keys[keys > 0]
-
-
-def _sizes(
-    mask: NDArray[np.uint8],
-    labels: NDArray[np.int32],
-    areas: NDArray[np.int64],
-    keys: NDArray[np.int64],
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """How thick these parts are, and how wide the road is with them, pixels."""
-    parts = _union(labels, areas, keys).view(np.uint8)
-    gap = cv2.distanceTransform(parts, cv2.DIST_L2, 5)
-    road = cv2.distanceTransform(mask | parts, cv2.DIST_L2, 5)
-    # A line one pixel thick is at 1 from what is around it.
-    # Where nothing else is in the picture, OpenCV's distance is the greatest number there is.
-    most = (np.asarray(maximum(layer, labels, keys), np.float64) for layer in (gap, road))
-    thickness, width = (2 * distance - 1 for distance in most)
-    return thickness, width
 
 
 def _union(

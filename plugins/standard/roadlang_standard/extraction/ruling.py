@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.geometry import Booleans
+from roadlang.geometry import Booleans, Floats
 
 from .tones import Layer
 
@@ -17,29 +19,45 @@ _COVERED, _FEWEST = 0.5, 5
 _HALF, _DARKER = 2.5, 1.25
 """Pixels to both sides of a printed line that belong to it, unless they are so many times as dark
 as it is: ink that crosses it."""
+_EVERY = 4
+"""Of the pixels along a line so few show how it is turned."""
+_TOP, _AS_DARK = 0.02, 0.8
+"""The darkest ink, a share of all; lines that are at least this share as dark as it may be drawn,
+..."""
+_MANY, _ACROSS, _UNEVEN = 12, 0.93, 0.12
+"""and are if two hold: they are fewer than so many, usually reach over less than this share of the
+sheet, and are off even spaces by more than this share of one."""
 
 
 def without_ruling(ink: Layer, level: float) -> Layer:
     """The ink (h, w) without printed lines, of which most is above `level`."""
     marked = ink > level
+    seen = ink[marked]
+    darkest = float(np.quantile(seen, 1 - _TOP)) if len(seen) else 0.0
     cleaned = ink
     for upright in (False, True):
-        tilt, lines = _printed(marked, upright)
-        if len(lines) >= _FEWEST:
-            cleaned = np.where(_printed_only(ink, level, upright, tilt, lines), 0, cleaned)
+        slope, lines = _straight(marked, upright)
+        if len(lines) < _FEWEST:
+            continue
+        near = _near(marked, upright, slope, lines)
+        if not near.are_drawn(ink, darkest):
+            cleaned = np.where(near.printed(ink), 0, cleaned)
     return np.asarray(cleaned, np.float32)
 
 
-def _printed(marked: Booleans, upright: bool) -> tuple[float, NDArray[np.intp]]:
-    """The slope of the printed lines, and where they are in the middle of the sheet, pixels."""
+def _straight(marked: Booleans, upright: bool) -> tuple[float, NDArray[np.intp]]:
+    """The slope of straight lines, and where they are in the middle of the sheet, pixels."""
     thick = cv2.dilate(marked.astype(np.uint8), np.ones((3, 3), np.uint8))
-    along, across, length, count = _axes(thick > 0, upright)
-    counts = [
-        np.bincount(_shifted(along, across, np.tan(tilt), length, count), minlength=count)
-        for tilt in _TILTS
-    ]
-    best = int(np.argmax([float((each.astype(float) ** 2).sum()) for each in counts]))
-    found = counts[best]
+    across, along = np.nonzero(thick.T if upright else thick)
+    count, length = thick.shape[::-1] if upright else thick.shape
+    few = along % _EVERY == 0
+
+    def counts(tilt: float, chosen: Booleans | slice) -> NDArray[np.intp]:
+        places = _shifted(along[chosen], across[chosen], np.tan(tilt), length, count)
+        return np.bincount(places, minlength=count)
+
+    best = int(np.argmax([float((counts(t, few).astype(float) ** 2).sum()) for t in _TILTS]))
+    found = counts(_TILTS[best], slice(None))
     highest = cv2.dilate(found.astype(np.float32)[:, None], np.ones((9, 1), np.uint8))[:, 0]
     peaks = (found == highest) & (found > _COVERED * length)
     steps = np.diff(peaks.astype(np.int8), prepend=0, append=0)
@@ -47,26 +65,66 @@ def _printed(marked: Booleans, upright: bool) -> tuple[float, NDArray[np.intp]]:
     return float(np.tan(_TILTS[best])), middles
 
 
-def _printed_only(
-    ink: Layer, level: float, upright: bool, slope: float, lines: NDArray[np.intp]
-) -> Booleans:
-    """Where there are printed lines (h, w), and no darker ink upon them."""
-    along, across, length, count = _axes(np.ones(ink.shape, bool), upright)
-    place = _shifted(along, across, slope, length, count).reshape(ink.shape)
-    result = np.zeros(ink.shape, bool)
-    for line in lines:
-        near = np.abs(place - line) <= _HALF
-        dark = ink[near & (ink > level)]
-        result |= near & (ink < _DARKER * float(np.quantile(dark, 0.75)))
-    return result
+@dataclass(frozen=True)
+class _Lines:
+    """Straight lines (n,) by where they are in the middle of the sheet; the `pixels` (m,) of a
+    picture (h, w) about them, the `line` of each and where it is `along` it; which are `marked`."""
+
+    lines: NDArray[np.intp]
+    length: int
+    shape: tuple[int, ...]
+    pixels: NDArray[np.intp]
+    line: NDArray[np.intp]
+    along: NDArray[np.intp]
+    marked: Booleans
+
+    def darkness(self, ink: Layer) -> Floats:
+        """Of the marked pixels of each line, above their usual one (n,)."""
+        seen, line = ink.ravel()[self.pixels], self.line
+        return np.array(
+            [np.quantile(seen[self.marked & (line == i)], 0.75) for i in range(len(self.lines))]
+        )
+
+    def are_drawn(self, ink: Layer, darkest: float) -> bool:
+        """Whether they are streets that somebody drew."""
+        if np.median(self.darkness(ink)) < _AS_DARK * darkest:
+            return False
+        ends = [self.along[self.marked & (self.line == i)] for i in range(len(self.lines))]
+        across = float(np.median([np.ptp(end) for end in ends])) / self.length
+        apart = np.diff(self.lines) / np.median(np.diff(self.lines))
+        uneven = float(np.abs(apart - np.maximum(1, np.round(apart))).max())
+        signs = (len(self.lines) < _MANY, across < _ACROSS, uneven > _UNEVEN)
+        return sum(signs) >= 2
+
+    def printed(self, ink: Layer) -> Booleans:
+        """Where the lines are (h, w), and no darker ink upon them."""
+        tones = self.darkness(ink)  # of what is drawn along one of them, where that is darker
+        least = _DARKER * np.minimum(tones, np.median(tones))
+        result = np.zeros(self.shape, bool)
+        result.ravel()[self.pixels] = ink.ravel()[self.pixels] < least[self.line]
+        return result
 
 
-def _axes(mask: Booleans, upright: bool) -> tuple[NDArray[np.intp], NDArray[np.intp], int, int]:
-    """Places of a mask's pixels along and across lines that are `upright` or level; the lengths of
-    both axes."""
-    y, x = np.nonzero(mask)
-    height, width = mask.shape
-    return (y, x, height, width) if upright else (x, y, width, height)
+def _near(marked: Booleans, upright: bool, slope: float, lines: NDArray[np.intp]) -> _Lines:
+    """The lines with what is near them in a picture."""
+    rows, columns = np.ogrid[: marked.shape[0], : marked.shape[1]]
+    across, along = (columns, rows) if upright else (rows, columns)
+    count, length = marked.shape[::-1] if upright else marked.shape
+    which = np.full(count, -1, np.intp)
+    for index, line in enumerate(lines.tolist()):
+        which[max(0, line - int(_HALF)) : line + int(_HALF) + 1] = index
+    owner = which[_shifted(along, across, slope, length, count)].ravel()
+    pixels = np.flatnonzero(owner >= 0)
+    row, column = np.divmod(pixels, marked.shape[1])
+    return _Lines(
+        lines,
+        length,
+        marked.shape,
+        pixels,
+        owner[pixels],
+        row if upright else column,
+        marked.ravel()[pixels],
+    )
 
 
 def _shifted(

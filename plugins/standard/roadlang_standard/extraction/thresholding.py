@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .dashed_roads import with_dashes_joined
-from .drawing import between_lines, likeness
+from .drawing import between_lines, most_like_roads
 from .found_network import FoundNetwork
 from .masks import roads_of_surface
 from .pale_roads import pale_surfaces
@@ -142,4 +142,4 @@ def _surface(light: Layer, chain: ContourSteps, image: Image) -> tuple[Layer, st
 
 
 def _road(surfaces: tuple[Layer, ...]) -> Layer:
-    return max(surfaces, key=likeness)
+    return most_like_roads(surfaces)
