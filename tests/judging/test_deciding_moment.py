@@ -32,6 +32,21 @@ def test_the_moment_is_that_of_the_least_robustness_and_the_violation_is_the_fir
     assert seen(first_violation(of(FAST), drive, REGISTRY)) == (20, ["ego"])
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_a_single_comparison_goes_wrong_when_it_would_in_a_conjunction(seed: int) -> None:
+    """It is looked for without blame for each sample; speeds come near 12 m/s, reach it, or not."""
+    random = np.random.default_rng(seed)
+    speed = np.round(random.normal(random.choice([8.0, 11.0]), 1.5, TIME.shape))
+    drive = trace(agent("ego", 100.0 * TIME, speed=speed))
+    slow = {"<": ["v", 12.0]}
+    both = condition({"always": {"and": [slow, slow]}}, v=("speed", {"agent": "ego"}))
+    found = first_violation(of(FAST), drive, REGISTRY)
+    assert found is not None
+    assert seen(found) == seen(first_violation(of(both), drive, REGISTRY))
+    reached = np.flatnonzero(speed >= 12.0)
+    assert found.sample == (reached[0] if len(reached) else speed.argmax())
+
+
 @pytest.mark.parametrize(
     "formula",
     [

@@ -15,8 +15,8 @@ from ..ir.scene_junctions import SceneJunction
 from ..scenes.figure_colors import FIGURE_COLORS
 from ..scenes.junction_paint import crosswalk_paint, junction_paint
 from ..scenes.shown_junctions import shown_junctions
-from .lane_bands import LaneBand, bands_with_few_points, lane_bands
-from .lane_lines import TOLERANCE, ShownPart, painted_lines, shown_part, with_few_points
+from .lane_bands import LaneBand, bands_and_lines, lane_bands
+from .lane_lines import TOLERANCE, painted_lines, shown_part
 
 _SEAM = 2.0
 """Pixels: areas are drawn so much wider in all, or thin lines of ground show between them."""
@@ -38,7 +38,12 @@ def drawn_roads(
     junctions = shown_junctions(scene, {road.name for road in roads})
     parts = [part for road in roads if (part := shown_part(road)) is not None]
     tolerance = min(TOLERANCE, _UNSEEN / scale)
-    bands = bands_with_few_points([b for part in parts for b in lane_bands(part)], tolerance)
+    painted = [found for part in parts for found in painted_lines(part, scale)]
+    bands, lines = bands_and_lines(
+        [band for part in parts for band in lane_bands(part)],
+        [line for line, _ in painted],
+        tolerance,
+    )
     for band in bands:
         if not (band.is_driven or band.inner):
             yield _band(band, place)
@@ -50,7 +55,7 @@ def drawn_roads(
     for band in bands:
         if band.inner:
             yield _band(band, place)
-    yield from _lane_lines(parts, place, scale, tolerance)
+    yield from _lane_lines(lines, [stroke for _, stroke in painted], place)
     yield from _paint(scene, junctions, place, scale)
 
 
@@ -67,18 +72,16 @@ def _area(ring: Floats, color: str, seam: float = _SEAM) -> str:
 
 
 def _lane_lines(
-    parts: Sequence[ShownPart], place: Place, scale: float, tolerance: float
+    lines: Sequence[Floats], strokes: Sequence[LaneStroke], place: Place
 ) -> Iterator[str]:
     """The lines along lanes, a shape for all that look alike."""
     looks: dict[LaneStroke, list[str]] = {}
-    painted = [found for part in parts for found in painted_lines(part, scale)]
-    few = with_few_points([line for line, _ in painted], tolerance)
-    for line, (_, stroke) in zip(few, painted, strict=True):
+    for line, stroke in zip(lines, strokes, strict=True):
         look = replace(stroke, border=0, shift=0.0, width=round(stroke.width, 1))
         looks.setdefault(look, []).append(_path(place(*line.T)))
-    for look, lines in looks.items():
+    for look, paths in looks.items():
         color = FIGURE_COLORS.curb if look.is_curb else FIGURE_COLORS.marking
-        yield _stroke("".join(lines), color, look.width, look.dashes)
+        yield _stroke("".join(paths), color, look.width, look.dashes)
 
 
 def _paint(

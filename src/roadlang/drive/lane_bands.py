@@ -42,10 +42,11 @@ def lane_bands(part: ShownPart) -> Iterator[LaneBand]:
         yield LaneBand(left, right, False, raised, first <= place < last)
 
 
-def bands_with_few_points(
-    bands: Sequence[LaneBand], tolerance: float = TOLERANCE
-) -> list[LaneBand]:
-    """Bands that look the same."""
+def bands_and_lines(
+    bands: Sequence[LaneBand], lines: Sequence[Floats], tolerance: float = TOLERANCE
+) -> tuple[list[LaneBand], list[Floats]]:
+    """Bands and lines (n, 2) with few points that look the same; all together take little more
+    time than some of them."""
     sides = [side for band in bands for side in (band.left, band.right)]
-    thin = iter(with_few_points(sides, tolerance))
-    return [replace(band, left=next(thin), right=next(thin)) for band in bands]
+    thin = iter(with_few_points([*sides, *lines], tolerance))
+    return [replace(band, left=next(thin), right=next(thin)) for band in bands], list(thin)

@@ -21,35 +21,41 @@ def all_simplified(lines: Sequence[Floats], tolerance: float) -> list[Integers]:
         return []
     stops = np.cumsum([len(line) for line in lines])
     starts = np.concatenate([[0], stops[:-1]])
-    points = lines[0] if len(lines) == 1 else np.concatenate(lines)
-    # From the end of a line to the start of the next there is no point that could be far away.
-    selected = np.unique([starts, stops - 1])
-    while len(points) > len(selected):
-        farthest, gaps = _farthest(points, selected)  # of all stretches at once
-        split = farthest[gaps > tolerance]
-        if not len(split):
-            break
-        selected = np.sort(np.concatenate([selected, split]))
+    x, y = np.concatenate(lines).T.copy()
+    found = [starts, stops - 1]
+    first, last = found
+    with np.errstate(invalid="ignore", divide="ignore"):
+        while True:
+            open_ = (last - first > 1).nonzero()[0]  # the others have no point between their ends
+            if not len(open_):
+                break
+            first, last = first[open_], last[open_]
+            farthest, gaps = _farthest(x, y, first, last)  # of all stretches at once
+            far = (gaps > tolerance).nonzero()[0]
+            split = farthest[far]
+            found.append(split)
+            first, last = np.concatenate((first[far], split)), np.concatenate((split, last[far]))
+    selected = np.unique(np.concatenate(found))
     parts = np.split(selected, np.searchsorted(selected, stops[:-1]))
     return [part - start for part, start in zip(parts, starts, strict=True)]
 
 
-def _farthest(points: Floats, ends: Integers) -> tuple[Integers, Floats]:
-    """Of each stretch from one of the ascending `ends` to the next, the first point that is
-    farthest from its chord, and how far that is."""
-    first, last = ends[:-1], ends[1:]
+def _farthest(x: Floats, y: Floats, first: Integers, last: Integers) -> tuple[Integers, Floats]:
+    """Of each stretch from one of `first` to that of `last`, the first point that is farthest from
+    its chord, and how far that is."""
     counts = last - first
-    inner = points[first[0] : last[-1]] - np.repeat(points[first], counts, axis=0)
-    chord = points[last] - points[first]
-    length = np.hypot(chord[:, 0], chord[:, 1])
-    across = inner[:, 0] * np.repeat(chord[:, 1], counts)
-    across -= inner[:, 1] * np.repeat(chord[:, 0], counts)
-    lengths = np.repeat(length, counts)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        gaps = np.abs(across) / lengths
-    closed = ~(lengths > 0.0)
-    if closed.any():
-        gaps[closed] = np.hypot(inner[closed, 0], inner[closed, 1])
-    most = np.maximum.reduceat(gaps, first)
-    at_most = np.flatnonzero(~(gaps < np.repeat(most, counts)))
-    return at_most[np.searchsorted(at_most, first)], most
+    begins = counts.cumsum() - counts
+    of = np.arange(len(counts)).repeat(counts)
+    at = np.arange(len(of)) + (first - begins)[of]
+    from_x, from_y = x[first], y[first]
+    chord_x, chord_y = x[last] - from_x, y[last] - from_y
+    lengths = np.hypot(chord_x, chord_y)
+    inner_x, inner_y = x[at] - from_x[of], y[at] - from_y[of]
+    gaps = np.abs(inner_x * chord_y[of] - inner_y * chord_x[of]) / lengths[of]
+    is_open = lengths > 0.0
+    if not is_open.all():
+        closed = ~is_open[of]
+        gaps[closed] = np.hypot(inner_x[closed], inner_y[closed])
+    most = np.maximum.reduceat(gaps, begins)
+    at_most = (~(gaps < most[of])).nonzero()[0]
+    return at[at_most[at_most.searchsorted(begins)]], most

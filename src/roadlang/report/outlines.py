@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..drive.lane_bands import bands_with_few_points, lane_bands
+from ..drive.lane_bands import bands_and_lines, lane_bands
 from ..drive.lane_lines import line_beside, painted_lines, shown_part, with_few_points
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneRoad
@@ -90,8 +90,8 @@ def outline(road: SceneRoad, paint: tuple[Floats, ...] = ()) -> Outline:
     last = len(part.section.lanes)
     # The surface shows where the road ends: a page of many roads stays small.
     inner = [(line, s) for line, s in painted_lines(part, _SCALE) if 0 < s.border < last]
-    lines = with_few_points([line for line, _ in inner])
-    bands = bands_with_few_points([b for b in lane_bands(part) if not b.is_driven])
+    beside = [band for band in lane_bands(part) if not band.is_driven]
+    bands, lines = bands_and_lines(beside, [line for line, _ in inner])
     return Outline(
         surface(road),
         tuple((line, s.dashes is not None) for line, (_, s) in zip(lines, inner, strict=True)),

@@ -11,6 +11,7 @@ import numpy as np
 from ...syntax.operators import words
 from ..evaluate.axis import SamplePositions
 from ..evaluate.evaluation import everywhere
+from ..evaluate.graph_operations import BOOLEAN
 from ..evaluate.position_text import position_text
 from ..evaluate.ranges import range_at_start
 from ..evaluate.trace import FloatArray, Positions, SampledSignals, Signals
@@ -147,12 +148,25 @@ def first_cause(
     `eventually p`, the sample at which p is nearest to true: p fails from the start on).
     """
     trace = SampledSignals.of(positions, signals, formula.variables, None).alone(0)
+    comparison = _always(formula)
+    if comparison is not None:  # as nearly all expectations: a fifth of the time
+        fails = everywhere(comparison, trace, BOOLEAN)[0] <= 0.0
+        if fails.any():
+            return comparison.variables, int(fails.argmax())
     chain, _ = _Finder(trace).chain(formula)
     stretches = () if _waits([part for part, _ in chain]) else violated_stretches(formula, trace)
     if not stretches:
         return chain[-1][0].variables, chain[-1][1]
     first = stretches[0]
     return frozenset(first.signals), int(np.searchsorted(trace.positions, first.start))
+
+
+def _always(formula: f.Formula) -> f.Comparison | None:
+    """What has to be true at every sample, where that is a single comparison."""
+    if isinstance(formula, f.Always) and formula.interval is None:
+        operand = formula.operand
+        return operand if isinstance(operand, f.Comparison) else None
+    return None
 
 
 def _waits(chain: list[f.Formula]) -> bool:

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 class Formula(Evaluable):
     """A statement about a trace; `str(formula)` is its canonical text."""
 
-    __slots__ = ()
+    __slots__ = ("_variables",)
+    _variables: frozenset[str]
 
     @property
     def parts(self) -> tuple[Formula, ...]:
@@ -29,8 +30,11 @@ class Formula(Evaluable):
     @property
     def variables(self) -> frozenset[str]:
         """Names of the signals the formula reads."""
-        pairs = (checked_sides(c) for c in self.walk() if isinstance(c, Comparison))
-        return frozenset().union(*(side.variables for pair in pairs for side in pair))
+        if not hasattr(self, "_variables"):
+            sides = [checked_sides(c) for c in self.walk() if isinstance(c, Comparison)]
+            names = frozenset(name for pair in sides for side in pair for name in side.variables)
+            object.__setattr__(self, "_variables", names)
+        return self._variables
 
     @property
     def temporal(self) -> bool:
