@@ -1,8 +1,9 @@
-"""`explain` and `schema`: a page or a format by any of its names."""
+"""`explain`, `schema` and commands that were guessed: what is meant is found, or named."""
 
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -27,6 +28,55 @@ def test_a_statement_is_explained_with_its_options(capsys: pytest.CaptureFixture
     shown = printed(capsys, "explain", "world")
     assert "time_of_day" in shown
     assert "friction" in shown
+
+
+@pytest.mark.parametrize("words", [["sine"], ["perturb", "sine"], ["perturb with sine"]])
+def test_a_kind_is_explained_with_its_options(
+    words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = printed(capsys, "explain", *words)
+    assert shown.startswith("perturb sine: ")
+    assert "wavelength" in shown
+
+
+def test_a_monitor_is_found_by_the_word_before_it_in_a_file(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert printed(capsys, "explain", "require", "sbft").startswith("monitor sbft: ")
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (["explain", "sine_wave_"], "`roadlang plugins` all kinds"),
+        (["explain", "run"], "`roadlang run --help` explains the command"),
+        (["plugins", "sine"], "`roadlang plugins show sine`"),
+        (["simulate"], "`run FILE`"),
+        (["test"], "`run FILE`"),
+        (["evaluate"], "`monitor FORMULA TRACE`"),
+        (["validate"], "`check FILE`"),
+        (["lint"], "`check FILE`"),
+        (["export"], "`convert IN OUT`"),
+        (["import"], "`convert IN OUT`"),
+        (["show"], "`view FILE`"),
+        (["list"], "`plugins`"),
+        (["reprot"], "Did you mean `report`?"),
+    ],
+)
+def test_a_guessed_command_is_told_the_right_one(
+    words: list[str], hint: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(words) == 2
+    assert hint in capsys.readouterr().err
+
+
+def test_a_folder_of_failures_is_told_how_one_is_explained(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "failures").mkdir()
+    (tmp_path / "failures" / "0001.json").write_text("{}")
+    assert run(["explain", str(tmp_path)]) == 2
+    assert "failures/0001.json`" in capsys.readouterr().err
 
 
 def schema(capsys: pytest.CaptureFixture[str], *words: str) -> Any:

@@ -12,7 +12,10 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "check": ("check", "Check scene files and report all errors."),
     "fmt": ("fmt", "Format scene files; comments are kept."),
     "init": ("init", "Write a starter scene file."),
-    "explain": ("explain", "Explain a diagnostic, a statement and its options, or a failure."),
+    "explain": (
+        "explain",
+        "Explain a diagnostic, a statement, a kind or a failure.",
+    ),
     "plugins": ("plugins", "List installed plugins and kinds; show the options of a kind."),
     "schema": ("schema", "Print a JSON Schema of an output format or of a kind's options."),
     "run": ("run", "Drive scenes in a simulator and evaluate their expectations."),
@@ -93,11 +96,13 @@ class LazyGroup(click.Group):
             found = super().resolve_command(ctx, args)
         except click.UsageError as error:
             from ..diagnostics import did_you_mean
+            from .guessed_commands import guessed_command_hint
 
-            hint = did_you_mean(args[0], self.list_commands(ctx))
-            if not hint:
+            near = did_you_mean(args[0], self.list_commands(ctx))
+            hint = guessed_command_hint(args[0]) or (near[0].capitalize() if near else None)
+            if hint is None:
                 raise
-            message = f"{error.message} {hint[0].capitalize()}"
+            message = f"{error.message} {hint}"
             raise click.UsageError(message, ctx) from error
         if found[0] is not None and found[0] not in COMMANDS:
             from .plugin_commands import plugin_commands

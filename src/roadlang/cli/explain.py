@@ -1,6 +1,8 @@
-"""`roadlang explain CODE`: the catalog page of a diagnostic; `explain FAILURE.json`: a failure."""
+"""`roadlang explain`: the catalog page of a diagnostic, a statement, a kind, or a failure."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import click
 from click.shell_completion import CompletionItem
@@ -15,7 +17,9 @@ from ..diagnostics import (
     did_you_mean,
     page,
 )
+from .commands import COMMANDS
 from .console import echo, style
+from .named_kinds import kinds_text, named_kinds
 from .option_listing import statement_lines
 
 
@@ -30,51 +34,83 @@ def _complete(
 
 
 @click.command("explain")
-@click.argument("code", required=False, shell_complete=_complete, metavar="[CODE|FAILURE.json]")
+@click.argument(
+    "words", nargs=-1, shell_complete=_complete, metavar="[CODE|STATEMENT|[VERB] KIND|FAILURE.json]"
+)
 @click.option(
     "--file", "scene_file", metavar="FILE", help="Scene file of a failure, if it was moved."
 )
-def command(code: str | None, scene_file: str | None) -> None:
-    """Explain a diagnostic, a statement of the language and its options, or a failure.
+def command(words: tuple[str, ...], scene_file: str | None) -> None:
+    """Explain a diagnostic, a statement, a kind or a failure.
 
-    CODE is a code or the name of a diagnostic (RL206, 206, wrong-type), or a statement (world,
-    road). Without CODE, list all diagnostics. FAILURE.json is a scene that `roadlang falsify` wrote
-    (failures/0001.json), or one of `roadlang run` that violates an expectation: which random values
-    matter for that, one at a time and in pairs, and the moment at which it goes wrong.
+    CODE is a code or the name of a diagnostic (RL206, 206, wrong-type); a STATEMENT is one of the
+    language (world, road), a KIND one of a plugin (sine, emit svg). Without anything, list all
+    diagnostics. FAILURE.json is a scene that `roadlang falsify` wrote (failures/0001.json), or one
+    of `roadlang run` that violates an expectation: which random values matter for that, one at a
+    time and in pairs, and the moment at which it goes wrong.
     """
-    if code is not None and code.endswith(".json"):
+    wanted = " ".join(words)
+    if wanted.endswith(".json"):
         from .explain_failure import explain_failure
 
-        explain_failure(code, scene_file)
+        explain_failure(wanted, scene_file)
         return
-    if code is None:
+    if not words:
         for known in codes():
             echo(f"{style(known, bold=True)} {page(known).name}: {page(known).title}")
         return
     from ..semantics.statement_reference import BY_WORD
 
-    if code in BY_WORD:
-        echo("\n".join(statement_lines(BY_WORD[code])))
+    if wanted in BY_WORD:
+        echo("\n".join(statement_lines(BY_WORD[wanted])))
         return
-    echo(_shown(_find(code)))
+    echo(_shown(found) if (found := _page(wanted)) else _kinds(wanted))
 
 
-def _find(code: str) -> Page:
-    folded = code.upper()
+def _page(wanted: str) -> Page | None:
+    """Of a code or the name of a diagnostic, if it is one."""
+    folded = wanted.upper()
     if folded.isdigit():
         folded = f"RL{folded.zfill(3)}"
+    named = {page(known).name: known for known in codes()}
     try:
-        return page(folded)
+        return page(named.get(wanted.lower(), folded))
     except UnknownCode:
-        named = {page(known).name: known for known in codes()}
-        if code.lower() in named:
-            return page(named[code.lower()])
-        hints = did_you_mean(folded, codes()) or did_you_mean(code.lower(), named)
-        raise DiagnosticError(
-            diagnose(
-                Code.UNKNOWN_CODE, wanted=code, help=(*hints, "`roadlang explain` lists all codes")
-            )
-        ) from None
+        return None
+
+
+def _kinds(wanted: str) -> str:
+    """Options of kinds. Raises `DiagnosticError` RL925 where there is nothing of this name."""
+    from ..plugins.discovery import load_registry
+
+    registry = load_registry()
+    entries = named_kinds(registry, wanted.split())
+    if entries:
+        return kinds_text(entries)
+    from ..semantics.statement_reference import BY_WORD
+
+    names = {page(known).name for known in codes()} | {entry.name for entry in registry.entries}
+    hints = did_you_mean(wanted.upper(), codes())
+    hints = hints or did_you_mean(wanted.lower(), names | set(BY_WORD))
+    raise DiagnosticError(
+        diagnose(Code.UNKNOWN_CODE, wanted=wanted, help=(*hints, *_where_else(wanted)))
+    )
+
+
+def _where_else(wanted: str) -> tuple[str, ...]:
+    """What to write instead: of a folder its failures, otherwise the lists of names."""
+    if wanted in COMMANDS:
+        return (f"`roadlang {wanted} --help` explains the command",)
+    folder = Path(wanted)
+    if not folder.is_dir():
+        return ("`roadlang explain` lists all codes, `roadlang plugins` all kinds",)
+    scenes = sorted((folder / "failures").glob("[0-9]*.json")) or sorted(
+        folder.glob("scene-*[0-9].json")
+    )
+    if not scenes:
+        return ("a folder has no explanation: name a scene in it that violates an expectation",)
+    shown = f"`roadlang explain {scenes[0].as_posix()}`"
+    return (f"name a scene of it in which an expectation is violated, as in {shown}",)
 
 
 def _shown(found: Page) -> str:

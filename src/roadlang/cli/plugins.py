@@ -11,14 +11,28 @@ from click.shell_completion import CompletionItem
 
 from ..diagnostics import Code
 from .console import echo
+from .named_kinds import kinds_text, named_kinds
 from .option_listing import statement_lines
-from .plugin_listing import kind_lines, kind_record, listing_lines, listing_record
+from .plugin_listing import kind_record, listing_lines, listing_record
 
 if TYPE_CHECKING:
     from ..plugins.registry import KindEntry, Registry
 
 
-@click.group("plugins", invoke_without_command=True)
+class _PluginsGroup(click.Group):
+    """Whoever writes `plugins sine` is told of `plugins show sine`."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        try:
+            return super().resolve_command(ctx, args)
+        except click.UsageError as error:
+            hint = f"`roadlang plugins show {' '.join(args)}` shows a kind"
+            raise click.UsageError(f"{error.message} {hint}", ctx) from error
+
+
+@click.group("plugins", cls=_PluginsGroup, invoke_without_command=True)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @click.option("--verb", help="List only the kinds of this verb: `perturb`, `emit`, ...")
 @click.pass_context
@@ -61,20 +75,16 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
     options, too: `show world`.
     """
     from ..plugins.discovery import load_registry
-    from ..plugins.guard import plugin_guard
     from ..semantics.statement_reference import BY_WORD
 
     if len(words) == 1 and words[0] in BY_WORD and not as_json:
         echo("\n".join(statement_lines(BY_WORD[words[0]])))
         return
     entries = _find(load_registry(), words)
-    for entry in entries:
-        with plugin_guard(entry, None):
-            entry.load()
     if as_json:
         click.echo(json.dumps([kind_record(entry) for entry in entries], indent=2))
         return
-    echo("\n\n".join("\n".join(kind_lines(entry)) for entry in entries))
+    echo(kinds_text(entries))
 
 
 @command.command("new")
@@ -127,14 +137,9 @@ def _check_verb(verb: str) -> None:
 def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
     from ..diagnostics import DiagnosticError, diagnose, did_you_mean
 
-    verb, name = (words[0], words[1]) if len(words) > 1 else (None, words[0])
-    entries = [
-        entry
-        for entry in registry.entries
-        if name in (entry.name, entry.qualified) and verb in (None, entry.verb)
-    ]
+    entries = named_kinds(registry, words)
     if not entries:
-        hints = did_you_mean(name, {entry.name for entry in registry.entries})
+        hints = did_you_mean(words[-1], {entry.name for entry in registry.entries})
         hints = hints or registry.hints
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=hints)

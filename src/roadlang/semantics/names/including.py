@@ -19,12 +19,13 @@ from ...diagnostics import (
     nearest,
 )
 from ...files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
-from ...syntax import parse, parse_value
+from ...syntax import parse
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
 from .namespaces import Namespace, resolved
 from .overriding import PlacedOverride, apply_overrides
 from .program import Declaration, Program, Setting
+from .setting_values import parsed_setting
 
 MOST_INCLUDES = 200
 BUILT_IN = frozenset({"abs", "min", "max", "fresh", "time", "inf"})
@@ -130,12 +131,11 @@ class _Loader:
         if (declared is None and self._program.incomplete) or name in self._program.spoiled:
             return
         if declared is None or declared.role != "param":
-            text = source.text
-            span = source.span(len(text) - len(text.lstrip()), len(text))
+            span = source.span(len(source.text) - len(source.text.lstrip()), len(source.text))
             help_ = self._about_settings(name)
             self._report(Code.UNKNOWN_PARAM, span, help=help_, name=name, where="this scene file")
             return
-        parsed, found = parse_value(source)
+        parsed, found = parsed_setting(source, declared)
         self._program.diagnostics.extend(found)
         if parsed is not None and not any(diagnostic.is_error for diagnostic in found):
             self._program.settings[name] = Setting(name, parsed, parsed.span, True)
