@@ -170,18 +170,18 @@ def _register_formulas() -> None:
     for formula in (
         dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
         dynamics.accelerated, dynamics.walked, dynamics.displaced, dynamics.turned, dynamics.driven,
-        dynamics.moved, lines.on_arc,
+        dynamics.moved, lines.on_arc, kernels.place_on_line, kernels.drive, kernels.drive_abreast,
+        kernels.turn_abreast,
     ):  # fmt: skip
-        register_jitable(**_OPTIONS)(formula)
+        # A call that is left in the loop over agents keeps it from computing several at once.
+        register_jitable(forceinline=True, **_OPTIONS)(formula)
     for loop in (
         kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
         kernels.nearest_sample,
         kernels.widest,
     ):  # fmt: skip
         register_jitable(**_OPTIONS)(loop)
-    for part in (kernels.fill, kernels.place_on_line, kernels.drive):
-        # Into the loop itself: only there is it seen that agents do not depend on each other.
-        register_jitable(inline="always", **_OPTIONS)(part)
+    register_jitable(inline="always", **_OPTIONS)(kernels.fill)
     # Of numbers, and with NaN only where both are NaN.
     overload(dynamics.least, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
     overload(dynamics.greatest, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)

@@ -13,7 +13,9 @@ from . import vehicle_dynamics as dynamics
 
 ABREAST = 32
 """Agents that are moved side by side: with the numbers of so many in one small array,
-the compiler finds that they do not depend on each other, and computes several at once."""
+the compiler finds that they do not depend on each other, and computes several at once. It does so
+as long as the loop over them calls nothing: formulas take numbers and no arrays (which are
+counted), and are put in where they are called (`forceinline`)."""
 
 
 def advanced(
@@ -35,18 +37,13 @@ def advanced(
             starts[j] = first[i]
             rows[29, j] = table[first[i] + int(rows[31, j]), 4]
         for _ in range(steps):
-            for j in range(ABREAST):
-                drive(rows, j, dt)
+            drive_abreast(rows, dt)
             for j in range(ABREAST):
                 cell = int(rows[31, j])
                 rows[29, j] = table[starts[j] + cell, 4]
                 rows[32, j] = table[starts[j] + cell, 5]
                 rows[33, j] = float(cell)
-            for j in range(ABREAST):
-                heading = rows[32, j] + rows[29, j] * (rows[30, j] - rows[33, j] * rows[27, j])
-                angle = rows[4, j] * dt - (heading - rows[8, j])
-                rows[5, j], rows[6, j] = dynamics.turned(rows[5, j], rows[6, j], angle)
-                rows[8, j] = heading
+            turn_abreast(rows, dt)
         for k in range(10):
             for j in range(used):
                 after[k, begin + j] = rows[k, j]
@@ -56,7 +53,7 @@ def fill(
     rows: Any, j: Any, i: Any, before: Any, columns: Any, wanted: Any, numbers: Any
 ) -> None:  # fmt: skip
     """Agent `i` in column `j`: its state (10), what it is (13), what it is to do (2), its line (4),
-    the curvature there, how far it is along the table, its cell, and room for two more."""
+    room for the curvature there, how far it is along the table, its cell, and room for two more."""
     rows[0, j], rows[1, j], rows[2, j] = before[0][i], before[1][i], before[2][i]
     rows[3, j], rows[4, j], rows[5, j] = before[3][i], before[4][i], before[5][i]
     rows[6, j], rows[7, j], rows[8, j] = before[6][i], before[7][i], before[8][i]
@@ -66,37 +63,62 @@ def fill(
     rows[23, j], rows[24, j] = wanted[0][i], wanted[1][i]
     for k in range(4):
         rows[25 + k, j] = numbers[k, i]
-    place_on_line(rows, j)
+    rows[30, j], rows[31, j] = place_on_line(rows[0, j], rows[25, j], rows[26, j], rows[28, j])
 
 
-def place_on_line(rows: Any, j: Any) -> None:
-    """How far along the table of its line column `j` is, and the number of the cell, with a part of
+def drive_abreast(rows: Any, dt: Any) -> None:
+    """One step of all columns, but for their lines."""
+    for j in range(ABREAST):
+        state = (
+            rows[0, j], rows[1, j], rows[2, j], rows[3, j], rows[4, j], rows[5, j], rows[6, j],
+            rows[7, j], rows[9, j],
+        )  # fmt: skip
+        car = (
+            rows[10, j], rows[11, j], rows[12, j], rows[13, j], rows[14, j], rows[15, j],
+            rows[16, j], rows[17, j], rows[18, j], rows[19, j], rows[20, j],
+        )  # fmt: skip
+        wanted = (rows[23, j], rows[24, j], rows[21, j], rows[22, j])
+        (
+            rows[0, j], rows[1, j], rows[2, j], rows[3, j], rows[4, j], rows[7, j], rows[9, j],
+        ) = drive(state, car, wanted, rows[34, j], rows[29, j], dt)  # fmt: skip
+        rows[30, j], rows[31, j] = place_on_line(rows[0, j], rows[25, j], rows[26, j], rows[28, j])
+
+
+def turn_abreast(rows: Any, dt: Any) -> None:
+    """Headings of all columns, from those of their lines at the places that they came to."""
+    for j in range(ABREAST):
+        heading = rows[32, j] + rows[29, j] * (rows[30, j] - rows[33, j] * rows[27, j])
+        angle = rows[4, j] * dt - (heading - rows[8, j])
+        rows[5, j], rows[6, j] = dynamics.turned(rows[5, j], rows[6, j], angle)
+        rows[8, j] = heading
+
+
+def place_on_line(along: Any, last: Any, origin: Any, per_meter: Any) -> Any:
+    """How far along the table of its line an agent is, and the number of the cell, with a part of
     it."""
-    advance = rows[0, j] - rows[26, j]
-    rows[30, j] = advance
-    rows[31, j] = dynamics.least(dynamics.greatest(advance * rows[28, j], 0.0), rows[25, j])
+    advance = along - origin
+    return advance, dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last)
 
 
-def drive(rows: Any, j: Any, dt: Any) -> None:
-    """One step of the equations of motion, but for the line, which comes next."""
-    car = (
-        rows[10, j], rows[11, j], rows[12, j], rows[13, j], rows[14, j], rows[15, j], rows[16, j],
-        rows[17, j], rows[18, j], rows[19, j], rows[20, j],
-    )  # fmt: skip
-    tangent = dynamics.steered(rows[7, j], rows[23, j], rows[21, j], rows[22, j])
-    motion = (rows[2, j], rows[3, j], rows[4, j])
-    driven = dynamics.driven(motion, tangent, rows[9, j], rows[24, j], car, dt)
-    walked = dynamics.walked(motion, tangent, rows[24, j], rows[10, j], dt)
-    on_foot = rows[34, j] > 0.5
+def drive(state: Any, car: Any, wanted: Any, walks: Any, curvature: Any, dt: Any) -> Any:
+    """One step of the equations of motion, but for the line, which comes next: arc length, offset,
+    speeds along and to the left, yaw rate, tangent of the steering angle, and acceleration.
+
+    `state`: these, with cosine and sine of the heading before the last two; `wanted`: tangent and
+    acceleration, with lag and rate of the steering; `walks`: 1.0 for someone on foot.
+    """
+    along, offset, vx, vy, turning, cosine, sine, at_wheels, before = state
+    tangent = dynamics.steered(at_wheels, wanted[0], wanted[2], wanted[3])
+    motion = (vx, vy, turning)
+    driven = dynamics.driven(motion, tangent, before, wanted[1], car, dt)
+    walked = dynamics.walked(motion, tangent, wanted[1], car[0], dt)
+    on_foot = walks > 0.5
     speed = walked[0] if on_foot else driven[0]
     slide = walked[1] if on_foot else driven[1]
     yaw_rate = walked[2] if on_foot else driven[2]
-    place, direction = (rows[0, j], rows[1, j]), (rows[5, j], rows[6, j])
-    moved = dynamics.moved(place, (rows[2, j], speed, slide), direction, rows[29, j], dt)
-    rows[0, j], rows[1, j] = moved
-    rows[2, j], rows[3, j], rows[4, j], rows[7, j] = speed, slide, yaw_rate, tangent
-    rows[9, j] = walked[3] if on_foot else driven[3]
-    place_on_line(rows, j)
+    acceleration = walked[3] if on_foot else driven[3]
+    place = dynamics.moved((along, offset), (vx, speed, slide), (cosine, sine), curvature, dt)
+    return place[0], place[1], speed, slide, yaw_rate, tangent, acceleration
 
 
 def framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
