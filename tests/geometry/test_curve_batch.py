@@ -219,6 +219,17 @@ def test_variants_taken_twice_are_those_of_the_whole_batch(computed_before: bool
     chosen = batch.take(np.array([False, True, True, True])).take([2, 0])
     for name in names:
         np.testing.assert_array_equal(getattr(chosen, name), fresh[name][[3, 1]], err_msg=name)
+    for each in (batch, batch.take([3, 1]).take([0, 1])):
+        rows = np.array([3, 1]) if each is batch else np.array([0, 1])
+        np.testing.assert_array_equal(each.heading_of(rows), fresh["heading"][[3, 1]])
+
+
+def test_the_heading_of_variants_takes_nothing_else_of_what_they_were_made_from() -> None:
+    s = np.linspace(0.0, 60.0, 61)
+    bends = np.array([0.5, -1.0, 1.5])[:, None] * np.sin(s / 7.0)
+    chosen = displace(displace(line(60.0), s, bends), s, 0.3 * bends).take([2, 0])
+    assert chosen.heading.shape == (2, 61)
+    assert "base" not in vars(chosen)
 
 
 def test_taking_variants_takes_their_base_along() -> None:

@@ -82,6 +82,11 @@ class CurveBatch(SharedArrays):
         dx, dy = self._velocity
         return np.unwrap(np.arctan2(dy, dx), axis=-1)
 
+    def heading_of(self, rows: NDArray[Any]) -> Floats:
+        """(n, S) that of some variants, by index; nothing else of these is computed or copied."""
+        known: CurveBatch = self if "heading" in vars(self) else self.take(rows)
+        return known.heading[rows] if known is self else known.heading
+
     @cached_array
     def toward_east(self) -> Floats:
         """(V, S) the part to the east of the unit vectors along the curves."""

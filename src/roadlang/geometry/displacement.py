@@ -140,7 +140,18 @@ class MovedBatch(CurveBatch):
     @cached_array
     def heading(self) -> Floats:
         """(V, S) radians, continuous along each curve."""
-        return np.asarray(self.base.heading + np.arctan2(self.sideways, self.forward))
+        if self._rows is None or "base" in vars(self):
+            before = self.base.heading
+        else:  # of all that the base has, its heading alone
+            before = _heading_of(self._base, self._rows)
+        return np.asarray(before + np.arctan2(self.sideways, self.forward))
+
+    def heading_of(self, rows: NDArray[Any]) -> Floats:
+        """(n, S) that of some variants, by index; nothing else of these is computed or copied."""
+        if "heading" in vars(self):
+            return np.asarray(self.heading[rows])
+        before = _heading_of(self._base, rows if self._rows is None else self._rows[rows])
+        return np.asarray(before + np.arctan2(self.sideways[rows], self.forward[rows]))
 
     @cached_array
     def toward_east(self) -> Floats:
@@ -243,6 +254,11 @@ def _pushed(base: CurveBatch, displacement: Floats) -> MovedBatch:
     forward *= base.speed
     sideways = derivative(displacement, base.stations, base.period)
     return MovedBatch(base, points, (forward, sideways), along_base=True)
+
+
+def _heading_of(base: CurveBatch, rows: NDArray[Any]) -> Floats:
+    """(n, S) of some variants of what may be the same for all."""
+    return base.heading if base.variants == 1 else base.heading_of(rows)
 
 
 def _size(forward: Floats, sideways: Floats) -> Floats:
