@@ -171,3 +171,55 @@ def test_points_may_be_anything_but_even(gaps: list[float]) -> None:
     assert list(counts) == [len(expected)] * 2
     for found, wanted in zip(nodes, (expected, expected[:, ::-1]), strict=True):
         assert np.abs(found - wanted).max() < 6e-4
+
+
+@pytest.mark.parametrize(
+    ("points", "options", "reason"),
+    [
+        ("(0m, 0m), (600m, 0m)", "", "sticks out of the map of 200 m by 200 m, by 200 m"),
+        ("(0m, 0m), (150m, 0m)", ", centered: false", "`centered: true` moves it to the middle"),
+        ("(0m, 0m), (15m, 0m)", "", "it is 15 m long, not 20 m"),
+        ("(0m, 0m), (1500m, 0m)", ", spacing: 1m, size: 2000m", "give it a larger `spacing`"),
+        ("(0m, 0m), (50m, 0m), (50m, 20m), (0m, 20m)", "", "14.33 m the least allowed"),
+        ("(0m, 0m), (100m, 0m), (140m, 40m), (100m, 80m), (60m, 40m), (60m, -50m)", "", "overlap"),
+    ],
+)
+def test_a_road_that_is_refused_is_told_which_rule_it_breaks(
+    points: str, options: str, reason: str
+) -> None:
+    text = f"""road main {{ draw with waypoints {{ points: [{points}] }} }}
+require valid with sbft {{ road: main{options} }}
+"""
+    with pytest.raises(roadlang.NoSceneError) as raised:
+        roadlang.loads(text).sample()
+    assert "no draw can satisfy `valid` (with sbft)" in str(raised.value)
+    assert reason in str(raised.value)
+
+
+ROAD = "road main { draw with waypoints { points: [(0m, 0m), (150m, 0m)] } }\n"
+
+
+@pytest.mark.parametrize(
+    ("statement", "code", "help"),
+    [
+        ("require with sbft { road: main }", "RL023", "write `require NAME with ...`"),
+        ("require valid: sbft(main)", "RL225", "write `require NAME with sbft { ... }`"),
+        ("require valid: sbft", "RL101", "write `require NAME with sbft { ... }`"),
+        ("emit sbft { road: main }", "RL206", 'write `"main"`'),
+    ],
+)
+def test_statements_that_are_nearly_right_are_told_the_form(
+    statement: str, code: str, help: str
+) -> None:
+    (found,) = testing.check(ROAD + statement)
+    assert found.code == code
+    assert any(help in line for line in found.help)
+
+
+def test_a_network_is_no_road() -> None:
+    network = 'image i from """\n#######\n""" { scale: 9m/px }\nnetwork town from i\n'
+    (found,) = testing.check(network + "require valid with sbft { road: town }")
+    assert found.code == "RL228"
+    assert found.help == ("`road NAME from town { select: longest }` makes a road of it",)
+    (found,) = testing.check(network + 'emit sbft { road: "town" }')
+    assert found.message.endswith('`town` is a network: name one of its roads, as in `"town/ID"`')

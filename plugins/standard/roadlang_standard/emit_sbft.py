@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from roadlang.api import ScenarioContents, Scene, SceneRoad
 
 
+_SHOWN = 8
+"""Names of roads that an error lists."""
+
+
 @dataclass(frozen=True)
 class SbftBackend(Backend):
     """The road as a list of points `[[x, y], ...]` in meters, as tools of the SBFT tool competition
@@ -33,6 +37,8 @@ class SbftBackend(Backend):
         named = self.road.partition("/")[0]  # a road of a network is `town/3`
         if not (contents.roads or contents.networks):
             yield "it has no road"
+        elif self.road in contents.networks:
+            yield f'`{self.road}` is a network: name one of its roads, as in `"{self.road}/ID"`'
         elif self.road and named not in (*contents.roads, *contents.networks):
             known = did_you_mean(named, (*contents.roads, *contents.networks))
             yield "; ".join((f"it has no road `{self.road}`", *known))
@@ -58,7 +64,11 @@ def _road(scene: Scene, name: str) -> SceneRoad:
     roads = {road.name: road for road in scene.roads}
     if name:
         if name not in roads:
-            raise DiagnosticError(diagnose(Code.UNKNOWN_NAME, name=name))
+            within = [known for known in roads if known.startswith(f"{name}/")]
+            shown = ", ".join(f"`{known}`" for known in (within or list(roads))[:_SHOWN])
+            raise DiagnosticError(
+                diagnose(Code.UNKNOWN_NAME, name=name, help=f"roads of the scene: {shown}")
+            )
         return roads[name]
     driven = next((actor.road for actor in scene.agents if actor.road in roads), None)
     if driven is not None:

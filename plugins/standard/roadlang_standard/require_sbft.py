@@ -8,6 +8,11 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Flag, Length, Monitor, RoadName, option
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import numpy as np
+    from numpy.typing import NDArray
+
     from roadlang.geometry import Floats
 
 
@@ -32,16 +37,34 @@ class SbftMonitor(Monitor):
     def robustness(self) -> Floats:
         import numpy as np
 
-        from .sbft.road_points import road_points
         from .sbft.rules import judged
 
+        out = np.empty(self.road.variants)
+        for rows, found in self._points():
+            out[rows] = judged(found, self._size).robustness
+        return out
+
+    def reason(self) -> str | None:
+        from .sbft.broken_rules import broken_rules
+
+        first = next((found[rows == 0] for rows, found in self._points() if (rows == 0).any()))
+        return broken_rules(first, self._size, self.centered)
+
+    @property
+    def _size(self) -> float:
+        import numpy as np
+
+        return float(np.ravel(self.size)[0])
+
+    def _points(self) -> Iterator[tuple[NDArray[np.int64], Floats]]:
+        """As `road_points`."""
+        import numpy as np
+
+        from .sbft.road_points import road_points
+
         road = self.road
-        count = road.variants
-        shape = (count, *road.points.shape[1:])
+        shape = (road.variants, *road.points.shape[1:])
         points = np.broadcast_to(road.points, shape)
         heading = np.broadcast_to(road.heading, shape[:2])
-        spacing, size = float(np.ravel(self.spacing)[0]), float(np.ravel(self.size)[0])
-        out = np.empty(count)
-        for rows, found in road_points(points, heading, spacing, size, self.centered):
-            out[rows] = judged(found, size).robustness
-        return out
+        spacing = float(np.ravel(self.spacing)[0])
+        return road_points(points, heading, spacing, self._size, self.centered)

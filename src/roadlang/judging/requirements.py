@@ -22,7 +22,7 @@ from .implied_requirements import (
 from .influences import influences
 from .requirement import Requirement
 from .road_conditions import condition_rho, condition_truth
-from .road_monitors import monitor_rho
+from .road_monitors import monitor_blame, monitor_rho
 
 
 def requirements_of(scenario: IndexedScenario) -> tuple[Requirement, ...]:
@@ -43,10 +43,12 @@ def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requi
     test = constraint.test
     rho: Callable[[CandidateBatch], Floats]
     truth: Callable[[CandidateBatch], Booleans] | None
+    blame = None
     if isinstance(test, Condition):
         text, rho, truth = test.text, partial(condition_rho, test), partial(condition_truth, test)
     else:
-        text, rho, truth = f"with {test.kind}", partial(monitor_rho, test), None
+        text, rho, truth = f"with {scenario.kind(test)[0].name}", partial(monitor_rho, test), None
+        blame = partial(monitor_blame, constraint.name, test)
     causes = influences(test, scenario)
     return Requirement(
         name=constraint.name,
@@ -58,4 +60,5 @@ def _written(constraint: ScenarioConstraint, scenario: IndexedScenario) -> Requi
         is_random=causes.is_random,
         test=test,
         span=constraint.span,
+        blame=blame,
     )

@@ -1,4 +1,4 @@
-"""The robustness that a monitor plugin gives to roads."""
+"""The robustness that a monitor plugin gives to roads, and why it rejects one."""
 
 from __future__ import annotations
 
@@ -28,3 +28,17 @@ def monitor_rho(call: PassCall, candidates: CandidateBatch) -> Floats:
             raise wrong_result(built.entry, call.span, fault)
         worst = np.minimum(worst, rho)
     return worst
+
+
+def monitor_blame(name: str, call: PassCall, candidates: CandidateBatch) -> str | None:
+    """Why a monitor rejects the first candidate, in the words of its plugin, if it has any."""
+    for axis in axes_of(call, candidates):
+        built = build(call, candidates, resolve=partial(axis.resolve, candidates=candidates))
+        with built.guarded:
+            rejected = np.ravel(built.kind.robustness())[0] < 0.0
+            reason = built.kind.reason() if rejected else None
+        if not isinstance(reason, str | None):
+            raise wrong_result(built.entry, call.span, f"gave the reason {reason!r}, not a text")
+        if reason:
+            return f"`{name}`: {reason}"
+    return None

@@ -16,6 +16,7 @@ from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import PassCall
 from ..judging.acceptance import Acceptance
+from ..judging.requirement import Requirement
 from ..plugins.registry import Registry
 from ..search.accepted import Concretize
 from ..search.rejection_report import RejectionRow, RejectionStats, as_text, rows_of
@@ -178,7 +179,14 @@ def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) ->
             )  # fmt: skip
     texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))
     causes = _causes(task, texts)
-    return SamplingResult((), wanted, 0, rows, (0,), texts, causes=causes)
+    shown = tuple(_shown(acceptance.requirements[index]) for index in sorted(impossible))
+    return SamplingResult((), wanted, 0, rows, (0,), shown, causes=causes)
+
+
+def _shown(requirement: Requirement) -> str:
+    """Its formula; of a monitor, whose options tell less, its name as well."""
+    text = requirement.text
+    return f"`{requirement.name}` ({text})" if isinstance(requirement.test, PassCall) else text
 
 
 def _rejecting(table: Sequence[RejectionRow]) -> list[str]:

@@ -121,6 +121,11 @@ class Monitor(Kind):
         """
         raise NotImplementedError
 
+    def reason(self) -> str | None:
+        """If `domain` is "road": why the first candidate, which has a negative robustness, is
+        rejected, in words such as "the road is 4 m too long"; help where no scene is found."""
+        return None
+
     def judge(self, trace: Trace) -> float:
         """If `domain` is "drive": how well the drive satisfies the monitor.
 

@@ -21,7 +21,7 @@ from ..types.expression_types import KindCallType, Quantity, SignalType, TypedEx
 from .argument_binding import bind_arguments
 from .draws import draw_of
 from .group_copies import group_of, written_count
-from .habits import function_help
+from .habits import function_help, monitor_help
 from .kinds import FUNCTIONS, find_kind, verbs_with
 from .option_binding import BoundOptions, divided
 from .signals import measured
@@ -82,6 +82,8 @@ def _no_function(
     habit = function_help(call, name)
     if habit is not None:
         return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=habit[0], fixes=habit[1])
+    if checker.registry.has("monitor", name):
+        return checker.report(Code.UNKNOWN_FUNCTION, span, name=name, help=monitor_help(name))
     known = {entry.name for verb in FUNCTIONS for entry in checker.registry.of(verb)} | {*_COUNTS}
     owner, dot, last = name.rpartition(".")
     if dot and last in known:

@@ -170,6 +170,11 @@ def member_help(name: str) -> tuple[str, ...]:
     return (_MEMBERS[name],) if name in _MEMBERS else ()
 
 
+def monitor_help(name: str) -> str:
+    """Help where a monitor stands for a formula."""
+    return f"`{name}` is a monitor: write `require NAME with {name} {{ ... }}`"
+
+
 def number_of_entity_help(typed: TypedExpression) -> tuple[str, ...]:
     """Help where an agent stands for its position: `at ego + 10m`."""
     if isinstance(typed.type, DeclaredType) and typed.type.role in ("agent", "object"):

@@ -8,7 +8,7 @@ from ..checker import Checker
 from ..context import Context
 from ..suggestions import meant_name
 from ..types.expression_types import TypedExpression, unknown
-from .habits import is_side_as_lane, name_help
+from .habits import is_side_as_lane, monitor_help, name_help
 from .kinds import MOST_LISTED, find_kind
 
 _FLAGS = {"yes": "true", "no": "false", "true": "true", "false": "false", "off": "false"}
@@ -59,6 +59,8 @@ def _report_unknown(
 
 
 def _about_functions(checker: Checker, text: str) -> tuple[str, ...]:
+    if checker.registry.has("monitor", text):
+        return (monitor_help(text),)
     if not any(checker.registry.has(verb, text) for verb in ("signal", "number")):
         return ()
     return (f"`{text}` is a function: write what it is of, as in `{text}(road)`",)

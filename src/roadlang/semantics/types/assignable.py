@@ -85,6 +85,7 @@ def _mismatch(
     what: str,
 ) -> TypedExpression | None:
     wanted = describe(expected, limits.words)
+    help_, fixes = other_form(typed, expected)
     if isinstance(typed.type, ty.SignalType | ty.FormulaType):
         checker.report(
             Code.SIGNAL_AS_NUMBER, typed.span, what=what, expected=wanted, found=typed.type
@@ -98,9 +99,9 @@ def _mismatch(
             found=typed.type,
             expected=wanted,
             what=what,
+            help=help_,
         )
     else:
-        help_, fixes = other_form(typed, expected)
         if isinstance(expected, opt.QuantityType) and not help_:
             help_ = _unit_help(expected.dimension, limits)
         checker.report(

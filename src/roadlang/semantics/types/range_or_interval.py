@@ -1,4 +1,5 @@
-"""`[a, b]` where `a..b` is meant, and the other way round; a value where a list of it is meant."""
+"""`[a, b]` where `a..b` is meant, and the other way round; a value where a list of it is meant; a
+road where its name is meant."""
 
 from __future__ import annotations
 
@@ -24,6 +25,12 @@ def other_form(
         return (f"`..` draws one value between the two; write `{meant}`",), (
             Fix(typed.span, meant),
         )
+    if expected == opt.EntityType(("road",)) and typed.type == ty.DeclaredType("network"):
+        name = typed.span.text
+        return (f"`road NAME from {name} {{ select: longest }}` makes a road of it",), ()
+    if isinstance(expected, opt.TextType) and isinstance(typed.type, ty.DeclaredType):
+        meant = f'"{typed.span.text}"'
+        return (f"write `{meant}`",), (Fix(typed.span, meant),)
     if isinstance(expected, opt.WordType) and isinstance(typed.type, ty.Quantity):
         is_angle = typed.type.dimension == ANGLE  # of `facing`
         return ((f"write `heading: {typed.span.text}`",) if is_angle else ()), ()

@@ -78,20 +78,20 @@ def reserved_name(place: ErrorPosition) -> Mistake | None:
 
 
 def missing_name(place: ErrorPosition) -> Mistake | None:
-    """`require always (p)`: the name and its colon are missing."""
+    """`require always (p)`: the name and its colon are missing; `require with sbft`: the name."""
     if place.first_kind not in ("REQUIRE", "EXPECT") or place.index not in (1, 2):
         return None
-    if place.kind() in ("EQUAL", "WITH", "NAME", END):
+    if place.kind() in ("EQUAL", "NAME", END) or (place.kind() == "WITH" and place.index == 2):
         return None
     if place.index == 2 and (place.kind() in ("COLON", "STRING", "NUMBER") or _word_then(place)):
         return None
     statement = place.tokens[0]
-    named = place.index == 1 and place.kind() == "COLON"
+    follows = place.kind() if place.index == 1 else ""
     start = place.tokens[1][2]
     span = place.source.span(statement[2], statement[3])
-    colon = () if named else (("COLON", ":", start, start),)
+    colon = () if follows in ("COLON", "WITH") else (("COLON", ":", start, start),)
     name = ("NAME", "NAME", start, start)
-    example = f"{statement[1]} NAME:"
+    example = f"{statement[1]} NAME{' with' if follows == 'WITH' else ':'}"
     found = diagnose(
         Code.UNNAMED_REQUIREMENT, span, word=statement[1], help=f"write `{example} ...`"
     )
