@@ -1,11 +1,11 @@
 """Steps of environments for each CPU second: 1,000 scenes with one, five and twenty cars.
 
-    python -m benchmarks.envs [--count 1000] [--steps 300]
+    python -m benchmarks.envs [--count 1000] [--steps 300] [--numpy]
 
 An action every 0.1 s, the vehicles at 0.05 s, observations, contacts, rewards and the beginnings
 of new episodes included. The driven car steers at random around a constant, so that episodes end
-at different times; the others keep their lane and distance. Numpy alone: the environments do not
-use numba.
+at different times; the others keep their lane and distance. `--numpy`: without numba, even where it
+is installed.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import numpy as np
 
 import roadlang
 from roadlang.envs import SceneVectorEnv
+from roadlang.simulation.vehicles import compiled
 
 ROAD = """
 road main {
@@ -63,11 +64,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--steps", type=int, default=300)
+    parser.add_argument("--numpy", action="store_true")
     arguments = parser.parse_args()
+    if arguments.numpy:  # as on a machine without numba; users have no switch for it
+        compiled.is_installed = lambda: False  # type: ignore[assignment]
+    how = "numba" if compiled.is_installed() else "numpy"
     for cars in (1, 5, 20):
         found, ends = speed(cars, arguments.count, arguments.steps)
         print(
-            f"{cars} cars: {found:,.0f} steps for each CPU second, {ends:.1f} episodes end in one"
+            f"{how}, {cars} cars: {found:,.0f} steps for each CPU second, "
+            f"{ends:.1f} episodes end in one"
         )
 
 

@@ -9,9 +9,9 @@ import pytest
 
 import roadlang
 from roadlang import testing
-from roadlang.envs import SceneEnv
+from roadlang.envs import SceneEnv, off_road
 from roadlang.envs.off_road import OffRoadCheck
-from roadlang.ir.scene import Scene
+from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.signals.samples import Samples
 from tests.simulation.crossing_traffic import before_junction, entries
@@ -93,3 +93,17 @@ def test_a_corner_off_the_road_ends_an_episode() -> None:
     assert info["off_road"]
     seen = dict(zip(env.names, observed.tolist(), strict=True))
     assert 0.0 < seen["right_edge"] < 2.5
+
+
+def test_each_road_is_measured_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    measured: list[SceneRoad] = []
+    whole = off_road._drivable
+
+    def noted(road: SceneRoad) -> float:
+        measured.append(road)
+        return whole(road)
+
+    monkeypatch.setattr(off_road, "_drivable", noted)
+    scene = on_roads(PLAIN)
+    OffRoadCheck(world_of([scene, scene], {}, 0.02, 0.1))
+    assert len(measured) == 1

@@ -14,6 +14,7 @@ from roadlang.envs.episodes import can_restart
 from roadlang.envs.rows import rows_of
 from roadlang.envs.scene_pool import pool_of
 from roadlang.envs.settings import EnvSettings
+from roadlang.simulation.vehicles import compiled
 from tests.envs.scene_texts import ALONE, CUT_IN, FOLLOWED, ROAD
 
 COUNT, STEPS = 3, 50
@@ -201,3 +202,19 @@ def test_others_drive_whoever_stands_and_wherever_the_ego_is_in_the_list() -> No
 def test_a_mode_that_gymnasium_does_not_have_is_refused_with_those_it_has() -> None:
     with pytest.raises(ValueError, match="must be one of NextStep, SameStep, Disabled, not 'same'"):
         vector(ALONE, autoreset_mode="same")
+
+
+@pytest.mark.skipif(not compiled.is_installed(), reason="needs numba: pip install roadlang[fast]")
+def test_the_compiled_motion_takes_over_and_changes_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def observations(*, fast: bool) -> list[Any]:
+        monkeypatch.setattr(compiled, "pays", lambda steps, agents: fast)
+        env = vector(FOLLOWED)
+        env.reset(seed=4)
+        found = [env.step(action)[0] for action in actions()]
+        assert (env._running()._episodes._world.advance is compiled.advance) == fast  # type: ignore[attr-defined]
+        return found
+
+    slow, fast = observations(fast=False), observations(fast=True)
+    assert all((a == b).all() for a, b in zip(slow, fast, strict=True))

@@ -20,6 +20,7 @@ from ..simulation.observing.surroundings import Surroundings
 from ..simulation.signals.samples import Samples
 from ..simulation.state.world import World
 from ..simulation.surroundings.contacts import ContactDetector
+from ..simulation.vehicles import compiled
 from .margins import Margins
 from .observed import Observed
 from .off_road import OffRoadCheck
@@ -113,6 +114,8 @@ class Episodes:
         world, settings = self._world, self._settings
         decision = self._decided(rows, actions)
         along = world.traveled[self._agents[rows]]
+        if compiled.pays(settings.substeps, len(world.present)):
+            world.advance = compiled.advance  # the same to the last bit
         world.step(decision.steering, decision.acceleration, decision.heading, settings.substeps)
         poses = world.poses
         if self._contacts.watch(world, poses, settings.substeps * settings.dt):

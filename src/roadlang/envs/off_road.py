@@ -20,7 +20,9 @@ class OffRoadCheck:
     """
 
     def __init__(self, world: World) -> None:
-        self._half_width = np.array([_half_width(world, n) for n in range(len(world.present))])
+        drivable: dict[int, float] = {}  # by the identity of roads, which many scenes share
+        agents = range(len(world.present))
+        self._half_width = np.array([_half_width(world, agent, drivable) for agent in agents])
 
     def of(self, world: World, samples: Samples, agents: Integers) -> Booleans:
         """(n,) whether some agents are outside the drivable area. `samples`: of the world now."""
@@ -47,13 +49,17 @@ class OffRoadCheck:
         return np.asarray((bends <= 0.5) & (side + bulge <= self._half_width[agents]))
 
 
-def _half_width(world: World, agent: int) -> float:
-    """Meters to each side of the line of an agent that are drivable all along it."""
+def _half_width(world: World, agent: int, drivable: dict[int, float]) -> float:
+    """Meters to each side of the line of an agent that are drivable all along it. `drivable`: those
+    of roads that are known already."""
     if not world.present[agent] or not world.has_road[agent]:
         return 0.0
     if world.has_route[agent]:
         return 0.5 * _line_width(world, agent)
-    return _drivable(world.scenes[agent // world.slots].roads[world.road[agent]])
+    road = world.scenes[agent // world.slots].roads[world.road[agent]]
+    if id(road) not in drivable:
+        drivable[id(road)] = _drivable(road)
+    return drivable[id(road)]
 
 
 def _line_width(world: World, agent: int) -> float:
