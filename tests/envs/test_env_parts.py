@@ -64,13 +64,14 @@ def test_actions_are_held_within_their_space() -> None:
 
 @pytest.mark.parametrize(
     ("name", "help"),
-    [("scene", "did you mean `scenes`"), ("render_mode", "its settings are agent")],
+    [("scene", "did you mean `scenes`"), ("pictures", "its settings are agent")],
 )
 def test_a_setting_that_there_is_not_is_named_with_those_that_there_are(
     name: str, help: str
 ) -> None:
+    settings: dict[str, Any] = {name: 3}
     with pytest.raises(TypeError, match=f"SceneEnv has no setting `{name}`: {help}"):
-        SceneEnv("never_read.rl", None, **{name: 3})
+        SceneEnv("never_read.rl", None, **settings)
 
 
 def happened(**margins: list[float]) -> Any:

@@ -95,7 +95,7 @@ def test_steps_and_distances_have_a_greatest(name: str, most: object, beyond: ob
     assert getattr(settings(**{name: most}), name) == most
     with pytest.raises(ValueError, match=name):
         settings(**{name: beyond})
-    with pytest.raises(ValueError, match="distances must be from 0 to 1000 m"):
+    with pytest.raises(ValueError, match="distances must be numbers from 0 to 1000 m"):
         settings(distances=(-1.0,))
 
 

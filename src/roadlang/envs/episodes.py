@@ -109,6 +109,12 @@ class Episodes:
         }
         return {"state": state, "sensors": readings} if readings else state
 
+    @property
+    def places(self) -> tuple[Floats, Floats, Floats, Booleans]:
+        """x, y, heading of all agents (A,), in the order of the scenes; whether each is there."""
+        poses = self._poses
+        return poses.x, poses.y, poses.heading, self._world.present
+
     def step(self, rows: Integers, actions: Floats) -> tuple[Transition, EpisodeEnds]:
         """Drive on, with `actions` (R, 2) in the scenes `rows`; the others go on as they like."""
         world, settings = self._world, self._settings

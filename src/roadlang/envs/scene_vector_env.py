@@ -16,6 +16,7 @@ from ..diagnostics.arguments import whole_number
 from ..geometry.arrays import Booleans
 from .episode_rewards import reward_function
 from .observed import Observed, observation_space, row_of
+from .reset_options import known_options
 from .rows import Rows, rows_of
 from .scene_pool import Source, pool_of
 from .seeds import seed_of
@@ -85,7 +86,7 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
         `seed`: of the first, and one more for each of the others; or one for each. Without one,
         the generators go on.
         """
-        mask = (options or {}).get("reset_mask")
+        mask = known_options(options, "reset_mask").get("reset_mask")
         if mask is not None:
             return self._reset_some(_checked_mask(mask, self.num_envs), seed)
         self._seed(seed)

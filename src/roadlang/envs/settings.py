@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from numbers import Real
 from typing import Any
@@ -76,10 +76,11 @@ class EnvSettings:
             )
         if self.vehicle_step > 0.05 or self.step > 1.0:
             raise ValueError("vehicle_step may be at most 0.05 s, and step at most 1 s")
-        if not all(
+        is_several = isinstance(self.distances, Sequence | np.ndarray)
+        if not is_several or not all(
             _is_number(distance) and 0.0 <= distance <= 1000.0 for distance in self.distances
         ):
-            raise ValueError(f"distances must be from 0 to 1000 m, not {self.distances!r}")
+            raise ValueError(f"distances must be numbers from 0 to 1000 m, not {self.distances!r}")
 
     @property
     def substeps(self) -> int:
@@ -108,7 +109,10 @@ def changed(settings: EnvSettings, changes: Mapping[str, Any], owner: str) -> En
     known = [field.name for field in fields(EnvSettings)]
     for name in changes:
         if name not in known:
-            help_ = did_you_mean(name, known) or (f"its settings are {', '.join(known)}",)
+            help_ = did_you_mean(name, known)
+            if name == "render_mode":
+                help_ = ("one `SceneEnv` draws pictures",)
+            help_ = help_ or (f"its settings are {', '.join(known)}",)
             raise TypeError(f"{owner} has no setting `{name}`: {help_[0]}")
     return replace(settings, **changes)
 
