@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ..shallow_copies import shallow
 from .lane_guides import LaneGuides
 from .lateral_motion import SLOW, LateralMotion
 
@@ -71,7 +71,9 @@ class FollowedLines:
 
     def copied(self) -> FollowedLines:
         """The same, of which time may pass apart."""
-        return replace(self, lateral=copy(self.lateral))
+        found = shallow(self)
+        found.lateral = shallow(self.lateral)
+        return found
 
     def restart(self, agents: Integers) -> None:
         """Those of some agents are as at the start of the drive."""

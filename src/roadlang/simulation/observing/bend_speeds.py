@@ -55,10 +55,14 @@ class BendSpeeds:
             return False
         return bool(np.count_nonzero(world.followed.guide[rows] != self._guides[rows]))
 
-    def _was_latest(self, *wanted: Any) -> bool:
-        latest = self._latest
-        return len(latest) == 3 and all(
-            one is other or _is_same(one, other) for one, other in zip(latest, wanted, strict=True)
+    def _was_latest(self, rows: Any, lateral: Any, braking: Any) -> bool:
+        if not self._latest:
+            return False
+        known_rows, known_lateral, known_braking = self._latest
+        return (
+            (known_rows is rows or _is_same(known_rows, rows))
+            and (known_lateral is lateral or _is_same(known_lateral, lateral))
+            and (known_braking is braking or _is_same(known_braking, braking))
         )
 
     def _plan(

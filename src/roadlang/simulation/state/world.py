@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from copy import copy
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -17,6 +16,7 @@ from ..bends.sweeps import Sweeps
 from ..junctions.stop_lines import StopLines
 from ..lines.followed_lines import FollowedLines
 from ..lines.route_table import RoadPosition, RouteTable
+from ..shallow_copies import shallow
 from ..vehicles.bodies import Bodies
 from ..vehicles.motion import Advance, Motion, Track, advance
 from ..vehicles.placing import Placing
@@ -147,7 +147,7 @@ class World:
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
-                between = copy(self)
+                between = shallow(self)
                 between.motion, between.followed = motion.copied(), self.followed.copied()
                 between.contacts = self.contacts.copy()
                 between.collision = self.collision.copy()

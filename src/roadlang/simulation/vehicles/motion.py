@@ -11,6 +11,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats
 from ..lines.lines import Lines
+from ..shallow_copies import shallow
 from .bodies import Bodies
 from .vehicle_dynamics import driven, moved, steered, turned, walked
 
@@ -44,9 +45,7 @@ class Motion:
 
     def copied(self) -> Motion:
         """The same columns, which may be replaced apart."""
-        found = object.__new__(Motion)
-        found.__dict__.update(self.__dict__)
-        return found
+        return shallow(self)
 
     def put(self, rows: Any, other: Motion) -> None:
         """Some agents move as they do in `other`."""
