@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
@@ -63,3 +65,10 @@ expect in_lane: always (abs(ego.cross_track_error) < limit)
 simulate with slider
 """
 """About 3 in 100 of the scenes fail."""
+
+
+def numbers_in_journal(folder: Path) -> list[int]:
+    """The numbers of the outcomes in the journal of a search, in the order of its lines."""
+    lines = (folder / "journal.jsonl").read_text(encoding="utf-8").splitlines()
+    rows = [json.loads(line) for line in lines]
+    return [row["index"] for row in rows if "index" in row]

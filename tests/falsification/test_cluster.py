@@ -17,7 +17,7 @@ from roadlang.search.worker_pool import ALONE, Workers
 from roadlang.session.cluster import cluster
 from roadlang.testing import scenario
 from tests.cli.command_lines import roadlang as command
-from tests.falsification.slider import TEXT, Slider
+from tests.falsification.slider import TEXT, Slider, numbers_in_journal
 
 BUMPS = """
 road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }
@@ -35,14 +35,15 @@ def address() -> Iterator[str]:
         yield local.scheduler_address
 
 
-def test_a_cluster_gives_the_same_outcomes(address: str) -> None:
+def test_a_cluster_gives_the_same_outcomes(address: str, tmp_path: Path) -> None:
     alone = scenario(TEXT, kinds=[Slider]).falsify(evaluations=120, seed=2)
     with cluster(address, 1) as workers:
         assert workers.jobs == 2
         found = scenario(TEXT, kinds=[Slider]).falsify(
-            evaluations=120, seed=2, jobs=workers.jobs, executor=workers.executor
+            evaluations=120, seed=2, jobs=workers.jobs, executor=workers.executor, folder=tmp_path
         )
     assert found.outcomes == alone.outcomes
+    assert numbers_in_journal(tmp_path) == list(range(120))
 
 
 @pytest.mark.parametrize("sampler", ["random", "guided", "halton", "grid { steps: 40 }"])

@@ -24,7 +24,7 @@ from roadlang.judging.acceptance import Acceptance, Measurements
 from roadlang.plugins.kinds import Axis, Perturber, Search, Searcher
 from roadlang.session.loading import LoadedScenario
 from roadlang.testing import scenario
-from tests.falsification.slider import TEXT, Slider
+from tests.falsification.slider import TEXT, Slider, numbers_in_journal
 
 PERTURBED = "perturb with harmonics { modes: 6, amplitude: 30m }"
 FEW: dict[str, Any] = {"evaluations": 120, "seed": 3}
@@ -137,10 +137,13 @@ def test_nothing_depends_on_batches_of_the_evaluation() -> None:
     assert found.evaluator.evaluate(proposals) == list(some)
 
 
-def test_threads_and_any_executor_give_the_same_outcomes(search: Falsification) -> None:
+def test_threads_and_any_executor_give_the_same_outcomes(
+    search: Falsification, tmp_path: Path
+) -> None:
     with ThreadPoolExecutor(2) as executor:
-        threads = slides().falsify(**FEW, jobs=2, executor=executor)
+        threads = slides().falsify(**FEW, jobs=2, executor=executor, folder=tmp_path)
     assert threads.outcomes == search.outcomes
+    assert numbers_in_journal(tmp_path) == list(range(120))
     assert [f.outcome for f in threads.failures] == [f.outcome for f in search.failures]
 
 

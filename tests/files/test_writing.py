@@ -191,20 +191,31 @@ def hold_lock(folder: Path, held: Event, release: Event) -> None:
         release.wait()
 
 
-def test_writers_of_one_folder_wait_for_each_other(tmp_path: Path) -> None:
+def test_writers_of_one_folder_wait_for_each_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fcntl = pytest.importorskip("fcntl")
     context = multiprocessing.get_context("spawn")
     held, release = context.Event(), context.Event()
     holder = context.Process(target=hold_lock, args=(tmp_path, held, release))
     holder.start()
     held.wait()
-    writer = context.Process(target=write_all, args=(tmp_path, {"a": "x"}))
-    writer.start()
-    writer.join(timeout=1.0)
-    assert writer.is_alive()
-    assert not (tmp_path / "a").exists()
+    lock, waited = fcntl.flock, list[dict[str, str]]()
+
+    def watched_lock(handle: int, how: int) -> None:
+        """Lets the other go as soon as it is waited for."""
+        try:
+            lock(handle, how | fcntl.LOCK_NB)
+        except BlockingIOError:
+            waited.append(files_of(tmp_path))
+            release.set()
+            lock(handle, how)
+
+    monkeypatch.setattr(fcntl, "flock", watched_lock)
+    write_all(tmp_path, {"a": "x"})
     release.set()
-    writer.join()
     holder.join()
+    assert waited == [{}], "nothing is written until the lock is free"
     assert files_of(tmp_path) == {"a": "x"}
 
 

@@ -37,13 +37,22 @@ script = ExtResource("1")
 GAME_SCRIPT = """extends Node3D
 
 var stage := RoadlangStage.new()
+var parent := Thread.new()
 
 
 func _ready() -> void:
+	parent.start(_follow_parent)
 	stage.port = 0
 	stage.scene_built.connect(_built)
 	stage.drive_ended.connect(_ended)
 	add_child(stage)
+
+
+## The game ends with its test, however that ends: standard input does then.
+func _follow_parent() -> void:
+	while not OS.read_string_from_stdin().is_empty():
+		pass
+	OS.kill(OS.get_process_id())
 
 
 func _built() -> void:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import subprocess
-import threading
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -13,6 +12,7 @@ import pytest
 
 from roadlang.cli import main as cli
 from roadlang_godot.engines import engine as engines
+from roadlang_godot.net import session as sessions
 from tests.godot.godot_engines import require_engine
 
 pytestmark = pytest.mark.godot
@@ -62,31 +62,28 @@ def cores_of_this_thread() -> set[int]:
 
 
 class Killer:
-    """Kills the engine that runs, again and again, whatever it does just then."""
+    """Kills one engine after another: each has then sent so many datagrams; 0: it just starts."""
 
-    def __init__(self, pauses: list[float]) -> None:
-        self._pauses = iter(pauses)
-        self._start = engines._spawn
-        self.killed: list[int] = []
-        self._timers: list[threading.Timer] = []
+    def __init__(self, moments: list[int]) -> None:
+        self._left = moments
+        self._start, self._hear = engines._spawn, sessions.Session._take
+        self._process: subprocess.Popen[bytes] | None = None
+        self._heard = 0
 
     def spawn(self, command: list[str], log: Path) -> subprocess.Popen[bytes]:
-        process = self._start(command, log)
-        pause = next(self._pauses, None)
-        if pause is not None:
-            timer = threading.Timer(pause, self._kill, [process])
-            self._timers.append(timer)
-            timer.start()
-        return process
+        self._process, self._heard = self._start(command, log), 0
+        self._kill()
+        return self._process
 
-    def _kill(self, process: subprocess.Popen[bytes]) -> None:
-        if process.poll() is None:
-            process.kill()
-            self.killed.append(process.pid)
+    def hear(self, session: sessions.Session, datagram: bytes) -> None:
+        self._heard += 1
+        self._kill()
+        self._hear(session, datagram)
 
-    def end(self) -> None:
-        for timer in self._timers:
-            timer.join()
+    def _kill(self) -> None:
+        if self._process is not None and self._left and self._heard == self._left[0]:
+            self._left.pop(0)
+            self._process.kill()
 
 
 @BY_BOTH
@@ -98,9 +95,10 @@ def test_engines_killed_at_any_moment_change_nothing(
 ) -> None:
     alone = undisturbed(drive)
     cores = cores_of_this_thread()
-    killer = Killer([0.05, 0.4, 0.8])
+    moments = [0, 3, 12]
+    killer = Killer(moments)
     monkeypatch.setattr(engines, "_spawn", killer.spawn)
+    monkeypatch.setattr(sessions.Session, "_take", lambda *heard: killer.hear(*heard))
     assert files(tmp_path / "disturbed", drive, "-n", "3") == alone
     assert cores_of_this_thread() == cores
-    killer.end()
-    assert len(killer.killed) >= 2
+    assert moments == [], "all were killed"
