@@ -165,3 +165,23 @@ def test_a_plot_is_svg(
     assert "this writes SVG: name a file that ends in `.svg`" in capsys.readouterr().err
     assert not plot.exists()
     assert run(["monitor", "always (e < 9)", trace, "--plot", str(tmp_path / "out.SVG")]) == 0
+
+
+def test_the_column_of_positions_is_no_signal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As where the time comes last in a table."""
+    path = tmp_path / "late.csv"
+    path.write_text("e,time\n1,0\n2,1\n")
+    assert run(["monitor", "always (e < 6)", str(path)]) == 1
+    assert "`e` is the first column, which holds the positions" in capsys.readouterr().err
+
+
+def test_a_name_with_a_hyphen_is_no_difference(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "hyphen.csv"
+    path.write_text("time,gap-left\n0,1\n1,2\n")
+    assert run(["monitor", "always (gap-left > 0)", str(path)]) == 1
+    assert "did you mean `` `gap-left` `` (in back quotes)?" in capsys.readouterr().err
+    assert run(["monitor", "always (`gap-left` > 0)", str(path)]) == 0

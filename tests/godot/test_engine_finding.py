@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from roadlang.api import Code
 from roadlang.cli import main as cli
 from roadlang_godot.engines import engine, engine_places
-from roadlang_godot.faults import EngineError
+from roadlang_godot.faults import EngineError, fault
 
 SCENE = """road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] }, width: 8m }
 agent ego is car on main at 5m { drive with pure_pursuit { speed: 8m/s } }
@@ -79,6 +80,22 @@ def test_an_engine_that_does_not_start_is_told_with_its_last_words(nowhere: Path
 def test_nobody_at_the_address_is_no_endless_wait() -> None:
     with pytest.raises(EngineError, match="RL502"):
         engine.connect("127.0.0.1", 9, patience=0.3)
+
+
+def test_who_emits_to_nobody_is_told_how_to_start_an_engine(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def unanswered(*_: object) -> None:
+        raise fault(Code.GODOT_NOT_ANSWERING, seconds=5)
+
+    monkeypatch.setattr(engine, "connect", unanswered)
+    scene = tmp_path / "scene.rl"
+    scene.write_text(f"{SCENE}emit godot {{ port: 4299 }}\n", encoding="utf-8")
+    assert cli.run(["compile", str(scene), "-o", str(tmp_path / "out")]) == 5
+    told = capsys.readouterr().err
+    assert "error[RL502]" in told
+    assert "`roadlang godot --port 4299`" in told
+    assert "`roadlang render FILE -o scene.tscn` writes a scene" in told
 
 
 def test_nobody_behind_a_websocket_address() -> None:

@@ -140,7 +140,7 @@ def _refuse_combinations(
 def _judged(
     formula: Formula, columns: Columns, path: str, plot: str | None, how: dict[str, Any]
 ) -> dict[str, Any]:
-    with judging(path):
+    with judging(path, columns[0]):
         if how["semantics"] != "sampled":
             return _dense_finding(formula, columns, path, how)
         finding = _finding(formula, columns, path, plot, how)

@@ -42,18 +42,25 @@ def refuse_swapped(formula: str) -> None:
 
 
 @contextmanager
-def judging(path: str) -> Iterator[None]:
-    """Around the evaluation of one trace: its diagnostics name the file."""
+def judging(path: str, axis: str = "") -> Iterator[None]:
+    """Around the evaluation of one trace: its diagnostics name the file. `axis`: the name of its
+    first column."""
     try:
         yield
     except DiagnosticError as error:
-        raise DiagnosticError(*naming(path, error.diagnostics)) from error.__cause__
+        raise DiagnosticError(*naming(path, error.diagnostics, axis)) from error.__cause__
 
 
-def naming(path: str, diagnostics: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
-    """Diagnostics with the file that those about a trace are about."""
+def naming(path: str, diagnostics: Iterable[Diagnostic], axis: str = "") -> Iterator[Diagnostic]:
+    """Diagnostics with the file that those about a trace are about; where the first column, the
+    `axis`, is taken for a signal, they say what it is."""
     for diagnostic in diagnostics:
         is_nowhere = diagnostic.span is None and diagnostic.path is None
         if is_nowhere and diagnostic.code in _ABOUT_TRACES:
             diagnostic = replace(diagnostic, path=path)
+        if axis and diagnostic.code == Code.MISSING_SIGNAL and f"`{axis}`" in diagnostic.message:
+            about = (
+                f"`{axis}` is the first column, which holds the positions: put that of time first"
+            )
+            diagnostic = replace(diagnostic, help=(about, *diagnostic.help))
         yield diagnostic

@@ -23,7 +23,7 @@ Positions: TypeAlias = ArrayLike
 Signals: TypeAlias = Mapping[str, ArrayLike]
 
 
-_UNIT = r"{}\s*[\[(][^\[\]()]*[\])]"
+_UNIT = r"{}(\s*[\[(][^\[\]()]*[\])]|-.*)"
 _ORDER = "sort the samples by position, and drop those that repeat one or have none"
 _FILL = "drop the samples without a value (positions may be uneven), or fill them in"
 _OWN_GRID = "signals with grids of their own need `semantics`: `held` or `linear`"
@@ -200,8 +200,9 @@ def _written(name: str) -> str:
     return f"`{name}`"
 
 
-def _with_unit(name: str, signals: Signals) -> str | None:
-    """The signal whose name is this one and a unit in brackets: `x [m]`."""
+def _longer_name(name: str, signals: Signals) -> str | None:
+    """The signal whose name is this one and a unit in brackets, `x [m]`, or begins with it and a
+    hyphen, `x-left`, which was taken for a difference."""
     return next(
         (each for each in signals if re.fullmatch(_UNIT.format(re.escape(name)), each)), None
     )
@@ -210,7 +211,7 @@ def _with_unit(name: str, signals: Signals) -> str | None:
 def _checked_signal(name: str, signals: Signals, stations: FloatArray) -> NDArray[np.generic]:
     if name not in signals:
         known = ", ".join(map(_shown, sorted(signals))) or "none"
-        meant = _with_unit(name, signals) or nearest(name, signals)
+        meant = _longer_name(name, signals) or nearest(name, signals)
         hints = () if meant is None else (f"did you mean {_written(meant)}?",)
         help = (*hints, f"the signals given are: {known}")
         raise stl_error(Code.MISSING_SIGNAL, name=name, help=help)
