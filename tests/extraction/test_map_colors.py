@@ -61,6 +61,18 @@ def test_a_lossless_map_is_told_by_colors_that_are_exactly_the_same() -> None:
     assert not has_exact_colors(np.clip(image * fall + noise, 0, 255).astype(np.uint8))
 
 
+def test_a_map_of_several_lands_saved_as_jpeg_is_told_by_what_is_still() -> None:
+    """Far from edges JPEG leaves the few colors; paper, lit unevenly, has the shades between."""
+    image = drawn_map(LIGHT)
+    land = (image == LIGHT.land[::-1]).all(axis=2)
+    image[land & (np.arange(480) > 230)] = (238, 238, 221)
+    coded = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, 80])[1]
+    saved = cv2.imdecode(coded, cv2.IMREAD_COLOR)
+    assert has_exact_colors(saved)
+    fall = np.linspace(1.0, 0.7, saved.shape[1])[None, :, None]
+    assert not has_exact_colors(np.clip(saved * fall, 0, 255).astype(np.uint8))
+
+
 @pytest.mark.parametrize(("even", "found"), [(0.7, [250, 120]), (0.4, [120])])
 def test_minor_roads_frayed_by_jpeg_are_roads_by_their_usual_width(
     even: float, found: list[int]
@@ -77,3 +89,37 @@ def test_minor_roads_frayed_by_jpeg_are_roads_by_their_usual_width(
     ]
     taken = {int(tone.color.mean()) for tone in road_tones(tones, 300)}
     assert taken == set(found)
+
+
+def ribbon(rows: slice, color: tuple[int, int, int], **shape: float) -> MapTone:
+    """A tone of a map (300, 300), a strip of some rows; `shape` says how it is uneven."""
+    mask = np.zeros((300, 300), bool)
+    mask[rows] = True
+    width = float(mask[:, 0].sum())
+    known = {"ribbons": 1.0, "spread": 1.0, "even": 0.9, "steady": 0.8} | shape
+    return MapTone(
+        np.array(color, float), mask, 300, known["ribbons"], width, known["spread"],
+        known["even"], width, known["steady"], 300 * known["steady"], width,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("color", "found"), [((156, 178, 249), True), ((217, 218, 242), False)], ids=["orange", "pink"]
+)
+def test_carriageways_and_ramps_of_a_warm_color_are_main_roads(
+    color: tuple[int, int, int], found: bool
+) -> None:
+    """They part and meet, so that their width varies as that of land does, which is paler."""
+    land = ribbon(slice(0, 300), (240, 240, 240), steady=0.0)
+    streets = ribbon(slice(100, 106), (255, 255, 255))
+    ramps = ribbon(slice(106, 120), color, spread=2.8, even=0.5, steady=0.2)
+    taken = [tuple(tone.color) for tone in road_tones([land, streets, ramps], 300)]
+    assert (color in taken) is found
+
+
+def test_outlines_of_one_pixel_are_no_streets() -> None:
+    """Casings have the color of outlines of houses, which together are as long as the streets."""
+    land = ribbon(slice(0, 300), (240, 240, 240), steady=0.0)
+    streets, outline = ribbon(slice(100, 106), (255, 255, 255)), ribbon(slice(109, 110), (9, 9, 9))
+    outline.mask[109, 100:], outline.mask[110:, 99] = False, True
+    assert road_tones([land, streets, outline], 300) == [streets]

@@ -119,6 +119,20 @@ def test_names_are_seen_and_edges_of_streets_are_no_names() -> None:
     assert plain.mean() < 0.01
 
 
+def test_a_road_that_is_nearly_filled_by_its_name_keeps_its_middle() -> None:
+    """Letters leave of it strips thinner than a road, on one side more than on the other."""
+    image = drawn_map(LIGHT, names=False)
+    plain = roads_of_map(image)
+    rows, columns = np.nonzero((image == LIGHT.main[::-1]).all(axis=2))
+    at = int(np.median(rows[columns > 300]))
+    cv2.putText(image, "NORTH ROAD", (310, at + 4), 0, 0.5, (30, 30, 30), 1, cv2.LINE_AA)
+    named = roads_of_map(image)
+    assert plain is not None
+    assert named is not None
+    off = np.linalg.norm(points(named)[:, None] - points(plain)[None], axis=2).min(axis=1)
+    assert off.max() < 2.0
+
+
 def test_a_map_twice_as_large_or_saved_as_jpeg_has_the_same_streets() -> None:
     image = drawn_map(LIGHT)
     large = roads_of_map(cv2.resize(image, None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC))

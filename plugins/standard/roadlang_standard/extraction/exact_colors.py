@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .map_tones import flat_colors
+from .counted_colors import color_codes, counted_colors
+from .map_tones import flat_colors, local_spread
 from .tones import Image, away_from, thinned
 
 _SAMPLE = 250_000
@@ -31,6 +32,13 @@ _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
 """Of 4 x 4 blocks, the most frequent color has a tenth of the area of at least 12 (paper has
 another color in a shadow), and is the same in each, within so many gray levels (pixels within 7):
 paper is never lit so evenly."""
+_STILL, _STILLS = 1, 0.03
+"""What varies by no more gray levels within 3 x 3 pixels is still; JPEG leaves it so far from edges
+of a map, on more than this share of it."""
+_ALIKE, _APART, _COVERED, _PART, _PARTS = 2, 5, 0.72, 0.005, 4
+"""Still pixels have a color within the first of so many gray levels, and none of the shades within
+the second one, which paper and sky have: on this share of them, and on so much each of at least so
+many colors: a folded sheet has three shades."""
 
 
 def is_shaded(image: Image, within: Booleans | None = None) -> bool:
@@ -44,21 +52,47 @@ def is_shaded(image: Image, within: Booleans | None = None) -> bool:
 def has_exact_colors(image: Image) -> bool:
     """Whether a picture (h, w, 3) has several exact colors, one of them everywhere: a rendered map,
     even one that was saved as JPEG and is full of houses."""
-    if _is_lossless(image):
+    part = _middle(image)
+    found = flat_colors(part)[:_COLORS]
+    if _is_lossless(part, found):
         return True
     small = np.ascontiguousarray(thinned(image, _SAMPLE))
     colors = flat_colors(small)[:_COLORS]
-    if len(colors) < _SEVERAL:
+    if len(colors) >= _SEVERAL:
+        share, off = _near(small, colors)
+        if share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0]):
+            return True
+    return len(found) >= _PARTS and _has_few_still_colors(part)
+
+
+def _has_few_still_colors(part: Image) -> bool:
+    """Whether what is still in a picture (h, w, 3) has a few colors, and not the shades between
+    them: a map stored as JPEG, whatever lies on its land."""
+    still = local_spread(part) <= _STILL
+    if still.mean() < _STILLS:
         return False
-    share, off = _near(small, colors)
-    return share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0])
+    counted = counted_colors(color_codes(part[still][None]))
+    left = np.ones(len(counted.colors), bool)
+    shares: list[float] = []
+    for peak in np.argsort(counted.counts, kind="stable")[::-1]:
+        if len(shares) == _COLORS:
+            break
+        if left[peak]:
+            color = counted.colors[peak].astype(float)
+            shares.append(counted.number(left & counted.near(color, _ALIKE)) / still.sum())
+            left &= ~counted.near(color, _APART)
+    return sum(shares) > _COVERED and sum(share > _PART for share in shares) >= _PARTS
 
 
-def _is_lossless(image: Image) -> bool:
-    """Whether several colors are exactly the same on many pixels, as no camera sees them."""
+def _middle(image: Image) -> Image:
+    """The middle of a picture (h, w, 3), at most so many pixels a side."""
     top, left = (max(0, size - _WINDOW) // 2 for size in image.shape[:2])
-    part = np.ascontiguousarray(image[top : top + _WINDOW, left : left + _WINDOW])
-    shares = [float((away_from(part, color) == 0).mean()) for color in flat_colors(part)[:_COLORS]]
+    return np.ascontiguousarray(image[top : top + _WINDOW, left : left + _WINDOW])
+
+
+def _is_lossless(part: Image, colors: list[NDArray[np.float64]]) -> bool:
+    """Whether several colors are exactly the same on many pixels, as no camera sees them."""
+    shares = [float((away_from(part, color) == 0).mean()) for color in colors]
     return sum(share > _SAME_SHARE for share in shares) > _SEVERAL and sum(shares) > _SAME_IN_ALL
 
 

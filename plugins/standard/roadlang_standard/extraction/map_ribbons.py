@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 
 import cv2
@@ -12,16 +13,28 @@ from roadlang.geometry import Booleans
 from .tones import Layer
 
 _WIDTHS = (1.0, 4.5, 9.0, 18.0, 36.0, 72.0)
-"""Ribbons are looked at by width, between two of these, in pixels."""
+"""RibbonLines are looked at by width, between two of these, in pixels."""
 _NEAR, _VARIES, _JAGGED = 0.4, 0.35, 2.1
 """Within so many of the larger widths to each side, the width of a ribbon varies by less than this
 share of it, or by less than so many pixels; that of land, parks and buildings grows and shrinks."""
+_WIDE = 0.95
 _LONG = 2.5
 """A ribbon is longer than so many widths."""
 
 
-def ribbon_share(thin: Booleans, inner: Layer) -> tuple[float, float]:
-    """Length of the ribbons (pixels), and their share of the surface.
+@dataclass(frozen=True)
+class RibbonLines:
+    """Where the center lines of the ribbons are (h, w), their length, the width of their widest
+    twentieth (pixels), and their share of the surface."""
+
+    lines: Booleans
+    length: float
+    wide: float
+    share: float
+
+
+def ribbons(thin: Booleans, inner: Layer) -> RibbonLines:
+    """What of a surface is ribbons.
 
     `thin` (h, w) is the skeleton of the surface, `inner` (h, w) how far pixels are from its edge.
     """
@@ -33,7 +46,9 @@ def ribbon_share(thin: Booleans, inner: Layer) -> tuple[float, float]:
         if some.any():
             found |= _ribbons(some, across, least, high)
     total = float(across.sum())
-    return float(found.sum()), float(across[found].sum()) / max(total, 1.0)
+    widths = across[found]
+    wide = float(np.quantile(widths, _WIDE)) if widths.size else 0.0
+    return RibbonLines(found, float(widths.size), wide, float(widths.sum()) / max(total, 1.0))
 
 
 def _ribbons(some: Booleans, across: Layer, least: Layer, high: float) -> Booleans:

@@ -37,6 +37,9 @@ _ROAD, _LAND, _UNKNOWN = 0.25, 0.002, 0.6
 turn back along its own road."""
 _NEAR = 4
 """Short parts of a road's color belong to it so many pixels from others."""
+_STROKE = 3
+"""Strokes of letters are up to twice as thick, in pixels: what of a road is between them is part of
+it, though thinner than a road."""
 _ON_LETTERS = 0.6
 """A tone that lies so much about letters is their outline."""
 
@@ -83,7 +86,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     is_plain = plain is image and not thin
     seen = chosen.tones if is_plain else without_water(map_tones(image, shown, tolerance, thin))
     mask, others = _masks(seen, chosen, letters if thin else None)
-    widest = max(tone.width * max(1.0, tone.spread / MOST_SPREAD) for tone in chosen.roads)
+    widest = max(_wide(tone) for tone in chosen.roads)
     surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
     found = roads_of_surface(
         surface.astype(np.float32),
@@ -93,6 +96,11 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
         cover=Cover(letters, hidden, widest),
     )
     return replace(found, mask=surface)
+
+
+def _wide(tone: MapTone) -> float:
+    """Width of the wide roads of a tone, pixels; what spreads most is parking lots as well."""
+    return max(tone.width * max(1.0, tone.spread / MOST_SPREAD), tone.steady_wide)
 
 
 def _differing(one: Image, other: Image) -> float:
@@ -142,6 +150,7 @@ def _uncovered(
     for other in others:
         if (other & letters).sum() < _ON_LETTERS * other.sum():
             area |= _opened(other)
+    mask = mask | (_closed(mask, _STROKE) & letters & ~area)
     surface = _without_areas(without_specks(_without_thin(mask, width), 0.5 * width**2), widest)
     near = _closed(surface, _GAP * width) | (_closed(surface, _LETTER_GAP * typical) & letters)
     surface = without_holes(surface | (near & ~area), _HOLE * width**2)

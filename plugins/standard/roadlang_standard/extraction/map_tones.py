@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .counted_colors import color_codes, counted_colors
-from .map_ribbons import ribbon_share
+from .map_ribbons import ribbons
 from .masks import without_specks
 from .mixed_pixels import with_thin_lines
 from .skeleton import skeleton
@@ -82,6 +82,8 @@ class MapTone:
     """share of the surface that keeps its width along its length"""
     steady_length: float
     """length of that, pixels"""
+    steady_wide: float = 0.0
+    """width of its widest twentieth, pixels"""
 
     @property
     def is_gray(self) -> bool:
@@ -98,7 +100,7 @@ class MapTone:
 
 def tolerance_of(image: Image) -> Tolerance:
     """How exact the colors of a map (h, w, 3) are: JPEG leaves noise at edges."""
-    spread = _spread(image)
+    spread = local_spread(image)
     edges = (spread > EXACT.flat).astype(np.uint8)
     near = (cv2.dilate(edges, np.ones((_BLOCK, _BLOCK), np.uint8)) > edges) & (spread <= EXACT.flat)
     return LOSSY if near.any() and (spread[near] > 0).mean() > _NOISY else EXACT
@@ -114,7 +116,7 @@ def without_jpeg_noise(image: Image) -> Image:
 
 def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:
     """The colors (3,) BGR of the even parts of a picture (h, w, 3), most frequent first."""
-    return frequent_colors(image, _spread(image) <= tolerance.flat, tolerance)
+    return frequent_colors(image, local_spread(image) <= tolerance.flat, tolerance)
 
 
 def frequent_colors(
@@ -142,7 +144,7 @@ def frequent_colors(
     return colors
 
 
-def _spread(image: Image) -> Image:
+def local_spread(image: Image) -> Image:
     """How much the 3 x 3 pixels around each (h, w) vary, in their worst channel."""
     kernel = np.ones((3, 3), np.uint8)
     blue, green, red = cv2.split(cv2.subtract(cv2.dilate(image, kernel), cv2.erode(image, kernel)))
@@ -194,7 +196,7 @@ def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
     weights = np.where(ribbon, parts.lengths, 0) if ribbon.any() else parts.lengths
     weights = weights / max(float(weights.sum()), 1.0)
     usual = float(weights @ parts.usual)
-    steady_length, steady = ribbon_share(thin, inner)
+    steady = ribbons(thin, inner)
     return MapTone(
         color,
         mask,
@@ -204,8 +206,9 @@ def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
         float(weights @ parts.wide) / max(usual, 1.0),
         float(weights @ parts.even),
         2 * float(inner.max()) - 1,
-        steady,
-        steady_length,
+        steady.share,
+        steady.length,
+        steady.wide,
     )
 
 

@@ -35,6 +35,8 @@ _FULL, _OFTEN = 0.03, 40
 _LEFT_OUT = "what is short and drawn thinner than the roads, such as names and arrows, was left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
+_NAME = 110.0
+"""Names on narrow roads are up to so long, in pixels: letters do not shrink with the road."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +121,7 @@ def _tidy(
 
 def _bridge(graph: Graph, cover: Cover, width: float, shortest: float) -> None:
     """Join dead ends under a cover, in place; stubs shorter than `shortest` pixels go."""
-    link(graph, cover.hidden, _BRIDGED * width, _DEAREST, width)
+    link(graph, cover.hidden, max(_BRIDGED * width, _NAME), _DEAREST, width)
     drop_loops(graph, 4 * width)
     contract(graph, 1.2 * width)
     prune(graph, shortest, cover.mask.shape, margin=0.6 * width + 2)

@@ -23,6 +23,9 @@ width, as a share of the shorter side."""
 _PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
 """The same of black, gray and white: wide and narrow roads have it where a map has one color for
 all."""
+_SATURATED, _WARM, _WARM_STEADY = 0.28, (70 / 360, 320 / 360), 0.15
+"""Main roads are often at least so saturated and of hues not between these; such tones may keep
+their width along less of their surface."""
 _ALSO_EVEN = 0.4
 """Least share of even width of further roads: names hide more of roads that are few."""
 _LEAST = 0.5
@@ -40,6 +43,8 @@ _CASING, _BESIDE = 3.0, 0.5
 """Casings are at most so wide, in pixels, and lie beside a wider road with more than this share."""
 _MANY = 0.3
 """Thin lines are streets where they are at least so long as the main roads: railways are not."""
+_HAIR = 1.2
+"""Lines of no more pixels are outlines, of houses and of roads."""
 _TOUCHING = 0.4
 """Least share of a tone that lies in parts which touch other roads."""
 _EDGE, _EDGES = 4, 0.4
@@ -66,6 +71,7 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         tone
         for tone in ribbons
         if tone is not main
+        and tone.width > _HAIR
         and (tone.width > THINNEST or tone.steady_length >= _MANY * main.steady_length)
         and not _is_area(tone, _AREA * max(main.width, tone.width))
         and not _is_water(tone, main, land)
@@ -83,10 +89,27 @@ def _is_steady(tone: MapTone) -> bool:
         and tone.ribbons >= _RAGGED_RIBBONS
     ):
         return True
-    return tone.steady >= _SURE or (
-        tone.steady >= _ALSO_STEADY
-        and tone.even >= _ALSO_EVEN
-        and tone.spread <= (_PLAIN_SPREAD if _is_plain(tone) else MOST_SPREAD)
+    return (
+        tone.steady >= _SURE
+        or (
+            tone.steady >= _ALSO_STEADY
+            and tone.even >= _ALSO_EVEN
+            and tone.spread <= (_PLAIN_SPREAD if _is_plain(tone) else MOST_SPREAD)
+        )
+        or _is_warm(tone)
+    )
+
+
+def _is_warm(tone: MapTone) -> bool:
+    """Whether a tone is red, orange or yellow as no land is, and nearly all ribbons: main roads,
+    whose carriageways and ramps part and meet, so that their width varies."""
+    blue, green, red = tone.color / 255
+    hue, saturation, _ = colorsys.rgb_to_hsv(red, green, blue)
+    return (
+        saturation >= _SATURATED
+        and not _WARM[0] < hue < _WARM[1]
+        and tone.ribbons >= _PLAIN_RIBBONS
+        and tone.steady >= _WARM_STEADY
     )
 
 
