@@ -64,7 +64,9 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
         closing = moment.closing or 0.0
     behavior = [speed / SPEED, station / STATION, closing / SPEED]
     vector = np.concatenate([curvature / (CURVATURE * math.sqrt(ROAD_PLACES)), behavior])
-    return tuple(np.round(np.nan_to_num(vector), _DECIMALS).tolist())
+    if not np.isfinite(vector).all():
+        vector = np.nan_to_num(vector)
+    return tuple(np.round(vector, _DECIMALS).tolist())
 
 
 def measures(scene: Scene, trace: Trace, name: str) -> dict[str, float | None]:
@@ -105,6 +107,8 @@ def road_of(scene: Scene, name: str) -> SceneRoad | None:
 
 def _place(scene: Scene, agent: AgentTrace, sample: int) -> str:
     """The road or junction of a network in which an agent is."""
+    if not scene.networks:
+        return ""
     number = float(agent.road[sample])
     if number >= 0.0:
         road = scene.roads[int(number)]

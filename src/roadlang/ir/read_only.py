@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import struct
 from collections.abc import Callable, Container, Iterable, Mapping
 from functools import cache
 from types import FunctionType, MethodType
@@ -54,9 +55,28 @@ class ReadOnlyMapping(Mapping[K, V]):
 
 
 class Floats(tuple[float, ...]):
-    """Numbers that are known to be floating point numbers: nobody has to look at each."""
+    """Numbers that are known to be floating point numbers: nobody has to look at each. Arrays of
+    them, which are new ones, are made without a look at each too."""
 
-    __slots__ = ()
+    _row: Any = None
+
+    @classmethod
+    def of_row(cls, numbers: Iterable[float], row: Any) -> Floats:
+        """`row`: the same numbers as a read-only array, of which arrays are then copied."""
+        found = cls(numbers)
+        found._row = row
+        return found
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+        import numpy as np
+
+        if self._row is not None:
+            return np.array(self._row, dtype)
+        packed = struct.pack(f"{len(self)}d", *self)  # a third of the time of `numpy.fromiter`
+        return np.array(np.frombuffer(packed) if self else (), dtype)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Floats, (tuple(self),)
 
 
 _LEAVES = frozenset((float, int, str, bool, type(None)))

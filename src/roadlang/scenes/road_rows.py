@@ -10,7 +10,7 @@ import numpy as np
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry import GeometryError
-from ..geometry.arrays import Booleans, Floats
+from ..geometry.arrays import Booleans, Floats, read_only
 from ..ir.batch import RoadBatch
 from ..ir.read_only import Floats as FloatNumbers
 from ..ir.scene_lane import SceneLane
@@ -119,7 +119,8 @@ def _numbers(rows: Floats) -> list[Numbers]:
     """(V, S) as a tuple for each row; one where all are equal, to the sign of a 0."""
     if len(rows) > 1 and _are_equal(rows):
         rows = rows[:1]
-    return list(map(FloatNumbers, rows.tolist()))
+    rows = read_only(np.ascontiguousarray(rows))
+    return [FloatNumbers.of_row(each, row) for each, row in zip(rows.tolist(), rows, strict=True)]
 
 
 def _are_equal(rows: Floats) -> bool:
