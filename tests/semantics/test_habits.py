@@ -18,11 +18,22 @@ ROAD = (
 EGO = "agent ego is car on main at 5m { drive with pure_pursuit { speed: 12m/s } }\n"
 LEAD = "agent lead is car on main at 25m { drive with lane_follow { speed: 9m/s } }\n"
 PLAN = 'image plan from "town.png" { scale: 1m/px }\n'
+BARE = "road other { draw with waypoints { points: [(0m, 0m), (80m, 20m)] }"
 BENT = "road bent from main { perturb with bump { at: 50m, height: 1m, length: 9m } }"
 GENTLE = "(curvature(main) < 1/m)"
 
 HABITS = [
     # What is written, the code, a part of the help, what the fix puts in its place.
+    (f"{BARE}, parking: 2m }}", "RL220", "`right: [drive, parking]`", None),
+    (f"{BARE}, bike_lane: true }}", "RL220", "`right: [drive, bike]`", None),
+    ("agent a is car on main at 5m { turn: left }", "RL220", "`route: left`", None),
+    ("agent a is car on main at 5m { destination: (9m, 9m) }", "RL220", "`route: [(10m", None),
+    (
+        "agent a is car on main at 5m { drive with stop_at { station: 9m, duration: 10s } }",
+        "RL220",
+        "`while: time < 20s` says how long",
+        None,
+    ),
     ("ego = new Car on main", "RL002", "agent NAME is KIND on ROAD", None),
     ("agent a is bus { length: 18m } on main at 5m", "RL001", "one block behind the place", None),
     ("ego is car on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),

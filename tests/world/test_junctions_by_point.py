@@ -57,3 +57,25 @@ def test_roads_that_meet_name_their_junction() -> None:
         assert placed.record.agents[0].road == f"town/{roads[0]}"
     with pytest.raises(Exception, match="do not meet"):
         testing.sample(text + "agent ego is car on town at junction(roads: [1, 99])", 1)
+
+
+CROSSING = '''
+image plan from """
+....#....
+#########
+....#....
+""" { scale: 20m/px, legend: { "#": road } }
+network town from plan
+'''
+
+
+def test_the_only_junction_needs_no_id() -> None:
+    (scene,) = testing.sample(CROSSING + "agent ego is car on town at junction()", 1)
+    (named,) = testing.sample(CROSSING + "agent ego is car on town at junction(1)", 1)
+    assert scene.record.agents == named.record.agents
+
+
+def test_one_of_several_junctions_needs_to_be_named() -> None:
+    text = TOWN.replace("POINT", "95m, 35m") + "agent ego is car on town at junction()"
+    with pytest.raises(Exception, match="it needs `id`, `near` or `roads`"):
+        testing.sample(text, 1)

@@ -86,7 +86,9 @@ class AtJunction(Position):
     """Before a junction of the network: in a lane that leads into it, at its stop line."""
 
     name: ClassVar[str] = "junction"
-    id: Integer = option(None, minimum=0, help="id of the junction", example="3")
+    id: Integer = option(
+        None, minimum=0, help="id of the junction, where there are several", example="3"
+    )
     near: Point = option(
         None, help="or a point: the junction that is nearest to it", example="(120m, 75m)"
     )
@@ -98,15 +100,17 @@ class AtJunction(Position):
 
     def lane_places(self, lanes: geometry.LaneGraph) -> list[geometry.RoutePlace]:
         """One in each lane, as far before its end as the lane is long enough."""
-        turns = enumerate(lanes.turns)
+        known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
         id: int | None = self.id
         if self.roads is not None:
             id = _junction_of_roads(lanes, tuple(map(int, self.roads)))
         elif self.near is not None:
             id = _nearest_junction(lanes, self.near)
+        elif id is None and len(known) == 1:
+            id = known[0]
+        turns = enumerate(lanes.turns)
         leading = [lane for lane, out in turns if any(turn.junction == id for turn in out)]
         if not leading:
-            known = sorted({turn.junction for out in lanes.turns for turn in out} - {-1})
             if not known:
                 raise geometry.GeometryError("the network has no junction that a lane leads to")
             names = ", ".join(map(str, known))

@@ -102,6 +102,8 @@ _SETTINGS = {
 """Other tools' names of options, by verb."""
 _MOMENT = "a condition says when it takes over: `when: time > 5s`"
 _DRIVE_OPTIONS = dict.fromkeys(("after", "begin", "delay", "start", "trigger"), _MOMENT)
+_ENDS = "`while: time < 20s` says how long; afterwards the controller before it drives on"
+_DRIVE_OPTIONS |= dict.fromkeys(("duration", "until", "hold", "wait", "end", "dwell"), _ENDS)
 _PLACES = ("position", "at", "on")
 _NETWORK_WIDTH = (
     "the width of roads from a picture is an option of what reads it: "
@@ -111,6 +113,12 @@ _LANE_WIDTH = (
     "to set the width of lanes, list them: `right: [drive(3.5m), drive(3.5m)]`; `width` is the "
     "total width of the drivable lanes"
 )
+_ROUTE = (
+    "a `route` says which way it goes: `route: left` at the first junction, "
+    "`route: [(10m, 45m), (85m, 15m)]` through points"
+)
+_ROUTES = frozenset(("turn", "turns", "then", "direction", "path", "goal", "destination", "to"))
+_LANE_LISTS = "lanes are listed from the middle of the road: `right: [drive, {}]`"
 _SIDES = {"right": "-1", "left": "1"}
 
 
@@ -209,6 +217,11 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
             return (f"`{name}` is an option of the position: write it in `at {where}`",)
     if verb in ("road", "network") and checker.registry.has("object", name):
         return (f"`{name}` is a kind of object: write `object NAME is {name} on ROAD at 20m`",)
+    lane = name.removesuffix("_lane")
+    if verb == "road" and checker.registry.has("lane", lane) and f"{name}s" not in known:
+        return (_LANE_LISTS.format(lane),)
+    if verb == "agent" and name in _ROUTES:
+        return (_ROUTE,)
     if name in _PLACES and verb not in ("agent", "object"):
         return ()
     return (_OPTIONS[name],) if name in _OPTIONS else ()
