@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -67,3 +68,18 @@ def test_no_place_is_given_for_what_never_came_near(
     assert "worst time" not in (tmp_path / "out" / "results.csv").read_text().splitlines()[0]
     near = lines_of(tmp_path, capsys, "expect slow: always (ego.speed < 6m/s)", 2)
     assert near[0].startswith("scene 0: holds, worst: slow 1 at ")
+
+
+def test_a_violation_is_told_with_its_beginning_and_its_worst_moment(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`falsify` and `report` name the beginning; one time is enough where both are the same."""
+    late = """agent late is car on main at 5m {
+  lane: -1, start_speed: 0m/s, drive with lane_follow { speed: 20m/s }
+}
+expect slow: always (late.speed < 3m/s)"""
+    told, *_ = lines_of(tmp_path, capsys, late, 2)
+    both = r"first at \d\.\d s, worst at 5\.0 s, s = \d+ m"
+    assert re.match(rf"scene 0: violated slow -\S+, {both} \(5", told)
+    told, *_ = lines_of(tmp_path, capsys, "expect slow: always (rear.speed < 5m/s)", 2)
+    assert re.match(r"scene 0: violated slow -7 at 0\.0 s, s = 40 m \(5", told)

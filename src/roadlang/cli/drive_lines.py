@@ -93,8 +93,17 @@ def _outcome(drive: Drive) -> str:
     if moment is not None and moment.actors:
         station = float(moment.actors[0].station[moment.sample])
         place = _place(float(drive.trace.time[moment.sample]), station)
+        place = f"{_beginning(drive, moment.sample)}{place}"
     between = ", worst: " if worst.satisfied else " "
     return f"{_word(worst.satisfied)}{between}{worst.name}{rho}{place}"
+
+
+def _beginning(drive: Drive, worst: int) -> str:
+    """When it first went wrong, where that is not when it was worst."""
+    first = drive.first_violation
+    if first is None or first.sample == worst:
+        return ""
+    return f", first at {float(drive.trace.time[first.sample]):.1f} s, worst"
 
 
 def _place(time: float | None, station: float | None) -> str:

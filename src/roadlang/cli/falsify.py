@@ -138,7 +138,7 @@ def _line(failure: Failure) -> str:
     moment = failure.outcome.moment
     place = ""
     if moment is not None:
-        place = f", at {moment.time:.1f} s"
+        place = f", first at {moment.time:.1f} s"
         place += "" if moment.station is None else f", s = {moment.station:.0f} m"
         place += f" ({moment.place})" if moment.place else ""
         place += f", {moment.partner}" if moment.partner else ""

@@ -18,7 +18,7 @@ from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..drive.written_places import UNKNOWN, WrittenPlaces
 from ..ir.controller_failure import failure_columns
 from ..judging.badness import badness, says_how_near
-from ..judging.deciding_moment import DecidingMoment, deciding_moment
+from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
 from ..judging.robustness_series import robustness_series
 from ..search.worker_pool import ALONE, WorkerPool, Workers
 from .expectations import Expectation, expectations_of
@@ -171,6 +171,14 @@ class Drive:
         """When the worst expectation is decided, and for whom."""
         worst = self.worst
         return None if worst is None else deciding_moment(worst, self.trace, self.scene.registry)
+
+    @cached_property
+    def first_violation(self) -> DecidingMoment | None:
+        """When the worst expectation first goes wrong, and for whom; None where all hold."""
+        worst = self.worst
+        if worst is None or worst.satisfied is not False:
+            return None
+        return first_violation(worst, self.trace, self.scene.registry)
 
     def svg(self) -> str:
         """The roads and paths, colored by the robustness of the worst expectation."""

@@ -116,7 +116,7 @@ class Viewer {
     const agent = this.agents.find((found) => found.name === drive.agent);
     if (agent && drive.moment !== null && drive.failed) {
       const [x, y] = [agent.x[drive.moment], agent.y[drive.moment]];
-      parts.push(draw("circle", { cx: x, cy: y, r: wide / 45, class: "moment" }, titled(`goes wrong at ${drive.place}`)));
+      parts.push(draw("circle", { cx: x, cy: y, r: wide / 45, class: "moment" }, titled(`first goes wrong at ${drive.place}`)));
     }
     for (const found of this.agents) parts.push((found.node = car(found)));
     this.svg.replaceChildren(...parts);
@@ -150,7 +150,7 @@ class Viewer {
       if (index) line.append(make("br"));
       line.append(make("span", { class: word.replace(" ", "-") }, word), ` ${verdict.name} `, make("code", {}, verdict.text));
       if (verdict.robustness !== null) line.append(`, robustness ${shown(verdict.robustness, verdict.unit)}`);
-      if (verdict.name === drive.worst && drive.place) line.append(`, ${drive.failed ? "violated" : "worst"} at ${drive.place}`);
+      if (verdict.name === drive.worst && drive.place) line.append(`, ${drive.failed ? "first violated" : "worst"} at ${drive.place}`);
     });
     for (const [agent, time, reason] of drive.controllerFailures) {
       const [first, ...rest] = reason.split("\n");
