@@ -1,4 +1,5 @@
-"""Follows the examples on a page of the catalog, in a folder with the files of `examples/`.
+"""Follows the examples on a page of the catalog, in a folder with the files of `examples/` where
+the page names one of them.
 
 What a fenced block is follows from the words after its language, in the order of the page:
 
@@ -62,12 +63,13 @@ def has_wrong_example(code: str) -> bool:
 class Follower:
     """Does what a page shows, and holds what was printed."""
 
-    def __init__(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def __init__(self, code: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self._folder = folder
         self._capsys = capsys
-        for path in EXAMPLES.iterdir():
-            if path.is_file():
-                shutil.copy(path, folder)
+        if any(path.name in page(code).body for path in EXAMPLES.iterdir()):
+            for path in EXAMPLES.iterdir():
+                if path.is_file():
+                    shutil.copy(path, folder)
 
     def save(self, block: Block) -> None:
         path = self._folder / block.word

@@ -66,7 +66,7 @@ def test_wrong_examples_give_the_code_and_right_ones_do_not(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(str(tmp_path))
-    follower = Follower(tmp_path, capsys)
+    follower = Follower(code, tmp_path, capsys)
     with plugins_forgotten():
         for block in blocks(code):
             if block.is_file:

@@ -131,20 +131,20 @@ def test_every_failure_replays_alone_to_the_same_bytes(
 
 
 @pytest.mark.parametrize(
-    ("command", "tables"),
+    ("command", "tables", "processes"),
     [
-        (["falsify", "--evaluations", "40", "--batch", "10"], ["failing.csv", "safe.csv"]),
-        (["run", "-n", "24"], ["results.csv"]),
+        (["falsify", "--evaluations", "40", "--batch", "10"], ["failing.csv", "safe.csv"], "12"),
+        (["run", "-n", "24"], ["results.csv"], "2"),
     ],
     ids=["falsify", "run"],
 )
 def test_what_was_killed_is_resumed_to_the_same_tables(
-    command: list[str], tables: list[str], tmp_path: Path
+    command: list[str], tables: list[str], processes: str, tmp_path: Path
 ) -> None:
     (tmp_path / "scene.rl").write_text(TEXT)
     arguments = [command[0], "scene.rl", *command[1:], "--seed", "2"]
     assert roadlang_here(*arguments, "-o", "whole", cwd=tmp_path).returncode in (0, 4)
-    for jobs in ("1", "2"):
+    for jobs in processes:
         part = [*arguments, "-o", jobs, "--jobs", jobs]
         interrupted = _to_be_killed(part, tmp_path)
         _wait_for_rows(tmp_path / jobs / "journal.jsonl", 8)

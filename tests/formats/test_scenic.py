@@ -43,7 +43,8 @@ road main { draw with waypoints { points: [(0m, 0m), (80m, 20m)] }, width: 4m, l
 agent ego is car on main at 10m
 agent oncoming is car on main at 60m { facing: back }
 """
-SAMPLES = 20
+SAMPLES = 4
+"""Of programs in which nothing is random: each is drawn at once, or never."""
 TEXTS = {
     "street": STREET,
     "single": SINGLE,
