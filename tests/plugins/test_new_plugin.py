@@ -118,9 +118,7 @@ def test_a_new_plugin_is_installed_passes_its_tests_and_is_typed(folder: Path) -
     shown = python(folder, site, "-m", "roadlang", "plugins")
     assert all(f"{verb} acme " in shown for verb in VERBS), shown
     assert " passed" in python(project, site, "-m", "pytest", "-p", "no:cacheprovider")
-    assert "Success" in python(
-        project, site, "-m", "mypy", "--strict", "--cache-dir", os.devnull
-    )
+    assert "Success" in python(project, site, "-m", "mypy", "--strict", "--cache-dir", os.devnull)
 
 
 def python(cwd: Path, site: Path, *arguments: str) -> str:
