@@ -24,6 +24,25 @@ GENTLE = "(curvature(main) < 1/m)"
 
 HABITS = [
     # What is written, the code, a part of the help, what the fix puts in its place.
+    (f"{EGO}expect e: always (ego.collided == 0)", "RL227", "`ego.contacts == 0`", None),
+    (f"{EGO}expect e: always (ego.ttc > 2s)", "RL227", "`time_to_collision(ego, lead) > 2s`", None),
+    (f"{EGO}expect e: always (thw(ego, ego) > 2s)", "RL225", "`time_headway(ego, lead)", None),
+    (
+        f"{EGO}expect e: always (ego.speed < main.speed_limit)",
+        "RL233",
+        "agents have it, as in `ego.speed_limit`",
+        None,
+    ),
+    (
+        f"{EGO}{LEAD}expect e: always (distance(ego, lead.position) > 5m)",
+        "RL227",
+        "`distance(ego, lead)` takes agents as they are",
+        None,
+    ),
+    (f"{EGO}expect e: always (ego.speed in [3m/s, 9m/s])", "RL001", "`low <= x <= high`", None),
+    (f"{EGO}expect e: eventually (ego at 100m)", "RL001", "`ego.station > 100m`", None),
+    ("world { fog: 60m }", "RL220", "it is called `visibility`", None),
+    ("agent p is pedestrian on sidewalk at 5m", "RL101", "{ lane: sidewalk }", None),
     (f"{BARE}, parking: 2m }}", "RL220", "`right: [drive, parking]`", None),
     (f"{BARE}, bike_lane: true }}", "RL220", "`right: [drive, bike]`", None),
     ("agent a is car on main at 5m { turn: left }", "RL220", "`route: left`", None),

@@ -217,9 +217,11 @@ def _overloaded(
     for verb, found in candidates:
         if _takes(found.schema, roles) and not is_member(found):
             return of_kind(checker, call, verb, name, context)
-    for argument in call.arguments:
-        checker.infer(argument.value, context)
-    takes = " or ".join(f"`{name}({signature(found.schema)})`" for _, found in candidates)
+    given = [checker.infer(argument.value, context) for argument in call.arguments]
+    if any(typed.is_unknown for typed in given):
+        return unknown(call.span)
+    forms = dict.fromkeys(f"`{name}({signature(found.schema)})`" for _, found in candidates)
+    takes = " or ".join(forms)
     described = ", ".join(role or "a value" for role in roles)
     return checker.report(
         Code.UNDEFINED_SIGNAL, call.span, name=name, given=described, help=f"there is {takes}"

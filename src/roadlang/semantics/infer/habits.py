@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from ..checker import Checker
     from ..context import Context
 
+_TTC = "write `time_to_collision(ego, lead) > 2s`"
+_HEADWAY = "write `time_headway(ego, lead) > 1s`"
+_NO_CONTACT = "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`"
 _FUNCTIONS = {
     "Range": "a uniform draw is written `low..high`",
     "VerifaiRange": "a uniform draw is written `low..high`",
@@ -42,12 +45,16 @@ _FUNCTIONS = {
     "tan": "the functions of numbers are `abs`, `min` and `max`",
     "exp": "the functions of numbers are `abs`, `min` and `max`",
     "log": "the functions of numbers are `abs`, `min` and `max`",
-    "collides": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
-    "collision": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
-    "intersects": "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`",
+    "collides": _NO_CONTACT,
+    "collision": _NO_CONTACT,
+    "intersects": _NO_CONTACT,
     "file": 'write the name of the file in quotes: `network town from "town.osm"`',
     "localPath": 'write the name of the file in quotes: `network town from "town.osm"`',
-    "ttc": "write `time_to_collision(ego, lead) > 2s`",
+    "ttc": _TTC,
+    "thw": _HEADWAY,
+    "pet": "write `post_encroachment_time(ego, lead) > 1s`",
+    "dist": "write `distance(ego, lead) > 5m`",
+    "norm": "write `distance(ego, lead) > 5m`",
 }
 _RANGES = ("Range", "VerifaiRange", "random", "rand", "range", "Uniform")
 _WEIGHTED = ("Discrete", "Options")
@@ -56,7 +63,10 @@ _NAMES = {
     "pi": "an angle has a unit: `180deg`",
     "None": "leave the option out",
 }
-_POSITION = "write `x` and `y`, or `station` for the arc length along the road"
+_POSITION = (
+    "write `x` and `y`, or `station` for the arc length along the road; "
+    "`distance(ego, lead)` takes agents as they are"
+)
 _MEMBERS = {
     "position": _POSITION,
     "velocity": "write `speed`",
@@ -66,6 +76,8 @@ _MEMBERS = {
     "length": "dimensions are options, not signals",
 }
 _READINGS = "what a sensor reads goes to controllers; formulas measure: `gap(ego, lead) > 2m`"
+_MEMBERS |= dict.fromkeys(("collided", "collides", "crashed", "collisions"), _NO_CONTACT)
+_MEMBERS |= {"ttc": _TTC, "thw": _HEADWAY, "headway": _HEADWAY}
 _MEMBERS |= {"lidar": _READINGS, "radar": _READINGS}
 _SENSOR = "a sensor is written in the block of the agent: `sense with KIND { ... }`"
 _CROSSWALK = "write `object zebra is crosswalk on ROAD at 150m`"
@@ -95,6 +107,10 @@ _SETTINGS = {
     ("simulate", "dt"): "step",
     ("sample", "budget"): "attempts",
     ("sample", "iterations"): "attempts",
+    ("world", "fog"): "visibility",
+    ("world", "time"): "time_of_day",
+    ("world", "grip"): "friction",
+    ("world", "mu"): "friction",
     ("drive", "at"): "station",
     ("drive", "position"): "station",
     ("drive", "time_gap"): "headway",

@@ -40,7 +40,9 @@ def infer_member(checker: Checker, member: ast.Member, context: Context) -> Type
         return unknown(member.span)
     if not isinstance(owner.type, DeclaredType) or owner.type.role not in ("agent", "object"):
         function = any(checker.registry.has(verb, name) for verb in ("signal", "number"))
-        help_ = f"write `{name}({base})`" if function else ()
+        of_agents = bool(verbs_with(checker, _VERBS, name))
+        help_ = f"agents have it, as in `ego.{name}`" if of_agents else ()
+        help_ = f"write `{name}({base})`" if function else help_
         return checker.report(
             Code.NO_MEMBERS, member.name.span, name=base, found=owner.type, member=name, help=help_
         )

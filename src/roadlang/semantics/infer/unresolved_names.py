@@ -59,6 +59,8 @@ def _report_unknown(
 
 
 def _about_functions(checker: Checker, text: str) -> tuple[str, ...]:
+    if checker.registry.has("lane", text):
+        return (f"a lane is chosen in the block: `on ROAD at 20m {{ lane: {text} }}`",)
     if checker.registry.has("monitor", text):
         return (monitor_help(text),)
     if not any(checker.registry.has(verb, text) for verb in ("signal", "number")):

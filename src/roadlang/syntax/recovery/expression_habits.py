@@ -20,6 +20,17 @@ def conditional(place: ErrorPosition) -> Mistake | None:
     return _refused(place, CONDITIONAL, hopeless=True)
 
 
+def membership(place: ErrorPosition) -> Mistake | None:
+    """`ego.acceleration in [-3m/s^2, 3m/s^2]`, and `ego at 100m` in a formula."""
+    if place.first_kind not in ("REQUIRE", "EXPECT", "LET") or place.kind(-1) != "NAME":
+        return None
+    if place.word() == "in":
+        return _refused(place, "a value within limits is written `low <= x <= high`")
+    if place.word() == "at":
+        return _refused(place, f"a place is a comparison: `{place.word(-1)}.station > 100m`")
+    return None
+
+
 def function_definition(place: ErrorPosition) -> Mistake | None:
     """`let f(x) = ...`: nothing in the statement can be checked."""
     if place.first_kind not in ("LET", "PARAM") or place.index != 2 or place.kind() != "LPAR":
