@@ -28,6 +28,8 @@ stored as JPEG is off them by up to this."""
 _SAME_SHARE, _SAME_IN_ALL, _WINDOW = 0.01, 0.4, 1024
 """A lossless picture has each of more colors exactly, on more than this share of its middle, of
 so many pixels a side, and all of them on more than the other share."""
+_LAND, _PURE = 0.5, 5
+"""Or it has one exactly on more than this share, which is off black and white by so much."""
 _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
 """Of 4 x 4 blocks, the most frequent color has a tenth of the area of at least 12 (paper has
 another color in a shadow), and is the same in each, within so many gray levels (pixels within 7):
@@ -93,7 +95,13 @@ def _middle(image: Image) -> Image:
 def _is_lossless(part: Image, colors: list[NDArray[np.float64]]) -> bool:
     """Whether several colors are exactly the same on many pixels, as no camera sees them."""
     shares = [float((away_from(part, color) == 0).mean()) for color in colors]
-    return sum(share > _SAME_SHARE for share in shares) > _SEVERAL and sum(shares) > _SAME_IN_ALL
+    if sum(share > _SAME_SHARE for share in shares) > _SEVERAL and sum(shares) > _SAME_IN_ALL:
+        return True
+    # Margins without data are pure black or white.
+    return any(
+        share > _LAND and color.min() >= _PURE and color.max() <= 255 - _PURE
+        for share, color in zip(shares, colors, strict=True)
+    )
 
 
 def _near(

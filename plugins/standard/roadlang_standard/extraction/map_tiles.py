@@ -14,7 +14,15 @@ from roadlang.geometry import Booleans
 from .found_network import FoundNetwork
 from .map_letters import letters_of_map, without_letters
 from .map_lines import THIN, holes, parts_touching, short_parts, with_line_colors, without_outlines
-from .map_tones import LOSSY, MapTone, flat_colors, map_tones, tolerance_of, without_jpeg_noise
+from .map_tones import (
+    LOSSY,
+    MapTone,
+    flat_colors,
+    map_tones,
+    tolerance_of,
+    with_contrast,
+    without_jpeg_noise,
+)
 from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
@@ -63,8 +71,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     None if the picture has too few colors for a map, or if none of them looks like roads.
     """
     tolerance = tolerance_of(image)
-    if tolerance is LOSSY:
-        image = without_jpeg_noise(image)
+    image = without_jpeg_noise(image) if tolerance is LOSSY else with_contrast(image)
     # Names on roads leave no even strips of them: the colors of roads are chosen without names.
     plain = image if tolerance is LOSSY else without_letters(image)
     colors = flat_colors(plain, tolerance)

@@ -25,6 +25,10 @@ _LEVELS = 256 >> _BITS
 _BLOCK, _NOISY = 9, 0.26
 """Within a block of an edge, JPEG leaves noise on more than this share of what is even; farther
 from edges it may leave none."""
+_SAME_TONE, _MARKED, _FAINT, _CLEAR, _MOST_STRETCH = 3, 0.9, 20, 60, 3.0
+"""A map is faint where what differs from its land by more than the first, in gray levels, does so
+by no more than the third in the share of the second; that share is to differ by the fourth, but
+contrast is not raised by more than the last factor."""
 _GRAY = 0.02
 """Channels that differ by less, of 1, have no hue."""
 THINNEST = 2.0
@@ -112,6 +116,21 @@ def without_jpeg_noise(image: Image) -> Image:
     light, red, blue = cv2.split(cv2.cvtColor(image, cv2.COLOR_BGR2YCrCb))
     even = cv2.merge([light, cv2.medianBlur(red, 5), cv2.medianBlur(blue, 5)])
     return np.asarray(cv2.cvtColor(even, cv2.COLOR_YCrCb2BGR))
+
+
+def with_contrast(image: Image) -> Image:
+    """A lossless map (h, w, 3), with more contrast about its land where it has little: lines that
+    differ from it by ten gray levels have no edges of a mixed color else."""
+    land = flat_colors(image)[:1]
+    if not land:
+        return image
+    away = away_from(image, land[0])
+    seen = away[away > _SAME_TONE]
+    differs = float(np.quantile(seen, _MARKED)) if seen.size else 255.0
+    if differs > _FAINT:
+        return image
+    stretch = min(_MOST_STRETCH, _CLEAR / differs)
+    return np.clip(land[0] + (image - land[0]) * stretch, 0, 255).round().astype(np.uint8)
 
 
 def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:

@@ -25,6 +25,9 @@ PHOTO, MASK, FILLED, EDGES, MAP = (
 
 _FLAT = 0.55
 """Photos have less than this share of pixels without texture."""
+_LIT, _INDEX = 215, 12
+"""A mask has a tone lighter than the first on black, or nothing but indices below the second: dark
+maps have neither."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +74,8 @@ def picture_kind(image: Image) -> PictureKind:
     colors = plan.colors[np.argsort(-plan.shares)]
     pure = _unmixed(colors)
     black_and_white = len(pure) <= 2 and all(min(c.max(), 255 - c.min()) < 40 for c in pure)
-    if black_and_white and paper.mean() < 40:
+    lit = any(color.min() > _LIT for color in pure) or image.max() < _INDEX
+    if black_and_white and paper.mean() < 40 and lit:
         return PictureKind(MASK, flat, exact, marked)
     return PictureKind(MAP if len(pure) > 3 else FILLED, flat, exact, marked)
 

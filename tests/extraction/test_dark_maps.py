@@ -1,0 +1,57 @@
+"""Dark maps of little contrast are neither masks nor photos, and their streets are found."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.exact_colors import has_exact_colors
+from roadlang_standard.extraction.map_tones import with_contrast
+from roadlang_standard.extraction.picture_kind import MASK, picture_kind
+from tests.extraction.drawn_maps import LIGHT, MapStyle, drawn_map
+from tests.extraction.test_thin_streets import LAND, grid, scores
+
+FAINT = MapStyle(
+    (12, 12, 12), (23, 23, 23), (9, 9, 9), (27, 27, 27), (18, 18, 20),
+    (14, 14, 14), (10, 10, 10), (140, 140, 140), (12, 12, 12),
+)  # fmt: skip
+"""Nearly black, with names alone in gray."""
+
+
+def test_a_dark_map_is_no_mask_and_white_roads_on_black_are_one() -> None:
+    image = drawn_map(FAINT)
+    assert picture_kind(image).unless_edges != MASK
+    white = np.where((image == FAINT.street).all(axis=2), 255, 0).astype(np.uint8)
+    assert picture_kind(np.dstack([white] * 3)).unless_edges == MASK
+
+
+def test_indices_of_a_mask_are_a_mask() -> None:
+    image = drawn_map(FAINT)
+    index = (image == FAINT.street).all(axis=2).astype(np.uint8)
+    assert picture_kind(np.dstack([index] * 3)).unless_edges == MASK
+
+
+@pytest.mark.parametrize(("land", "exact"), [(12, True), (0, False)])
+def test_a_picture_is_exact_where_half_of_it_is_one_color_and_no_margin(
+    land: int, exact: bool
+) -> None:
+    photo = np.random.default_rng(0).normal(60, 20, (300, 400, 3)).clip(0, 255).astype(np.uint8)
+    photo[:180] = land
+    assert has_exact_colors(photo) is exact
+
+
+def test_thin_streets_of_a_faint_map_are_found() -> None:
+    """Nowhere do they differ from the land by more than eleven gray levels; at the border some of
+    them are cut as on a map of full contrast."""
+    image, lines = grid(2.5)
+    faint = 30 + (image.astype(float) - LAND) * 0.3
+    assert min(scores(faint.round().astype(np.uint8), lines)) > 0.85
+
+
+def test_contrast_is_raised_where_there_is_little_and_the_land_stays() -> None:
+    faint, light = drawn_map(FAINT), drawn_map(LIGHT)
+    assert with_contrast(light) is light
+    raised = with_contrast(faint)
+    land = (faint == FAINT.land).all(axis=2)
+    assert (raised[land] == 12).all()
+    assert raised[(faint == FAINT.street).all(axis=2)].min() > 40
