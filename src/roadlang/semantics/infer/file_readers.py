@@ -17,6 +17,7 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
     fitting: list[KindEntry] = []
     broken: list[tuple[KindEntry, str]] = []
     suffixes: set[str] = set()
+    others: set[str] = set()
     for entry in checker.registry.of("read"):
         found = loaded(entry)
         if isinstance(found, str):  # it may not be the reader that is wanted
@@ -24,6 +25,7 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
             continue
         reader = found.kind
         if not issubclass(reader, Reader) or role not in reader.reads:
+            others.update(getattr(reader, "suffixes", ()))
             continue
         suffixes.update(reader.suffixes)
         if suffix in reader.suffixes:
@@ -50,11 +52,22 @@ def reader_of(checker: Checker, path: str, role: str, span: Span) -> str | None:
         checker.report(Code.BROKEN_PLUGIN, span, kind=kind, plugin=entry.origin, reason=reason)
     if broken:
         return None
+    _report_none(checker, path, role, (suffixes, others), span)
+    return None
+
+
+def _report_none(
+    checker: Checker, path: str, role: str, read: tuple[set[str], set[str]], span: Span
+) -> None:
+    """RL214. `read`: the endings of files that are read as this role, and as others."""
+    suffix = PurePath(path).suffix.lower()
+    suffixes, others = read
     known = ", ".join(sorted(suffixes)) or "none"
     shown = f"`{suffix}`" if suffix else "no ending"
-    help_ = [f"a {role} can be read from: {known}", "or say how with `read with` in its block"]
+    network = f'`network town from "{path}"` reads it; `road NAME from town` takes a road of it'
+    help_ = [network] if role == "road" and suffix in others else []
+    help_ += [f"a {role} can be read from: {known}", "or say how with `read with` in its block"]
     checker.report(Code.NO_READER, span, file=path, suffix=shown, role=role, help=help_)
-    return None
 
 
 def _warn_of_others(

@@ -10,7 +10,7 @@ from ...plugins.common_options import common_options
 from ...syntax.tree import nodes as ast
 from ...syntax.words import PASS_VERBS
 from ..checker import ResolvedKind
-from ..types.expression_types import DeclaredType, TypedExpression
+from ..types.expression_types import DeclaredType, KindCallType, SignalType, TypedExpression
 from .kinds import loaded
 
 if TYPE_CHECKING:
@@ -111,6 +111,9 @@ _SETTINGS = {
     ("world", "time"): "time_of_day",
     ("world", "grip"): "friction",
     ("world", "mu"): "friction",
+    ("perturb", "period"): "wavelength",
+    ("perturb", "frequency"): "wavelength",
+    ("perturb", "amp"): "amplitude",
     ("drive", "at"): "station",
     ("drive", "position"): "station",
     ("drive", "time_gap"): "headway",
@@ -135,6 +138,7 @@ _ROUTE = (
 )
 _ROUTES = frozenset(("turn", "turns", "then", "direction", "path", "goal", "destination", "to"))
 _LANE_LISTS = "lanes are listed from the middle of the road: `right: [drive, {}]`"
+_SELECT = "one road of it is declared: `road NAME from NETWORK { select: longest }`"
 _SIDES = {"right": "-1", "left": "1"}
 
 
@@ -206,11 +210,27 @@ def number_of_entity_help(typed: TypedExpression) -> tuple[str, ...]:
     return ()
 
 
+def position_help(typed: TypedExpression) -> tuple[str, ...]:
+    """Help where a signal of an agent stands for the position of another."""
+    if isinstance(typed.type, SignalType):
+        return ("where an agent begins on its road is `ego.start`: write `at ego.start + 20m`",)
+    return ()
+
+
+def chosen_road_help(typed: TypedExpression) -> tuple[str, ...]:
+    """Help for `on road(3)`: a road of a network is declared before something is on it."""
+    if isinstance(typed.type, KindCallType) and typed.type.verb == "select":
+        return (f"declare it: `road NAME from NETWORK {{ select: {typed.span.text} }}`",)
+    return ()
+
+
 def option_help(checker: Checker, name: str, owner: str, known: Container[str]) -> tuple[str, ...]:
     """Help for an option that a statement or kind, the `owner`, does not have; it has those that
     are `known`."""
     if (owner, name) == ("`network`", "width"):
         return (_NETWORK_WIDTH,)
+    if (owner, name) == ("`network`", "select"):
+        return (_SELECT,)
     if name in (*PASS_VERBS, "sample", "simulate", "falsify"):
         return (f"write `{name} with KIND {{ ... }}`",)
     verb = owner.strip("`").split(" ")[0]

@@ -20,6 +20,7 @@ from ...plugins.options import OptionSchema
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
+from ..infer.habits import position_help
 from ..infer.inherited_roads import goes_in_circles, road_of
 from ..infer.kinds import find_default
 from ..types.dimensions import unit_missing
@@ -73,8 +74,9 @@ def _along_road(
     if not isinstance(typed.type, Quantity):
         expected = "a length or a share of the road" if statement.on else "a point `(x, y)`"
         checker.report(
-            Code.WRONG_TYPE, typed.span, what="`at`", expected=expected, found=typed.type
-        )
+            Code.WRONG_TYPE, typed.span, what="`at`", expected=expected, found=typed.type,
+            help=position_help(typed),
+        )  # fmt: skip
         return None
     if statement.on is None:
         _report_no_road(checker, statement, typed.span)

@@ -16,6 +16,7 @@ from ..checker import Checker
 from ..context import Context
 from ..infer.actor_kinds import calls_in, shared_options, with_options
 from ..infer.blocks import lower_options, lower_passes, value_spans
+from ..infer.habits import chosen_road_help
 from ..infer.inherited_roads import road_of
 from ..infer.option_binding import divided
 from ..infer.statement_spec import StatementSpec
@@ -152,8 +153,9 @@ def _road(checker: Checker, statement: ast.Actor, context: Context) -> str | boo
         )
     else:
         checker.report(
-            Code.WRONG_TYPE, typed.span, what=what, expected="a road or network", found=found
-        )
+            Code.WRONG_TYPE, typed.span, what=what, expected="a road or network", found=found,
+            help=chosen_road_help(typed),
+        )  # fmt: skip
     return False
 
 

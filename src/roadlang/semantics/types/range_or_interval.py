@@ -28,6 +28,11 @@ def other_form(
     if expected == opt.EntityType(("road",)) and typed.type == ty.DeclaredType("network"):
         name = typed.span.text
         return (f"`road NAME from {name} {{ select: longest }}` makes a road of it",), ()
+    if isinstance(expected, opt.CallType) and expected.verb == "select":
+        digits = typed.span.text.strip('"')
+        meant = f"road({digits})"
+        is_id = digits.isdecimal()
+        return ((f"write `{meant}`",), (Fix(typed.span, meant),)) if is_id else ((), ())
     if isinstance(expected, opt.TextType) and isinstance(typed.type, ty.DeclaredType):
         meant = f'"{typed.span.text}"'
         return (f"write `{meant}`",), (Fix(typed.span, meant),)
