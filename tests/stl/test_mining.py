@@ -187,3 +187,29 @@ def test_a_boundary_at_zero_is_zero(text: str, tightest: float) -> None:
     """Bisection comes no nearer to 0 than the halves of the bounds, such as 4.6e-18."""
     recording = ([0.0, 1.0, 2.0], {"x": [0.0, 1.0, 0.5]})
     assert mine(text, [Parameter("a", -1, 5)], [recording]).values == {"a": tightest}
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "shown"),
+    [
+        ("always (e < limit) and (e > 0", 24, "("),
+        ("always (e < limit and e > limit x)", 33, "x"),
+        ("always (e << limit)", 12, "<"),
+    ],
+)
+def test_faults_of_the_text_are_shown_where_it_was_written(
+    text: str, column: int, shown: str
+) -> None:
+    """Not in the formula with numbers in the place of its parameters."""
+    with pytest.raises(DiagnosticError) as caught:
+        mine(text, [Parameter("limit", -123.25, 20)], RECORDINGS)
+    (found,) = caught.value.diagnostics
+    assert found.span is not None
+    assert found.span.source.text == text
+    assert found.span.column == column
+    assert found.span.text == shown
+
+
+def test_a_word_of_formulas_is_no_parameter() -> None:
+    with pytest.raises(DiagnosticError, match="`always`: it is a word of formulas"):
+        mine("always (e < 3)", [Parameter("always", 0, 20)], RECORDINGS)

@@ -11,11 +11,10 @@ import numpy as np
 
 from ...diagnostics import Code, DiagnosticError, arguments
 from ..errors import stl_error
-from ..formats.text import parse
 from ..formula import formulas as f
-from ..formula.terms import number_text
 from .loosest_corner import corners, loosest_corner
-from .parameters import Parameter, Recording, checked, word_pattern
+from .parameter_values import with_values
+from .parameters import Parameter, Recording, checked
 
 _Found = TypeVar("_Found")
 
@@ -162,11 +161,7 @@ class _ParameterSearch:
     unknown_holds: bool
 
     def formula(self, values: Mapping[str, float]) -> f.Formula:
-        text = self.text
-        for name, value in values.items():
-            shown = number_text(value)
-            text = word_pattern(name).sub(f"({shown})" if value < 0 else shown, text)
-        return parse(text)
+        return with_values(self.text, values)
 
     def rho(self, values: Mapping[str, float]) -> float:
         formula = self.formula(values)

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ...diagnostics import Code, arguments, did_you_mean
+from ...syntax.words import NOT_NAMES
 from ..errors import stl_error
 from ..evaluate.trace import Positions, Signals
 from ..formula.terms import number_text
@@ -77,6 +78,8 @@ def _check_bounds(parameter: Parameter) -> None:
 def _check_name(name: str, text: str, signals: set[str]) -> None:
     if not _NAME.fullmatch(name):
         raise _wrong(name, "it is no name", "a name is a word, as in `limit=0..20`")
+    if name in NOT_NAMES:
+        raise _wrong(name, "it is a word of formulas", "give the parameter another name")
     if name in signals:
         help = "signals have their values from the trace: give the parameter another name"
         raise _wrong(name, "it is a signal of the trace", help)
