@@ -11,6 +11,7 @@ from ..ir.readings import SensorRecord
 from ..ir.scene import Call, Scene
 from ..ir.trace import Trace
 from ..judging.drives import Judgment, judge
+from ..judging.drives_together import robustness_together
 from ..plugins.configured import configured
 from ..plugins.finding import entry_of
 from ..plugins.guard import plugin_guard, wrong_result
@@ -114,7 +115,8 @@ def drive_scenes(
         if missing:
             fault = f"gave a trace of `{scene.name}` without the agent `{missing[0]}`"
             raise wrong_result(entry, None, fault)
+    known = robustness_together(scenes, traces, registry)
     return tuple(
-        Driven(scene, trace, judge(scene, trace, registry), tuple(each.record for each in of_scene))
-        for scene, trace, of_scene in zip(scenes, traces, recorders, strict=True)
+        Driven(scene, trace, judge(scene, trace, registry, rho), tuple(r.record for r in each))
+        for scene, trace, rho, each in zip(scenes, traces, known, recorders, strict=True)
     )

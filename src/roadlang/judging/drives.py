@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -29,6 +30,8 @@ from .unrecorded_columns import unrecorded_columns
 from .verdicts import decided
 from .window_warnings import JudgedAxis, window_warnings
 
+NO_ROBUSTNESS: Mapping[str, float] = MappingProxyType({})
+
 
 @dataclass(frozen=True)
 class Judgment:
@@ -47,8 +50,11 @@ class Judgment:
         }
 
 
-def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:
+def judge(
+    scene: Scene, trace: Trace, registry: Registry, known: Mapping[str, float] = NO_ROBUSTNESS
+) -> Judgment:
     """The expectations with robustness; those over roads were judged when the scene was made.
+    `known`: the robustness of some, by name.
 
     A member signal of a group (`walkers.speed`) makes the formula hold for each of its members;
     `distance` to a group is that to the nearest.
@@ -59,7 +65,8 @@ def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:
     for verdict in scene.expectations:
         try:
             if verdict.domain == "drive" and verdict.formula is not None:
-                found, warned = _judged(verdict, verdict.formula, trace, registry)
+                rho = known.get(verdict.name)
+                found, warned = _judged(verdict, verdict.formula, trace, registry, rho)
                 verdicts.append(found)
                 if warned:
                     warnings[verdict.name] = warned
@@ -72,12 +79,13 @@ def judge(scene: Scene, trace: Trace, registry: Registry) -> Judgment:
 
 
 def _judged(
-    verdict: Verdict, test: Mapping[str, Any], trace: Trace, registry: Registry
+    verdict: Verdict, test: Mapping[str, Any], trace: Trace, registry: Registry, rho: float | None
 ) -> tuple[Verdict, tuple[Diagnostic, ...]]:
     if "monitor" in test:
         return decided(verdict, _monitored(test, trace, registry), zero_satisfies), ()
     condition = DriveCondition(test, trace, registry)
-    found = decided(verdict, condition.rho, lambda rows: condition.truth)
+    rho = condition.rho if rho is None else rho
+    found = decided(verdict, rho, lambda rows: condition.truth)
     axis = JudgedAxis("the drive", trace.time)
     return found, tuple(window_warnings(condition.formula, condition.evaluation, [axis]))
 
@@ -109,21 +117,22 @@ class DriveCondition:
     @property
     def formula(self) -> Formula:
         """The formula by itself."""
-        return self._said.formula
+        return self.said.formula
 
     @property
     def evaluation(self) -> EvaluationOptions:
         """How it is evaluated."""
-        return self._said.evaluation
+        return self.said.evaluation
 
     @cached_property
-    def _said(self) -> DriveFormula:
+    def said(self) -> DriveFormula:
+        """What it says, the same object for all drives of scenes that share it."""
         return drive_formula(self.condition, self.registry)
 
     def choices(self) -> Iterator[tuple[dict[str, AgentTrace], dict[str, Any]]]:
         """For every choice of a member of each group: the members by group, and the variables of
         the formula."""
-        said = self._said
+        said = self.said
         members = sorted(frozenset[str]().union(*(signal.members for signal in said.signals)))
         for choice in product(*(self.trace.named(name) for name in members)):
             chosen = dict(zip(members, choice, strict=True))
