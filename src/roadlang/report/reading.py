@@ -101,7 +101,11 @@ def reason_of(error: Exception) -> str:
 def broken(path: Path, reason: str) -> DiagnosticError:
     """RL721, to be raised."""
     has_command = any((folder / RESULTS_FILE).is_file() for folder in path.parents[:2])
-    help = f"make it again with the command that is in {RESULTS_FILE}" if has_command else ()
+    help: str | tuple[()] = ()
+    if path.name == RESULTS_FILE:  # which has the command, but cannot be read
+        help = "make the folder again, with the command that made it"
+    elif has_command:
+        help = f"make it again with the command that is in {RESULTS_FILE}"
     return DiagnosticError(diagnose(Code.BROKEN_RESULTS, path=str(path), reason=reason, help=help))
 
 
