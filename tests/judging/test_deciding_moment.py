@@ -45,6 +45,9 @@ def test_a_single_comparison_goes_wrong_when_it_would_in_a_conjunction(seed: int
     assert seen(found) == seen(first_violation(of(both), drive, REGISTRY))
     reached = np.flatnonzero(speed >= 12.0)
     assert found.sample == (reached[0] if len(reached) else speed.argmax())
+    deciding = seen(deciding_moment(of(FAST), drive, REGISTRY))
+    assert deciding == seen(deciding_moment(of(both), drive, REGISTRY))
+    assert deciding[0] == speed.argmax()
 
 
 @pytest.mark.parametrize(
