@@ -195,13 +195,14 @@ def drawn(strokes: list[Stroke], pen: Pen) -> NDArray[np.uint8]:
     y, x = np.mgrid[:SIZE, :SIZE]
     pixels = np.column_stack([x.ravel(), y.ravel()]).astype(float)
     trees = [cKDTree(_dense(stroke.points)) for stroke in strokes]
-    away = np.min([tree.query(pixels)[0] for tree in trees], axis=0)
+    near = pen.width / 2 + 2.0  # how far anything farther is away does not matter
+    away = np.min([tree.query(pixels, distance_upper_bound=near)[0] for tree in trees], axis=0)
     covered = (away <= pen.width / 2).astype(float)
     edge = np.flatnonzero(np.abs(away - pen.width / 2) < 1.0)
     if steps > 1:
         shifts = np.stack(np.meshgrid(offsets, offsets), axis=-1).reshape(1, -1, 2)
         at = (pixels[edge, None] + shifts).reshape(-1, 2)
-        nearest = np.min([tree.query(at)[0] for tree in trees], axis=0)
+        nearest = np.min([tree.query(at, distance_upper_bound=near)[0] for tree in trees], axis=0)
         covered[edge] = (nearest <= pen.width / 2).reshape(len(edge), -1).mean(axis=1)
     gray = (255 - 215 * covered).reshape(SIZE, SIZE, 1)
     return np.asarray(np.rint(gray).repeat(3, axis=2), np.uint8)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import cv2
 import numpy as np
 import pytest
@@ -49,18 +51,24 @@ def roads_among(image: np.ndarray) -> list[MapTone]:
     return road_tones(without_water(map_tones(image, flat_colors(image))), 360)
 
 
-@STYLES
-def test_the_streets_of_a_map_are_found_and_nothing_else(style: MapStyle) -> None:
+@cache
+def roads_in(style: MapStyle) -> FoundNetwork:
+    """What is found in a map, for several tests."""
     found = roads_of_map(drawn_map(style))
     assert found is not None
+    return found
+
+
+@STYLES
+def test_the_streets_of_a_map_are_found_and_nothing_else(style: MapStyle) -> None:
+    found = roads_in(style)
     assert on_streets(points(found)).mean() > 0.95
     assert found_streets(points(found)).mean() > 0.95
 
 
 @pytest.mark.parametrize("style", [LIGHT, PALE], ids=["light", "pale"])
 def test_the_streets_of_a_map_are_one_network(style: MapStyle) -> None:
-    found = roads_of_map(drawn_map(style))
-    assert found is not None
+    found = roads_in(style)
     meeting = [node for road in found.roads for node in (road.start, road.end)]
     assert sorted(meeting.count(node) for node in set(meeting)) == [1, 1, 1, 1, 1, 3, 3, 3, 4]
 

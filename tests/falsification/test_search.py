@@ -69,11 +69,17 @@ def test_every_random_number_is_an_axis(search: Falsification) -> None:
     assert all(len(outcome.point) == len(axes) for outcome in search.outcomes)
 
 
-def test_what_violates_a_requirement_is_not_driven_and_worth_less_than_any_that_is() -> None:
-    text = TEXT.replace("1 / 14m", "1 / 38m")
-    found = slides(text).falsify(evaluations=200, seed=3)
-    invalid = [outcome for outcome in found.outcomes if not outcome.is_valid]
-    assert 0 < len(invalid) < len(found.outcomes)
+@pytest.fixture(scope="module")
+def strict() -> Falsification:
+    """A search in which many candidates violate the requirement."""
+    return slides(TEXT.replace("1 / 14m", "1 / 38m")).falsify(evaluations=240, seed=3)
+
+
+def test_what_violates_a_requirement_is_not_driven_and_worth_less_than_any_that_is(
+    strict: Falsification,
+) -> None:
+    invalid = [outcome for outcome in strict.outcomes if not outcome.is_valid]
+    assert 0 < len(invalid) < len(strict.outcomes)
     for outcome in invalid:
         assert outcome.violation is not None
         assert outcome.violation > 0
@@ -94,11 +100,12 @@ def test_screening_judges_by_the_requirements_as_evaluating_does() -> None:
     np.testing.assert_array_equal(few, screened[3:5])
 
 
-def test_cma_evaluates_hardly_any_candidate_that_violates_a_requirement() -> None:
-    found = slides(TEXT.replace("1 / 14m", "1 / 38m")).falsify(evaluations=240, seed=3)
-    later = [outcome for outcome in found.outcomes[80:] if not outcome.is_random]
+def test_cma_evaluates_hardly_any_candidate_that_violates_a_requirement(
+    strict: Falsification,
+) -> None:
+    later = [outcome for outcome in strict.outcomes[80:] if not outcome.is_random]
     assert sum(outcome.is_valid for outcome in later) > 0.95 * len(later)
-    assert not all(outcome.is_valid for outcome in found.outcomes if outcome.is_random)
+    assert not all(outcome.is_valid for outcome in strict.outcomes if outcome.is_random)
 
 
 def test_each_failure_replays_exactly(search: Falsification, tmp_path: Path) -> None:
@@ -129,12 +136,11 @@ def test_the_moment_at_which_it_goes_wrong_is_known(search: Falsification) -> No
         assert moment.agent == "ego"
 
 
-def test_nothing_depends_on_batches_of_the_evaluation() -> None:
+def test_nothing_depends_on_batches_of_the_evaluation(search: Falsification) -> None:
     """An outcome is the same, whatever is evaluated beside it."""
-    found = slides().falsify(**FEW)
-    some = found.outcomes[7:90:9]
+    some = search.outcomes[7:90:9]
     proposals = [Proposal(o.index, o.point, o.is_random) for o in some]
-    assert found.evaluator.evaluate(proposals) == list(some)
+    assert search.evaluator.evaluate(proposals) == list(some)
 
 
 def test_threads_and_any_executor_give_the_same_outcomes(
