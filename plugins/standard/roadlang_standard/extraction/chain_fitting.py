@@ -13,11 +13,11 @@ from roadlang.geometry import Floats
 from .chains import LineChain
 from .edges import normals
 from .fair_fitting import COVERED, Fit, Layer, Traced, Unfitted, fitted_fairly
-from .fairing import even_points
+from .fairing import AGAIN, FULLY, ROUGHLY, even_points
 from .junction_points import at_stations, extended, foot_station
 from .smoothing import resample, smooth, stations
 
-_FITS = 2
+_FITS = (ROUGHLY, FULLY)
 _SHRUNK = 0.75
 _FADE = 12.0
 """Pixels over which a curve that is not fair leaves the line to meet a node."""
@@ -64,9 +64,9 @@ def fitted(
     runs = [_rough(*each, nodes, fit) for each in zip(chains, free, strict=True)]
     curves = [run.curve for run in runs]
     fair = [index for index, run in enumerate(runs) if run.is_fair(fit)]
-    for _ in range(_FITS):
+    for pace in _FITS:
         lines = [Unfitted(curves[i], runs[i].traced, runs[i].chain.closed) for i in fair]
-        for index, curve in zip(fair, fitted_fairly(lines, surface, fit), strict=True):
+        for index, curve in zip(fair, fitted_fairly(lines, surface, fit, pace), strict=True):
             curves[index] = even_points(curve, runs[index].chain.closed)
     return [_with_curve(*each) for each in zip(runs, curves, strict=True)]
 
@@ -133,7 +133,7 @@ def through(
     pinned = [_pinned(*each, placed, fit) for each in zip(runs, free, strict=True)]
     curves = [_faded(line) for line in pinned]
     fair = [index for index, run in enumerate(runs) if run.is_fair(fit)]
-    again = fitted_fairly([pinned[index] for index in fair], surface, fit)
+    again = fitted_fairly([pinned[index] for index in fair], surface, fit, AGAIN)
     for index, curve in zip(fair, again, strict=True):
         curves[index] = curve
     return [_cut(*each, placed) for each in zip(runs, pinned, curves, strict=True)]

@@ -123,10 +123,10 @@ def _square_end(mask: Booleans, place: Floats, ahead: Floats, width: float) -> F
 def _distance_to_edge(mask: Booleans, place: Floats, ahead: Floats, width: float) -> float:
     """Pixels to the edge of the surface, 0 where that is farther than a width."""
     steps = np.arange(0.5, width + 1.0, 0.5)
-    for step in steps:
-        if not _inside(mask, place + step * ahead):
-            return float(step) - 0.5
-    return 0.0
+    x, y = np.round(place + steps[:, None] * ahead).astype(int).T
+    inside = (x >= 0) & (x < mask.shape[1]) & (y >= 0) & (y < mask.shape[0])
+    inside[inside] = mask[y[inside], x[inside]]
+    return 0.0 if inside.all() else float(steps[int(inside.argmin())]) - 0.5
 
 
 def _inside(mask: Booleans, place: Floats) -> bool:

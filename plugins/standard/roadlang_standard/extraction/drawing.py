@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import cv2
@@ -21,6 +21,8 @@ from .road_regions import PaperParts, RoadRegion, road_regions
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
 
+_GAPS = (2, 4, 8)
+"""Gaps of edge lines that are closed, by so many pixels from both sides."""
 _SAMPLE = 50_000
 """About so many pixels tell how thick a surface is."""
 
@@ -113,22 +115,39 @@ def _between(ink: Booleans) -> list[RoadRegion]:
     if pen > 0.02 * min(ink.shape) + 3:
         return []
     parts = PaperParts.about(ink)
-    for gap in (0, 2, 4, 8):
-        closed = ink
-        if gap:
-            kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * gap + 1, 2 * gap + 1))
-            closed = cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_CLOSE, kernel).view(bool)
-            if np.array_equal(closed, ink):
-                continue
-            before, parts = parts, PaperParts.about(closed)
-            if parts.divides_as(before):
-                continue
-        ribbons = road_regions(closed, parts)
+    ribbons = road_regions(ink, parts)
+    if ribbons and _edged(ribbons, ink, pen):
+        return ribbons
+    for closed, closed_parts in _closed_gaps(ink, parts):
+        ribbons = road_regions(closed, closed_parts)
         if ribbons and _edged(ribbons, ink, pen):
             return ribbons
     capped = with_closed_ends(ink, pen)
     ribbons = [] if capped is None else road_regions(capped)
     return ribbons if ribbons and _edged(ribbons, ink, pen) else []
+
+
+def _closed_gaps(ink: Booleans, parts: PaperParts) -> Iterator[tuple[Booleans, PaperParts]]:
+    """The ink with gaps closed, from small to wide, where that divides the `parts` of the paper,
+    and its parts then."""
+    widest = _closed(ink, _GAPS[-1])
+    widest_parts = PaperParts.about(widest)
+    if widest_parts.divides_as(parts):  # and so do all that are less wide
+        return
+    before = parts
+    for gap in _GAPS[:-1]:
+        closed = _closed(ink, gap)
+        parts = PaperParts.about(closed)
+        if not parts.divides_as(before):
+            yield closed, parts
+        before = parts
+    if not widest_parts.divides_as(before):
+        yield widest, widest_parts
+
+
+def _closed(ink: Booleans, gap: int) -> Booleans:
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * gap + 1, 2 * gap + 1))
+    return np.asarray(cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_CLOSE, kernel) > 0)
 
 
 def _edged(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> bool:

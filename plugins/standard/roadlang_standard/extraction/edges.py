@@ -12,7 +12,8 @@ from roadlang.geometry import Floats
 from .sampled import sampled
 from .smoothing import gradient, smooth_values
 
-_STEP = 0.25
+_STEP, _FINE, _COARSE = 0.25, 9.0, 0.5
+"""Pixels between what is looked at across a road, and where it is sought farther than so many."""
 _ROWS = 256
 """So many points at a time: what is worked out for more does not stay in a processor's cache."""
 
@@ -43,7 +44,8 @@ def sides(
 ) -> Sides:
     """Look along the normals for where the surface (h, w), 0..1, falls through `level`; NaN where
     that is beyond its border."""
-    away = np.arange(0, search_radius + _STEP, _STEP)
+    step = _STEP if search_radius < _FINE else _COARSE
+    away = np.arange(0, search_radius + step, step)
     ways = np.concatenate([away, -away])  # to the left, and to the right
     profile = across(points, ways, surface, closed).reshape(2 * len(points), len(away))
     below = profile < level
@@ -52,7 +54,7 @@ def sides(
     row = np.arange(len(profile))
     high, low = profile[row, np.maximum(first - 1, 0)], profile[row, first]
     part = np.clip((high - level) / np.maximum(high - low, 1e-6), 0, 1)
-    distance = (first - 1 + part) * _STEP
+    distance = (first - 1 + part) * step
     found = np.where(below[row, first] & (profile[:, 0] >= level), distance, np.nan)
     left, right = found[::2], found[1::2]
     normal = normals(points, closed)

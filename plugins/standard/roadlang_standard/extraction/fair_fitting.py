@@ -15,7 +15,7 @@ from roadlang.geometry import Booleans, Floats
 from .centers import centers
 from .edges import normals
 from .fair_lines import SeenOffsets
-from .fairing import Rough, faired
+from .fairing import FULLY, Pace, Rough, faired
 from .smoothing import curvature
 
 Layer = NDArray[np.float32]
@@ -73,7 +73,9 @@ class Unfitted:
     pins: tuple[tuple[int, float], ...] = ()
 
 
-def fitted_fairly(lines: Sequence[Unfitted], surface: Layer, fit: Fit) -> list[Floats]:
+def fitted_fairly(
+    lines: Sequence[Unfitted], surface: Layer, fit: Fit, pace: Pace = FULLY
+) -> list[Floats]:
     """The fair curve near each of the lines, as many points of it.
 
     What was seen is let go, little by little, where the curve would be too tight.
@@ -82,7 +84,7 @@ def fitted_fairly(lines: Sequence[Unfitted], surface: Layer, fit: Fit) -> list[F
     found = [line.curve for line in lines]
     tight = list(range(len(lines)))
     for _ in range(_EASINGS):
-        for index, curve in zip(tight, faired([sought[i] for i in tight]), strict=True):
+        for index, curve in zip(tight, faired([sought[i] for i in tight], pace), strict=True):
             found[index] = curve
         sharp = {index: curvature(found[index]) > 1.02 / fit.tightest for index in tight}
         tight = [index for index in tight if sharp[index].any()]

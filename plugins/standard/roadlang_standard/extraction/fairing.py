@@ -28,7 +28,7 @@ _FLATTEST, _EVENEST = 1e-5, 2e-6
 """Curvature in 1/px, and its change in 1/px^2, below which they count as none."""
 _INSIDE, _BEYOND = 0.012, 4.0
 """Weights of squares of pixels within the tolerance, and beyond it."""
-_ROUNDS, _EASING = 32, 0.7
+_EASING = 0.7
 _PINNED = 1e5
 _SHORTEST = 8
 """Lines of fewer points are left as they are."""
@@ -37,6 +37,21 @@ _OVERLAP = 600
 there move no point by more than 1e-7 px."""
 _TOGETHER = 4096
 """So many points are solved at a time: more do not stay in a processor's cache."""
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How many rounds there are, and the curvature and its change that count as none in the first
+    of them: from round to round they are less."""
+
+    rounds: int
+    flattest: float = 1e-2
+    evenest: float = 1e-3
+
+
+ROUGHLY, FULLY, AGAIN = Pace(16), Pace(32), Pace(20, 1e-3, 1e-4)
+"""Of a curve that is fitted anew from what comes out, of one that stays, and of one that is fair
+already, but has to move a little."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +82,7 @@ def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floa
     return splined(station, points, at, closed)
 
 
-def faired(lines: Sequence[Rough]) -> list[Floats]:
+def faired(lines: Sequence[Rough], pace: Pace = FULLY) -> list[Floats]:
     """The fair curve near each of the lines, in order; so many points of it, and closed as it is.
 
     What becomes of a line does not depend on those that are given with it.
@@ -75,7 +90,7 @@ def faired(lines: Sequence[Rough]) -> list[Floats]:
     curves = [line.points for line in lines]
     for group in _groups(lines):
         row = in_a_row([_fair_line(lines[index]) for index in group], _TURNING, _CHANGING)
-        for index, offsets in zip(group, row.parts(_solved(row)), strict=True):
+        for index, offsets in zip(group, row.parts(_solved(row, pace)), strict=True):
             curves[index] = _moved(lines[index], offsets)
     return curves
 
@@ -138,15 +153,15 @@ def _bends(points: Floats, step: float) -> Floats:
     return np.asarray((np.diff(points, 2, axis=0) * normals(points)[1:-1]).sum(axis=1) / step**2)
 
 
-def _solved(row: FairLines) -> Floats:
+def _solved(row: FairLines, pace: Pace) -> Floats:
     """The offsets (N,) for which the curves are fair."""
     goal, weight, tolerance = row.seen.offset, row.seen.weight, row.seen.tolerance
     pinned = np.array([index for index, _ in row.seen.pins], int)
     pins = np.array([offset for _, offset in row.seen.pins])
     found, outside = np.zeros(len(goal)), np.zeros(len(goal))
-    flattest, evenest = 1e-2, 1e-3
+    flattest, evenest = pace.flattest, pace.evenest
     inside = _INSIDE * goal
-    for _ in range(_ROUNDS):
+    for _ in range(pace.rounds):
         flattest, evenest = max(_FLATTEST, flattest * _EASING), max(_EVENEST, evenest * _EASING)
         off = found - goal
         outside = (outside + (np.abs(off) > tolerance)) / 2  # halves: or points go in and out

@@ -30,7 +30,9 @@ def letters_of_map(image: Image, width: float) -> Booleans:
     for kind in (cv2.MORPH_BLACKHAT, cv2.MORPH_TOPHAT):
         strokes = cv2.morphologyEx(gray, kind, kernel)
         for contrast in _CONTRASTS:
-            found |= _glyphs(strokes > contrast, glyph, _INK * larger).astype(np.uint8)
+            _add_glyphs(found, strokes > contrast, glyph, _INK * larger)
+    if not found.any():
+        return np.zeros(gray.shape, bool)
     near = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (glyph // 2, glyph // 2))
     words = cv2.morphologyEx(found, cv2.MORPH_CLOSE, near)
     # A speck alone is no word.
@@ -53,11 +55,17 @@ def without_letters(image: Image) -> Image:
     return np.asarray(image.reshape(-1, 3)[source[nearest]])
 
 
-def _glyphs(strokes: Booleans, largest: int, ink: float) -> Booleans:
-    """The parts of a mask (h, w) that are as small and as full as letters."""
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(strokes.astype(np.uint8), connectivity=8)
+def _add_glyphs(found: Image, strokes: Booleans, largest: int, ink: float) -> None:
+    """Mark the parts of a mask (h, w) that are as small and as full as letters, in place."""
+    x, y, width, height = cv2.boundingRect(strokes.view(np.uint8))
+    if not width:
+        return
+    window = (slice(y, y + height), slice(x, x + width))
+    around = np.ascontiguousarray(strokes[window]).view(np.uint8)
+    _, parts, stats, _ = cv2.connectedComponentsWithStats(around, connectivity=8)
     sizes = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
     # Straight dashes have less ink for their size: edges of roads that come and go.
     small = (sizes <= largest) & (stats[:, cv2.CC_STAT_AREA] >= ink * sizes)
     small[0] = False
-    return np.asarray(small[parts])
+    if small.any():
+        found[window] |= small.take(parts).view(np.uint8)

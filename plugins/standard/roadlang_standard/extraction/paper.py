@@ -31,6 +31,8 @@ _PLAIN, _EVEN = 0.06, 0.6
 """So much of the sheet is within this share of its own brightness."""
 _SAME, _EXACT = 2, 0.5
 """A drawing made on a screen has one color, within so many gray levels, on more than this share."""
+_SCREEN = 0.85
+"""Where one color fills so much of a picture, no sheet on a desk is sought in it."""
 _NOISE, _FAINTEST = 6.0, 0.1
 """Ink absorbs so many times the noise, and at least this share of the light."""
 _MOST_INK = 0.2
@@ -82,12 +84,12 @@ def _has_one_light_color(light: Layer) -> bool:
     return bool((np.abs(tint - color / color.mean()) < _TINT).all(axis=1).mean() >= _ONE)
 
 
-def _is_flat(image: Image, seen: Booleans) -> bool:
+def _is_flat(image: Image, seen: Booleans, least: float = _EXACT) -> bool:
     """Whether most of what is seen has exactly one color: it was drawn on a screen."""
     chosen = thinned(seen.astype(np.uint8), 100_000) > 0
     sample = counted_colors(color_codes(thinned(image, 100_000))[chosen])
     same = sample.near(sample.median(np.ones(len(sample.counts), bool)), _SAME)
-    return bool(sample.number(same) > _EXACT * sample.counts.sum())
+    return bool(sample.number(same) > least * sample.counts.sum())
 
 
 def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | None:
@@ -96,7 +98,8 @@ def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | N
     The sheet fills the picture or lies on a darker desk. A line is a road; two lines side by side
     are the edges of one. There may be none.
     """
-    if not has_even_ground(image):
+    everywhere = np.ones(image.shape[:2], bool)
+    if not has_even_ground(image) or _is_flat(image, everywhere, _SCREEN):
         return None
     outline = sheet_outline(image)
     sheet = None if outline is None else sheet_of(image, outline)

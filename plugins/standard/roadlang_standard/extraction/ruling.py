@@ -50,19 +50,25 @@ def _straight(marked: Booleans, upright: bool) -> tuple[float, NDArray[np.intp]]
     thick = cv2.dilate(marked.astype(np.uint8), np.ones((3, 3), np.uint8))
     across, along = np.nonzero(thick.T if upright else thick)
     count, length = thick.shape[::-1] if upright else thick.shape
-    few = along % _EVERY == 0
-
-    def counts(tilt: float, chosen: Booleans | slice) -> NDArray[np.intp]:
-        places = _shifted(along[chosen], across[chosen], np.tan(tilt), length, count)
-        return np.bincount(places, minlength=count)
-
-    best = int(np.argmax([float((counts(t, few).astype(float) ** 2).sum()) for t in _TILTS]))
-    found = counts(_TILTS[best], slice(None))
+    every = along % _EVERY == 0
+    places = along[every], across[every]
+    sums = [
+        float((_counts(*places, tilt, length, count).astype(float) ** 2).sum()) for tilt in _TILTS
+    ]
+    best = int(np.argmax(sums))
+    found = _counts(along, across, _TILTS[best], length, count)
     highest = cv2.dilate(found.astype(np.float32)[:, None], np.ones((9, 1), np.uint8))[:, 0]
     peaks = (found == highest) & (found > _COVERED * length)
     steps = np.diff(peaks.astype(np.int8), prepend=0, append=0)
     middles = (np.flatnonzero(steps > 0) + np.flatnonzero(steps < 0) - 1) // 2
     return float(np.tan(_TILTS[best])), middles
+
+
+def _counts(
+    along: NDArray[np.intp], across: NDArray[np.intp], tilt: float, length: int, count: int
+) -> NDArray[np.intp]:
+    """How many places lines of a tilt (radians) go through, by where they are in the middle."""
+    return np.bincount(_shifted(along, across, np.tan(tilt), length, count), minlength=count)
 
 
 @dataclass(frozen=True)

@@ -94,12 +94,13 @@ def _is_inside(mask: Booleans, place: Floats) -> bool:
 
 def _line_to(graph: Graph, end: SquareEnd, width: float) -> Line | None:
     """The line that has its dead end there, if any."""
-    degree = graph.degree()
+    degree, (x, y) = graph.degree(), end.middle
     for line in graph.lines:
         for node in (line.start, line.end):
-            away = graph.nodes[node] - end.middle
-            if degree[node] == 1 and np.hypot(*away) < _KNOWN * width:
-                return line
+            if degree[node] == 1:
+                at = graph.nodes[node]
+                if np.hypot(at[0] - x, at[1] - y) < _KNOWN * width:
+                    return line
     return None
 
 
