@@ -93,3 +93,17 @@ def test_colored_letters_beside_a_road_are_no_road() -> None:
     image[30:33, 100:130] = (0, 0, 220)
     dark = (image.max(axis=2) < 128).astype(np.float32)
     assert with_markings_filled(dark, image) is dark
+
+
+def test_lanes_are_one_road_with_the_lines_along_its_edges() -> None:
+    """A road of rows 40 to 119: a double line in the middle, dashes, and edge lines 4 px from its
+    edges."""
+    road = band(40, 120, 160, 400)
+    for line in (slice(44, 46), slice(76, 78), slice(82, 84), slice(114, 116)):
+        road = road - surface(160, 400, (line, slice(0, 400)))
+    dashes = [
+        (slice(row, row + 2), slice(x, x + 14)) for row in (60, 98) for x in range(5, 390, 30)
+    ]
+    assert np.array_equal(
+        with_markings_filled(road - surface(160, 400, *dashes)), band(40, 120, 160, 400)
+    )

@@ -21,6 +21,9 @@ from .road_regions import PaperParts, RoadRegion, road_regions
 from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layer, tones
 
+_BOLD, _THIN, _SOME = 3.5, 0.6, 0.03
+"""Beside edge lines of at least so many pixels, thin lines have less than this share of their
+thickness; they are sought where they are this share of the ink."""
 _GAPS = (2, 4, 8)
 """Gaps of edge lines that are closed, by so many pixels from both sides."""
 _SAMPLE = 50_000
@@ -99,7 +102,7 @@ def between_lines(ink: Booleans) -> Layer | None:
 
     Lines with gaps are closed by the least that makes the road a region of its own.
     """
-    ribbons = _between(ink)
+    ribbons, ink = _between(ink)
     if not ribbons:
         return None
     return _surface(ribbons, ink, float(ink.sum() / max(1, skeleton(ink).sum())))
@@ -107,24 +110,38 @@ def between_lines(ink: Booleans) -> Layer | None:
 
 def has_edge_lines(ink: Booleans) -> bool:
     """Whether there are roads between thin lines (h, w)."""
-    return bool(_between(ink))
+    return bool(_between(ink)[0])
 
 
-def _between(ink: Booleans) -> list[RoadRegion]:
+def _between(ink: Booleans) -> tuple[list[RoadRegion], Booleans]:
+    """The regions between edge lines, and the ink (h, w) that these are of."""
     pen = _pen_width(ink)
     if pen > 0.02 * min(ink.shape) + 3:
-        return []
+        return [], ink
     parts = PaperParts.about(ink)
     ribbons = road_regions(ink, parts)
     if ribbons and _edged(ribbons, ink, pen):
-        return ribbons
+        return ribbons, ink
     for closed, closed_parts in _closed_gaps(ink, parts):
         ribbons = road_regions(closed, closed_parts)
         if ribbons and _edged(ribbons, ink, pen):
-            return ribbons
+            return ribbons, ink
     capped = with_closed_ends(ink, pen)
     ribbons = [] if capped is None else road_regions(capped)
-    return ribbons if ribbons and _edged(ribbons, ink, pen) else []
+    if ribbons and _edged(ribbons, ink, pen):
+        return ribbons, ink
+    bold = _without_thin_lines(ink, pen)
+    return ([], ink) if bold is None else _between(bold)
+
+
+def _without_thin_lines(ink: Booleans, pen: float) -> Booleans | None:
+    """The ink without lines thinner than most, such as dimensions and names; None if it has few."""
+    if pen < _BOLD:
+        return None
+    size = 2 * int(_THIN * pen / 2) + 1  # odd: OpenCV moves what an even kernel opens
+    bold = cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_OPEN, np.ones((size, size), np.uint8)) > 0
+    bold = without_specks(bold, (3 * pen) ** 2)
+    return bold if bold.any() and (ink & ~bold).sum() > _SOME * ink.sum() else None
 
 
 def _closed_gaps(ink: Booleans, parts: PaperParts) -> Iterator[tuple[Booleans, PaperParts]]:

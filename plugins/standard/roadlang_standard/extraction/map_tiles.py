@@ -14,6 +14,7 @@ from roadlang.geometry import Booleans
 from .found_network import FoundNetwork
 from .map_letters import letters_of_map, without_letters
 from .map_lines import THIN, holes, parts_touching, short_parts, with_line_colors, without_outlines
+from .map_or_drawing import FEW, LETTERED, is_drawing
 from .map_tones import (
     LOSSY,
     MapTone,
@@ -29,9 +30,8 @@ from .road_tones import MOST_SPREAD, road_tones
 from .skeleton import skeleton
 from .tones import Image, Layer
 
-_COLORS, _FEW, _LETTERED = 2, 3, 0.003
-"""A map has at least so many colors; with so few it has letters on this share of it, or it is a
-drawing."""
+_COLORS = 2
+"""A map has at least so many colors; with so few it has letters, or it is a drawing."""
 _THIN, _LONG = 0.5, 5.0
 """Parts that are narrower than this share of the usual width, or shorter than so many widths, are
 no roads."""
@@ -75,7 +75,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     # Names on roads leave no even strips of them: the colors of roads are chosen without names.
     plain = image if tolerance is LOSSY else without_letters(image)
     colors = flat_colors(plain, tolerance)
-    if len(colors) < _COLORS or (len(colors) == _COLORS and _differing(plain, image) < _LETTERED):
+    if len(colors) < _COLORS or (len(colors) == _COLORS and _differing(plain, image) < LETTERED):
         return None
     chosen = None if tolerance is LOSSY else _thin_roads(plain, with_line_colors(plain, colors))
     thin = chosen is not None
@@ -88,7 +88,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
     letters = letters_of_map(image, typical)
     shown = [tone.color for tone in chosen.tones] if thin else colors
-    if len(shown) <= _FEW and letters.mean() < _LETTERED:
+    if is_drawing(chosen.tones, chosen.roads, letters, len(shown)):
         return None
     is_plain = plain is image and not thin
     seen = chosen.tones if is_plain else without_water(map_tones(image, shown, tolerance, thin))
@@ -100,7 +100,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
         "map",
         width=width,
         specks=usual**2,
-        cover=Cover(letters, hidden, widest),
+        cover=Cover(letters, hidden, widest, drawn=len(shown) <= FEW and not thin),
     )
     return replace(found, mask=surface)
 

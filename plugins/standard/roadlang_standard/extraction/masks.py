@@ -48,6 +48,8 @@ class Cover:
     hidden: Layer
     widest: float
     """width of the widest roads, pixels"""
+    drawn: bool = False
+    """whether what is short and thin may be an arrow or a scale bar, as in a drawing"""
 
 
 def roads_of_surface(
@@ -74,7 +76,9 @@ def roads_of_surface(
         lines = skeleton(mask)
     graph = trace(lines)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
-    thin = drop_thin_strokes(graph, inner) if least is None and cover is None else 0
+    thin = (
+        drop_thin_strokes(graph, inner) if least is None and (cover is None or cover.drawn) else 0
+    )
     typical, led_out = _tidy(graph, mask, inner, least, cover)
     leaving = typical if cover is None else max(typical, cover.widest)
     seen = mask if cover is None else None

@@ -113,7 +113,8 @@ def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float) -> _Gaps:
     if not len(keys):
         return _Gaps(labels, areas, keys, none, none)
     parts = _union(labels, areas, keys).view(np.uint8)
-    thickness = _widths(parts, labels, parts, len(areas))
+    inner = cv2.distanceTransform(parts, cv2.DIST_L2, 5)
+    thickness = _most(inner, labels, parts, len(areas))
     beside = cv2.distanceTransform(mask, cv2.DIST_L2, 5)
     keys = keys[least * thickness[keys] <= 2 * float(beside.max(initial=0.0)) - 1]
     windows = find_objects(labels) if len(keys) else []
@@ -122,8 +123,11 @@ def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float) -> _Gaps:
     if not len(keys):
         return _Gaps(labels, areas, keys, none, none)
     parts = _union(labels, areas, keys).view(np.uint8)
-    width = _widths(mask | parts, labels, parts, len(areas))
-    return _Gaps(labels, areas, keys, thickness[keys], width[keys])
+    road = cv2.distanceTransform(mask | parts, cv2.DIST_L2, 5)
+    width, thickness = _most(road, labels, parts, len(areas))[keys], thickness[keys]
+    for i in np.flatnonzero(width < _LINE * thickness).tolist():
+        width[i] = _width_beside(road, labels, windows[keys[i] - 1], int(keys[i]), thickness[i])
+    return _Gaps(labels, areas, keys, thickness, width)
 
 
 def _width_about(
@@ -135,17 +139,33 @@ def _width_about(
     return 2 * float(inner[rows, columns].max()) - 1
 
 
-def _widths(
-    mask: NDArray[np.uint8], labels: NDArray[np.int32], parts: NDArray[np.uint8], count: int
+def _width_beside(
+    inner: NDArray[np.float32],
+    labels: NDArray[np.int32],
+    window: tuple[slice, slice],
+    key: int,
+    thickness: float,
+) -> float:
+    """How wide the road is at most within a few thicknesses beside a part that has hardly any of it
+    on its other side, as a line along its edge."""
+    reach = int(_LINE * thickness) + 1
+    rows, columns = (slice(max(0, side.start - reach), side.stop + reach) for side in window)
+    part = (labels[rows, columns] == key).view(np.uint8)
+    near = cv2.dilate(part, np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)) > 0
+    return 2 * float(inner[rows, columns][near].max()) - 1
+
+
+def _most(
+    inner: NDArray[np.float32], labels: NDArray[np.int32], parts: NDArray[np.uint8], count: int
 ) -> NDArray[np.float64]:
-    """How wide a mask (h, w) is at most where it covers `parts` (h, w), by their labels (count,).
+    """How wide what has its edge so far away (h, w) is at most on `parts` (h, w), by their labels
+    (count,).
 
     A line one pixel thick is at 1 from what is around it. Where nothing else is in the picture,
     OpenCV's distance is the greatest number there is.
     """
-    inner, there = cv2.distanceTransform(mask, cv2.DIST_L2, 5).ravel(), np.flatnonzero(parts)
-    most = np.zeros(count)
-    np.maximum.at(most, labels.ravel()[there], inner[there].astype(np.float64))
+    there, most = np.flatnonzero(parts), np.zeros(count)
+    np.maximum.at(most, labels.ravel()[there], inner.ravel()[there].astype(np.float64))
     return 2 * most - 1
 
 

@@ -10,7 +10,7 @@ from .graph_cleanup import at_border, components, join
 
 _LONG, _SHORT = 0.6, 0.4
 """Shorter sides of the picture: connected roads are longer, names and arrows shorter."""
-_THIN = 0.4
+_THIN = 0.55
 """Names, arrows and frames are drawn with less than this share of the widest road's width."""
 _AT_BORDER = 4.0
 """Pixels from the border at which what is drawn leaves the picture."""

@@ -1,0 +1,57 @@
+"""Whether a picture of flat colors is a rendered map, or a drawing of few colors."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+from .map_tones import MapTone
+from .road_markings import with_markings_filled
+
+LETTERED = 0.003
+"""A map of few colors has letters on this share of it."""
+FEW = 3
+"""So many colors are few."""
+_PALE = 40.0
+"""Gray levels between the land and roads that a drawing is not seen by."""
+_PLAIN = 0.9
+"""Share of a drawing that is its ground or its roads."""
+_BESIDE = 0.1
+"""Names stand on the roads of a map or beside them: so much of them is within a width."""
+_MARKED = 0.02
+"""Share of the roads of a drawing that is painted on them."""
+_GRAY = np.array([0.114, 0.587, 0.299])
+
+
+def is_drawing(
+    tones: Sequence[MapTone], roads: Sequence[MapTone], letters: Booleans, colors: int
+) -> bool:
+    """Whether what has so many `colors`, of which some `tones` are the roads', and `letters`
+    (h, w), is rather a drawing.
+
+    Few colors without names are one, but for roads as light as the land within casings. So are
+    roads of one color on a plain ground, of which no names are, or which have markings.
+    """
+    land = max(tones, key=lambda tone: int(tone.mask.sum()))
+    plain = float(np.logical_or.reduce([land.mask, *(road.mask for road in roads)]).mean())
+    if colors <= FEW and letters.mean() < LETTERED:
+        pale = all(abs(float((tone.color - land.color) @ _GRAY)) < _PALE for tone in roads)
+        return not pale or plain < _PLAIN
+    if len(roads) != 1 or plain < _PLAIN:
+        return False
+    return _names_nothing(roads[0], letters) or _is_marked(roads[0])
+
+
+def _names_nothing(road: MapTone, letters: Booleans) -> bool:
+    side = 2 * int(np.ceil(road.width)) + 1
+    near = cv2.dilate(road.mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
+    return bool((letters & near).sum() < _BESIDE * letters.sum())
+
+
+def _is_marked(road: MapTone) -> bool:
+    filled = with_markings_filled(road.mask.astype(np.float32)) >= 0.5
+    return bool(filled.sum() - road.mask.sum() > _MARKED * road.mask.sum())
