@@ -24,6 +24,8 @@ _BESIDE = 0.1
 """Names stand on the roads of a map or beside them: so much of them is within a width."""
 _MARKED = 0.02
 """Share of the roads of a drawing that is painted on them."""
+_MOSTLY = 0.5
+"""So much of lines within roads is painted on these."""
 _GRAY = np.array([0.114, 0.587, 0.299])
 
 
@@ -41,6 +43,8 @@ def is_drawing(
     if colors <= FEW and letters.mean() < LETTERED:
         pale = all(abs(float((tone.color - land.color) @ _GRAY)) < _PALE for tone in roads)
         return not pale or plain < _PLAIN
+    if _are_markings(land, roads):
+        return True
     if len(roads) != 1 or plain < _PLAIN:
         return False
     return _names_nothing(roads[0], letters) or _is_marked(roads[0])
@@ -50,6 +54,14 @@ def _names_nothing(road: MapTone, letters: Booleans) -> bool:
     side = 2 * int(np.ceil(road.width)) + 1
     near = cv2.dilate(road.mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
     return bool((letters & near).sum() < _BESIDE * letters.sum())
+
+
+def _are_markings(land: MapTone, roads: Sequence[MapTone]) -> bool:
+    """Whether most of what was taken for roads is painted on what is neither that nor land."""
+    lines = np.logical_or.reduce([road.mask for road in roads])
+    rest = ~(land.mask | lines)
+    filled = with_markings_filled(rest.astype(np.float32)) >= 0.5
+    return bool((filled & lines).sum() > _MOSTLY * lines.sum())
 
 
 def _is_marked(road: MapTone) -> bool:
