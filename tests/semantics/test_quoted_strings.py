@@ -53,3 +53,16 @@ def test_in_python_the_quotes_are_inside_the_text(tmp_path: Path) -> None:
     with pytest.raises(roadlang.DiagnosticError, match=r"label='.x\.png.'"):
         roadlang.load(str(path), label="x.png").sample()
     assert roadlang.load(str(path), label='"x.png"').check() == ()
+
+
+@pytest.mark.parametrize(("value", "code"), [("left.word", 0), ("left.wrd", 1), ("lft.word", 1)])
+def test_a_param_of_an_included_file_is_no_text(
+    value: str, code: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`left.word` is a name with a dot where a file is included as `left`."""
+    (tmp_path / "part.rl").write_text('param word = "b"\n')
+    path = tmp_path / "scene.rl"
+    path.write_text(f'include "part.rl" as left\n{SCENE}')
+    assert run(["check", str(path), "--set", f"label={value}"]) == code
+    told = {"left.word": "", "left.wrd": "did you mean `left.word`?", "lft.word": "double quotes"}
+    assert told[value] in capsys.readouterr().err

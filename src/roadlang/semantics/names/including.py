@@ -34,12 +34,12 @@ BUILT_IN = frozenset({"abs", "min", "max", "fresh", "time", "inf"})
 def load(path: Path, text: str, overrides: Mapping[str, str | Source]) -> Program:
     """The program of a scene file; what is wrong with it is in its `diagnostics`."""
     source = Source(str(path), text)
-    program = Program(path, source)
+    program, space = Program(path, source), Namespace()
     loader = _Loader(program)
-    loader.read(source, path, (), Namespace())
+    loader.read(source, path, (), space)
     loader.declare_all()
     for name, value in overrides.items():
-        loader.override(name, value)
+        loader.override(name, value, space)
     return program
 
 
@@ -124,7 +124,7 @@ class _Loader:
             fixes=[Fix(member.name.span, meant)] if meant else [],
         )  # fmt: skip
 
-    def override(self, name: str, value: str | Source) -> None:
+    def override(self, name: str, value: str | Source, space: Namespace) -> None:
         """A value from outside: from the command line, or from a place in a file."""
         source = value if isinstance(value, Source) else Source(f"--set {name}", value)
         declared = self._program.declarations.get(name)
@@ -135,7 +135,7 @@ class _Loader:
             help_ = self._about_settings(name)
             self._report(Code.UNKNOWN_PARAM, span, help=help_, name=name, where="this scene file")
             return
-        parsed, found = parsed_setting(source, declared)
+        parsed, found = parsed_setting(source, declared, space, self._report_unknown_member)
         self._program.diagnostics.extend(found)
         if parsed is not None and not any(diagnostic.is_error for diagnostic in found):
             self._program.settings[name] = Setting(name, parsed, parsed.span, True)

@@ -3,10 +3,13 @@ word by word as an expression."""
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from ...diagnostics import Code, Diagnostic, Label, Source, diagnose
 from ...syntax import parse_value
 from ...syntax.tree import nodes as ast
 from ..types.quoted_strings import unquoted_string
+from .namespaces import Namespace, Unknown, resolved
 from .program import Declaration
 
 _OF_SEVERAL_WORDS = (
@@ -20,17 +23,16 @@ _OF_SEVERAL_WORDS = (
 
 
 def parsed_setting(
-    source: Source, declaration: Declaration
+    source: Source, declaration: Declaration, space: Namespace, unknown: Unknown
 ) -> tuple[ast.Expression | None, list[Diagnostic]]:
-    """The expression, or what is wrong with it."""
+    """The expression, or what is wrong with it. `space` and `unknown`: as of `resolved`."""
     parsed, found = parse_value(source)
     text = source.text.strip()
-    is_expression = parsed is not None and not isinstance(parsed, _OF_SEVERAL_WORDS)
-    if (
-        not _has_text(declaration)
-        or '"' in text
-        or (is_expression and not any(each.is_error for each in found))
-    ):
+    is_text = isinstance(parsed, _OF_SEVERAL_WORDS) and not _is_included(parsed, space.aliases)
+    is_faulty = parsed is None or any(each.is_error for each in found)
+    if not _has_text(declaration) or '"' in text or not (is_faulty or is_text):
+        if parsed is not None and not is_faulty:
+            parsed = resolved(parsed, space, unknown)
         return parsed, found
     start = source.text.index(text)
     span = source.span(start, start + len(text))
@@ -43,6 +45,15 @@ def parsed_setting(
             help=help_, fixes=fixes,
         )
     ]  # fmt: skip
+
+
+def _is_included(parsed: ast.Expression | None, aliases: Container[str]) -> bool:
+    """`left.word` of a file that is included as `left`."""
+    return (
+        isinstance(parsed, ast.Member)
+        and isinstance(parsed.of, ast.Name)
+        and parsed.of.text in aliases
+    )
 
 
 def _has_text(declaration: Declaration) -> bool:
