@@ -123,6 +123,7 @@ def test_view_draws_next_to_the_map(town: Path) -> None:
     [
         (("a.xodr", "b.doc"), "RL930"),
         (("none.xodr", "b.svg"), "RL400"),
+        (("a.xodr", "b.doc", "--emit", "xosc"), "did you mean `openscenario`?"),
         (("a.xodr", "b.doc", "--emit", "nothing"), "there is no backend called `nothing`"),
         (("a.xodr", "b.svg", "--emit", ""), "name one format"),
         (("a.xodr", "b.svg", "--emit", "svg,json"), "name one format"),

@@ -30,6 +30,7 @@ class GeoJsonBackend(Backend):
     GeoJSON. `read with geojson` reads the roads and buildings back."""
 
     name: ClassVar[str] = "geojson"
+    also_called: ClassVar[tuple[str, ...]] = ("kml",)
     origin: Annotated[tuple[float, float], pair_of(ANGLE, ANGLE)] | None = option(
         None, help="latitude and longitude of (0, 0); by default that of the source map"
     )

@@ -19,6 +19,7 @@ class GltfBackend(Backend):
     written as animations."""
 
     name: ClassVar[str] = "gltf"
+    also_called: ClassVar[tuple[str, ...]] = ("glb", "blender", "unity", "obj", "fbx")
     collision: Literal["godot", "unreal", "none"] = option(
         "godot",
         help="how solid meshes are named: with the suffixes `-col` and `-convcol` of Godot, by "

@@ -23,7 +23,7 @@ class OpenScenarioBackend(Backend):
     runner and others play. `roadlang run` writes what was driven as trajectories."""
 
     name: ClassVar[str] = "openscenario"
-    also_called: ClassVar[tuple[str, ...]] = ("xosc",)
+    also_called: ClassVar[tuple[str, ...]] = ("xosc", "osc")
     version: Literal["1.2", "1.3"] = option("1.3", help="of the format")
     opendrive: Literal["1.6", "1.7", "1.8"] = option("1.8", help="version of the road file")
 

@@ -19,6 +19,7 @@ class RoadMaskBackend(Backend):
     with pixels` reads the network back from it, with the legend `"white": road`."""
 
     name: ClassVar[str] = "road_mask"
+    also_called: ClassVar[tuple[str, ...]] = ("mask",)
     scale: Scale = option(0.25, minimum=0.01, maximum=100, help="meters per pixel")
     margin: Length = option(10.0, minimum=0, maximum=10000, help="around the roads")
 

@@ -19,6 +19,7 @@ class SumoBackend(Backend):
     scene-0000.sumocfg` runs one. `roadlang run` writes drives as floating car data."""
 
     name: ClassVar[str] = "sumo"
+    also_called: ClassVar[tuple[str, ...]] = ("net",)
     step: Duration = option(0.1, minimum=0.01, maximum=1, help="time step in the configuration")
     objects: Flag = option(False, help="whether objects are written, as polygons")
 

@@ -15,6 +15,7 @@ class Manual(Controller):
     `drive with replay` replays the trace."""
 
     name: ClassVar[str] = "manual"
+    also_called: ClassVar[tuple[str, ...]] = ("keyboard", "joystick")
     speed: Speed = option(30.0, above=0, help="top speed")
     acceleration: Acceleration = option(
         4.0, above=0, maximum=20, help="acceleration at full throttle"

@@ -23,6 +23,7 @@ class Car(AgentKind):
     """A passenger car."""
 
     name: ClassVar[str] = "car"
+    also_called: ClassVar[tuple[str, ...]] = ("vehicle", "automobile", "sedan", "suv")
     category: ClassVar[str] = "car"
     length: Length = length_option(4.5)
     width: Length = width_option(1.8)

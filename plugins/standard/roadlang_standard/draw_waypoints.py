@@ -19,6 +19,7 @@ class Waypoints(Drawer):
     """
 
     name: ClassVar[str] = "waypoints"
+    also_called: ClassVar[tuple[str, ...]] = ("points", "line", "path")
     points: ListOf[Point] = option(at_least=2, help="points on the center line, in driving order")
     curve: Word = option(
         "spline",

@@ -25,6 +25,7 @@ class Brake(Controller):
     """Brake at a constant rate down to `speed`, and keep that speed."""
 
     name: ClassVar[str] = "brake"
+    also_called: ClassVar[tuple[str, ...]] = ("decelerate", "slow_down")
     deceleration: Acceleration = option(6.0, above=0, maximum=20, help="deceleration")
     speed: Speed = option(0.0, minimum=0, help="speed at which braking ends")
 

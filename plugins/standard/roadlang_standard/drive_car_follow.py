@@ -25,7 +25,15 @@ class CarFollow(SlowsForBends):
     driver model, Treiber et al. 2000)."""
 
     name: ClassVar[str] = "car_follow"
-    also_called: ClassVar[tuple[str, ...]] = ("idm", "acc")
+    also_called: ClassVar[tuple[str, ...]] = (
+        "idm",
+        "acc",
+        "follow_vehicle",
+        "follow_car",
+        "follow_leader",
+        "cruise_control",
+        "adaptive_cruise_control",
+    )
     keeps_distance: ClassVar[bool] = True
     for_vehicles: ClassVar[bool] = True
     speed: Speed = target_speed_option()

@@ -54,7 +54,12 @@ class ChangeLane(Controller):
     of the change. Behind what stands still it waits for room where it can still pull out."""
 
     name: ClassVar[str] = "change_lane"
-    also_called: ClassVar[tuple[str, ...]] = ("lane_change", "LaneChange", "LaneChangeBehavior")
+    also_called: ClassVar[tuple[str, ...]] = (
+        "lane_change",
+        "LaneChange",
+        "LaneChangeBehavior",
+        "lane_changing",
+    )
     leaves_open: ClassVar[str] = "the rest of the drive"
     lane_options: ClassVar[tuple[str, ...]] = ("to",)
     to: Integer = option(

@@ -20,6 +20,7 @@ class EmergencyBrake(Controller):
     the controller before it drives. Once it brakes, it brakes to a stop."""
 
     name: ClassVar[str] = "emergency_brake"
+    also_called: ClassVar[tuple[str, ...]] = ("aeb", "autonomous_emergency_braking")
     leaves_open: ClassVar[str] = "steering and, while the way is free, acceleration"
     sensor_options: ClassVar[tuple[str, ...]] = ("sensor",)
 

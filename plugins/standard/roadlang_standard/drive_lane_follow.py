@@ -19,7 +19,19 @@ class LaneFollow(SlowsForBends):
     """Follow the center of the lane exactly, at a given speed."""
 
     name: ClassVar[str] = "lane_follow"
-    also_called: ClassVar[tuple[str, ...]] = ("follow_lane", "FollowLane", "FollowLaneBehavior")
+    also_called: ClassVar[tuple[str, ...]] = (
+        "follow_lane",
+        "FollowLane",
+        "FollowLaneBehavior",
+        "lane_keep",
+        "lane_keeping",
+        "keep_lane",
+        "follow_path",
+        "constant_speed",
+        "keep_speed",
+        "lka",
+        "constant_velocity",
+    )
     speed: Speed = target_speed_option()
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")

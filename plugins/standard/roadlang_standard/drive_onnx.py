@@ -30,6 +30,7 @@ class OnnxController(Controller):
     """
 
     name: ClassVar[str] = "onnx"
+    also_called: ClassVar[tuple[str, ...]] = ("neural_network", "torch", "pytorch")
     model: File = option(help="ONNX file; needs onnxruntime: `pip install roadlang[onnx]`")
     distances: ListOf[Length] = option(
         (5.0, 10.0, 20.0, 30.0, 50.0), help="distances ahead at which it observes the path"

@@ -63,6 +63,7 @@ class Overtake(Controller):
     drops back if the lane is no longer free. Otherwise the controller before it drives."""
 
     name: ClassVar[str] = "overtake"
+    also_called: ClassVar[tuple[str, ...]] = ("pass",)
     leaves_open: ClassVar[str] = "the rest of the drive"
     target: Annotated[str, AgentOrObject] = option(
         help="the agent, object or group to overtake; members of a group are overtaken one by one"

@@ -33,6 +33,7 @@ class Process(Controller):
     """
 
     name: ClassVar[str] = "process"
+    also_called: ClassVar[tuple[str, ...]] = ("external", "program", "script", "python")
     command: ListOf[String] = option(at_least=1, help="the program and its arguments")
     timeout: Duration = option(
         1.0, minimum=0.001, maximum=600, help="time limit for each answer", example="500ms"

@@ -20,6 +20,7 @@ class Replay(Controller):
     anything. After the end of the recording it stands still."""
 
     name: ClassVar[str] = "replay"
+    also_called: ClassVar[tuple[str, ...]] = ("trajectory", "follow_trajectory", "recording")
     file: File = option(
         help="CSV file with the columns time (s), x, y (m), heading (rad) and, if there is one, "
         "speed (m/s); or with time, steering (rad) and acceleration (m/s^2); or a trace of "

@@ -22,6 +22,7 @@ class SpeedProfile(Controller):
     acceleration is constant. The controller before it steers."""
 
     name: ClassVar[str] = "speed_profile"
+    also_called: ClassVar[tuple[str, ...]] = ("accelerate", "speeds")
     points: ListOf[Annotated[tuple[float, float], pair_of(LENGTH, SPEED)]] = option(
         at_least=1,
         help="distances and speeds, in any order; before the first and beyond the last the speed "

@@ -30,6 +30,7 @@ class StopAt(Controller):
     controller before it drives. Without a place it stops at once."""
 
     name: ClassVar[str] = "stop_at"
+    also_called: ClassVar[tuple[str, ...]] = ("wait",)
     station: Length = option(
         None,
         minimum=0,

@@ -49,7 +49,7 @@ class Traffic(Controller):
     Kesting, Treiber and Helbing 2010)."""
 
     name: ClassVar[str] = "traffic"
-    also_called: ClassVar[tuple[str, ...]] = ("autopilot", "DriveAvoidingCollisions")
+    also_called: ClassVar[tuple[str, ...]] = ("autopilot", "DriveAvoidingCollisions", "autonomous")
     interval: ClassVar[float] = 0.1
     keeps_distance: ClassVar[bool] = True
     for_vehicles: ClassVar[bool] = True

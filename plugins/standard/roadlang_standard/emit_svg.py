@@ -17,6 +17,7 @@ class Svg(Backend):
     """A figure of each scene, and a contact sheet of all scenes."""
 
     name: ClassVar[str] = "svg"
+    also_called: ClassVar[tuple[str, ...]] = ("png", "jpg", "pdf", "picture")
     is_default: ClassVar[bool] = True
     size: Pixels = option(1024.0, minimum=120, maximum=8192, help="width of the figure")
     ghost: Flag = option(True, help="show the original road under the perturbed one")

@@ -27,6 +27,7 @@ class Aerial(Extractor):
     """Aerial photos: segment with a small neural network, trace, bridge gaps, find junctions."""
 
     name: ClassVar[str] = "aerial"
+    also_called: ClassVar[tuple[str, ...]] = ("photo", "satellite", "segmentation")
     is_pure: ClassVar[bool] = True
     threshold: Number | Literal["auto"] = option(
         "auto", above=0, below=1, help="minimum probability of road"

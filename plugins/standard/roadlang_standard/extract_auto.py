@@ -25,6 +25,7 @@ class Auto(Extractor):
     """Detect the type of image (photo, drawing, mask, legend) and use the matching extractor."""
 
     name: ClassVar[str] = "auto"
+    also_called: ClassVar[tuple[str, ...]] = ("map", "drawing", "mask")
     is_pure: ClassVar[bool] = True
     is_default: ClassVar[bool] = True
     threshold: Number | Literal["auto"] = option(

@@ -18,6 +18,7 @@ class Contour(Extractor):
     """Blur, threshold, contour, spline: for images in which the road has a tone of its own."""
 
     name: ClassVar[str] = "contour"
+    also_called: ClassVar[tuple[str, ...]] = ("opencv", "canny", "edges", "threshold", "edge")
     is_pure: ClassVar[bool] = True
     blur: Pixels = option(
         0.0, minimum=0, maximum=100, help="standard deviation of the Gaussian blur, the first step"

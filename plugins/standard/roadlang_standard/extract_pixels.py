@@ -16,6 +16,7 @@ class Pixel(Extractor):
     """Text images and drawings: the legend says which characters or colors are roads or objects."""
 
     name: ClassVar[str] = "pixels"
+    also_called: ClassVar[tuple[str, ...]] = ("legend", "tiles", "colors")
     is_pure: ClassVar[bool] = True
     thickness: Pixels | None = option(
         None,

@@ -48,6 +48,7 @@ class Cma(Searcher):
     none is found at random, and has what `spread` leaves."""
 
     name: ClassVar[str] = "cma"
+    also_called: ClassVar[tuple[str, ...]] = ("cma_es", "cmaes", "evolution")
     is_default: ClassVar[bool] = True
     sigma: Number = option(
         0.3, above=0, maximum=1, help="initial standard deviation, as a fraction of each range"

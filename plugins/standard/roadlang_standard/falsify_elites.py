@@ -18,6 +18,7 @@ class Elites(Searcher):
     differs from all others, and children of these. For a survey: `cma` finds more failures."""
 
     name: ClassVar[str] = "elites"
+    also_called: ClassVar[tuple[str, ...]] = ("map_elites", "quality_diversity")
     initial: Integer = option(
         200, minimum=2, help="candidates of a Halton sequence before the first children"
     )

@@ -19,6 +19,7 @@ class Halton(Searcher):
     """A scrambled Halton sequence: covers the space more evenly than random draws."""
 
     name: ClassVar[str] = "halton"
+    also_called: ClassVar[tuple[str, ...]] = ("sobol", "latin_hypercube", "lhs")
     is_adaptive: ClassVar[bool] = False
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:

@@ -150,6 +150,12 @@ class Lamp(ObjectKind):
     """A street lamp."""
 
     name: ClassVar[str] = "lamp"
+    also_called: ClassVar[tuple[str, ...]] = (
+        "street_light",
+        "street_lamp",
+        "streetlight",
+        "lamp_post",
+    )
     category: ClassVar[str] = "lamp"
     length: Length = length_option(0.3)
     width: Length = width_option(0.3)

@@ -17,6 +17,7 @@ class Harmonics(Perturber):
     """Add waves of 1, 2, ... `modes` periods with random weights, never beyond `amplitude`."""
 
     name: ClassVar[str] = "harmonics"
+    also_called: ClassVar[tuple[str, ...]] = ("fourier", "waves")
     amplitude: Length = option(minimum=0, help="bound of the displacement")
     modes: Integer = option(6, minimum=1, maximum=64, help="number of waves")
 

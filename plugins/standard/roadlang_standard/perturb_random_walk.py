@@ -21,6 +21,7 @@ class RandomWalk(Perturber):
     """Let the road wander at random, smoothly, never beyond `amplitude`."""
 
     name: ClassVar[str] = "random_walk"
+    also_called: ClassVar[tuple[str, ...]] = ("noise", "gaussian", "perlin", "jitter")
     amplitude: Length = option(minimum=0, help="bound of the displacement")
     correlation: Length = option(
         above=0, help="correlation length: arc length over which displacements are related"

@@ -17,6 +17,7 @@ class Shift(Perturber):
     """Move the road to the side from `at` on, over `length`, as a lane change does."""
 
     name: ClassVar[str] = "shift"
+    also_called: ClassVar[tuple[str, ...]] = ("translate", "offset", "lateral_shift")
     is_random: ClassVar[bool] = False
     at: Length = option(help="arc length at which the move begins")
     offset: Length = option(help="displacement after the move, left positive")

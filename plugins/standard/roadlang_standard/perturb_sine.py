@@ -17,6 +17,7 @@ class Sine(Perturber):
     """Sway the road by a sine wave along its arc length."""
 
     name: ClassVar[str] = "sine"
+    also_called: ClassVar[tuple[str, ...]] = ("sinusoid", "sinusoidal", "sin", "wave")
     is_random: ClassVar[bool] = False
     amplitude: Length = option(help="greatest displacement")
     wavelength: Length = option(

@@ -24,6 +24,7 @@ class HaltonSampler(Sampler):
     """A scrambled Halton sequence: covers the space more evenly than random draws."""
 
     name: ClassVar[str] = "halton"
+    also_called: ClassVar[tuple[str, ...]] = ("sobol", "latin_hypercube", "lhs")
     attempts: Integer = option(
         None,
         minimum=1,

@@ -19,6 +19,7 @@ class Builtin(Simulator):
     """The embedded engine: a dynamic bicycle model, many scenes at once, nothing to install."""
 
     name: ClassVar[str] = "builtin"
+    also_called: ClassVar[tuple[str, ...]] = ("embedded", "internal")
     is_default: ClassVar[bool] = True
     knows_levels: ClassVar[bool] = True
 

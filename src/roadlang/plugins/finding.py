@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose, did_you_mean
+from .attribution import PluginFault, attributed
 from .registry import AmbiguousKind, KindEntry, Registry
 
 _NOUNS = {"simulate": "engine", "emit": "backend"}
@@ -26,10 +27,25 @@ def entry_of(registry: Registry, verb: str, name: str) -> KindEntry:
     """As `find_entry`. Raises `DiagnosticError` RL930 where there is no such kind."""
     if not registry.has(verb, name):
         known = registry.names(verb)
-        hints = did_you_mean(name, known) or (f"there are {', '.join(known)}",)
+        meant = called(registry, verb, name)
+        near = (f"did you mean `{meant}`?",) if meant else did_you_mean(name, known)
+        hints = near or (f"there are {', '.join(known)}",)
         what = _NOUNS.get(verb, f"`{verb}` kind")
         raise DiagnosticError(diagnose(Code.UNKNOWN_CHOICE, what=what, name=name, help=hints))
     return find_entry(registry, verb, name)
+
+
+def called(registry: Registry, verb: str, word: str) -> str | None:
+    """The kind of a verb that has this as another name; plugins that fail are passed over."""
+    for entry in registry.of(verb):
+        try:
+            with attributed():
+                names = entry.load().also_called
+        except PluginFault:
+            continue
+        if word in names:
+            return entry.name
+    return None
 
 
 def ambiguous_kind(

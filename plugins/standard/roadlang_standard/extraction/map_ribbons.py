@@ -13,7 +13,7 @@ from roadlang.geometry import Booleans
 from .tones import Layer
 
 _WIDTHS = (1.0, 4.5, 9.0, 18.0, 36.0, 72.0)
-"""RibbonLines are looked at by width, between two of these, in pixels."""
+"""Ribbons are looked at by width, between two of these, in pixels."""
 _NEAR, _VARIES, _JAGGED = 0.4, 0.35, 2.1
 """Within so many of the larger widths to each side, the width of a ribbon varies by less than this
 share of it, or by less than so many pixels; that of land, parks and buildings grows and shrinks."""

@@ -7,12 +7,13 @@ from collections.abc import Iterable
 
 from ...diagnostics import Code, Span
 from ...plugins.attribution import PluginFault, attributed
+from ...plugins.finding import called
 from ...plugins.kinds import VERBS
 from ...plugins.options import schema_of
 from ...plugins.registry import AmbiguousKind, KindEntry, UnknownKind
 from ..checker import Checker, ResolvedKind
 from ..suggestions import meant_name
-from .other_simulators import kind_help
+from .kinds_elsewhere import kind_help
 
 MOST_LISTED = 12
 """Names in one line of help"""
@@ -140,7 +141,7 @@ def _report_missing(checker: Checker, verb: str, name: str, span: Span) -> None:
         return
     known = (*registry.names(verb), *registry.planned_names(verb))
     qualified = tuple(entry.qualified for entry in registry.of(verb))
-    meant = _called(checker, verb, name) or meant_name(name, qualified if "." in name else known)
+    meant = called(registry, verb, name) or meant_name(name, qualified if "." in name else known)
     if {verb, *verbs_with(checker, ("agent", "object"), name)} == {"agent", "object"}:
         meant = None  # `object b is car` means the agent, not an object with a similar name
     help_ = [] if meant else _of_other_verbs(checker, verb, name) or _not_installed(checker, name)
@@ -190,13 +191,6 @@ def _described(checker: Checker, verb: str, word: str) -> list[str]:
     ]
 
 
-def _called(checker: Checker, verb: str, word: str) -> str | None:
-    """The kind of a verb that has another name as well."""
-    kinds = (loaded(entry) for entry in checker.registry.of(verb))
-    found = (kind for kind in kinds if isinstance(kind, ResolvedKind))
-    return next((kind.entry.name for kind in found if word in kind.kind.also_called), None)
-
-
 def _of_other_verbs(checker: Checker, verb: str, name: str) -> list[str]:
     verbs = [other for other in VERBS if other != verb and checker.registry.has(other, name)]
     return [_written(other, name) for other in verbs[:1]]
@@ -220,4 +214,5 @@ def _listing(verb: str, names: Iterable[str]) -> list[str]:
     shown = ", ".join(f"`{name}`" for name in known[:MOST_LISTED])
     if len(known) == 1:
         return [f"the only kind of `{verb}` is {shown}"]
-    return [f"the kinds of `{verb}` are {shown}{', ...' if len(known) > MOST_LISTED else ''}"]
+    rest = f", ...: `roadlang plugins --verb {verb}` lists all"
+    return [f"the kinds of `{verb}` are {shown}{rest if len(known) > MOST_LISTED else ''}"]
