@@ -27,6 +27,7 @@ from .map_tones import (
 from .map_water import without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
+from .shared_colors import with_streets_alone
 from .skeleton import skeleton
 from .tones import Image, Layer
 
@@ -81,7 +82,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     thin = chosen is not None
     if chosen is None:
         tones = without_water(map_tones(plain, colors, tolerance))
-        chosen = _Roads(tones, road_tones(tones, min(image.shape[:2])))
+        chosen = _Roads(tones, road_tones(with_streets_alone(tones), min(image.shape[:2])))
     if not chosen.roads:
         return None
     usual = chosen.width(lambda tone: tone.width)
@@ -118,7 +119,8 @@ def _differing(one: Image, other: Image) -> float:
 def _thin_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
     """The roads of a lossless map (h, w, 3) without letters; None if they are usually wide."""
     tones = without_water(map_tones(plain, colors, smooth=True))
-    found = _Roads(tones, road_tones(without_outlines(tones), min(plain.shape[:2])))
+    streets = without_outlines(with_streets_alone(tones))
+    found = _Roads(tones, road_tones(streets, min(plain.shape[:2])))
     return found if found.roads and found.width(lambda tone: tone.width) < THIN else None
 
 
@@ -136,7 +138,9 @@ def _masks(
         if road is None:
             others.append(one.mask if letters is None else one.mask | (plain.mask & ~letters))
         elif letters is None:
-            mask |= one.mask
+            streets = parts_touching(one.mask, road.mask) if road.shared else one.mask
+            mask |= streets
+            others.append(one.mask & ~streets)
         else:
             mask |= parts_touching(one.mask, road.mask) | (road.mask & ~letters)
     if letters is not None:

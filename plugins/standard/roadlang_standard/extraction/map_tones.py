@@ -88,6 +88,8 @@ class MapTone:
     """length of that, pixels"""
     steady_wide: float = 0.0
     """width of its widest twentieth, pixels"""
+    shared: bool = False
+    """whether houses or water have the color, too, which are not in the mask"""
 
     @property
     def is_gray(self) -> bool:

@@ -1,0 +1,57 @@
+"""Colors that streets of a map share with houses, water or parks, as in styles of two colors."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+from .map_ribbons import ribbons
+from .map_tones import MapTone, map_tone
+from .masks import without_specks
+from .skeleton import skeleton
+
+_UNEVEN, _LENGTH = 0.35, 0.7
+"""A color may be shared where less than this share of its surface keeps its width, but on a length
+of more than so many shorter sides of the picture."""
+_WIDE = 4.3
+"""What is so many times as wide as its ribbons usually are is water, or a park."""
+_EXTENT, _EVEN = 40, 0.5
+"""Streets reach over so many pixels, and keep their width on so much of their length."""
+_SPECK = 8
+
+
+def with_streets_alone(tones: list[MapTone]) -> list[MapTone]:
+    """The tones of a map; of those that streets share, these streets."""
+    land = max(tones, key=lambda tone: float(tone.mask.sum()))
+    return [tone if tone is land else _streets(tone) for tone in tones]
+
+
+def _streets(tone: MapTone) -> MapTone:
+    least = _LENGTH * min(tone.mask.shape)
+    if tone.steady >= _UNEVEN or tone.steady_length < least:
+        return tone
+    mask = _narrow(without_specks(tone.mask, _SPECK))
+    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    thin = skeleton(mask)
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    lengths = np.bincount(parts[thin], minlength=count)
+    even = np.bincount(parts[ribbons(thin, inner).lines], minlength=count)
+    extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+    streets = (even >= _EVEN * lengths) & (extents >= _EXTENT) & (lengths > 0)
+    streets[0] = False
+    if even[streets].sum() < least:
+        return tone
+    return replace(map_tone(tone.color, np.asarray(streets[parts])), shared=True)
+
+
+def _narrow(mask: Booleans) -> Booleans:
+    """Without what is far wider than the ribbons of a mask (h, w) usually are."""
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    lines = ribbons(skeleton(mask), inner).lines
+    widest = _WIDE * float(np.median(2 * inner[lines] - 1))
+    core = (inner <= widest / 2).astype(np.uint8)
+    return np.asarray(mask & (cv2.distanceTransform(core, cv2.DIST_L2, 5) > widest / 2))

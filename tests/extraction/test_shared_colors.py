@@ -1,0 +1,50 @@
+"""Streets of maps with the color of houses and water, told from these by their shape."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+from roadlang_standard.extraction.map_tones import map_tone
+from roadlang_standard.extraction.shared_colors import with_streets_alone
+
+
+def town(river: int) -> tuple[Booleans, Booleans]:
+    """What has the color of streets in a town (400, 400), rows of houses and a river among it, and
+    its streets."""
+    streets = np.zeros((400, 400), np.uint8)
+    for place in (60, 160, 260, 340):
+        cv2.line(streets, (place, 0), (place + 20, 399), 1, 6)
+        cv2.line(streets, (0, place), (399, place + 15), 1, 6)
+    black = streets.copy()
+    for x, y in ((x, y) for x in range(4, 380, 27) for y in range(4, 380, 25)):
+        if not streets[max(0, y - 4) : y + 18, max(0, x - 4) : x + 24].any():
+            black[y : y + 14, x : x + 20] = 1
+    if river:
+        black[170 : 170 + river] = 1
+    return black > 0, streets > 0
+
+
+def test_houses_and_a_river_are_not_among_the_streets_of_their_color() -> None:
+    black, streets = town(river=80)
+    land, alone = with_streets_alone(
+        [map_tone(np.full(3, 255.0), ~black), map_tone(np.zeros(3), black)]
+    )
+    assert not land.shared
+    assert alone.shared
+    assert (streets & alone.mask).sum() > 0.8 * streets.sum()
+    assert (alone.mask & ~streets).sum() < 0.02 * streets.sum()
+
+
+def test_a_color_that_streets_have_alone_is_left_as_it_is() -> None:
+    _, streets = town(river=0)
+    tones = [map_tone(np.full(3, 255.0), ~streets), map_tone(np.zeros(3), streets)]
+    assert with_streets_alone(tones)[1] is tones[1]
+
+
+def test_rows_of_houses_are_no_streets() -> None:
+    black, streets = town(river=0)
+    houses = black & ~cv2.dilate(streets.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
+    tones = [map_tone(np.full(3, 255.0), ~houses), map_tone(np.zeros(3), houses)]
+    assert not with_streets_alone(tones)[1].shared
