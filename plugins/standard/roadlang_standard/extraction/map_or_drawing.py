@@ -16,6 +16,8 @@ LETTERED = 0.003
 """A map of few colors has letters on this share of it."""
 FEW = 3
 """So many colors are few."""
+_MANY = 6
+"""More colors are a map's."""
 _PALE = 40.0
 """Gray levels between the land and roads that a drawing is not seen by."""
 _PLAIN = 0.9
@@ -38,6 +40,10 @@ def is_drawing(
     Few colors without names are one, but for roads as light as the land within casings. So are
     roads of one color on a plain ground, of which no names are, or which have markings.
     """
+    if colors > _MANY:
+        return False
+    # All of a tone: of one that streets share with houses, the roads may be a part.
+    roads = [tone for tone in tones if any(np.array_equal(tone.color, r.color) for r in roads)]
     land = max(tones, key=lambda tone: int(tone.mask.sum()))
     plain = float(np.logical_or.reduce([land.mask, *(road.mask for road in roads)]).mean())
     if colors <= FEW and letters.mean() < LETTERED:
