@@ -60,8 +60,8 @@ def completed(command: click.Command, parameter: str, typed: str) -> list[str]:
 
 
 def test_codes_and_kinds_are_completed() -> None:
-    assert completed(explain, "code", "rl20")[:2] == ["RL201", "RL202"]
-    assert all(code.startswith("RL20") for code in completed(explain, "code", "RL20"))
+    assert completed(explain, "words", "rl20")[:2] == ["RL201", "RL202"]
+    assert all(code.startswith("RL20") for code in completed(explain, "words", "RL20"))
     assert "sine" in completed(show, "words", "si")
     assert all(name.startswith("si") for name in completed(show, "words", "si"))
 
