@@ -48,3 +48,21 @@ def test_rows_of_houses_are_no_streets() -> None:
     houses = black & ~cv2.dilate(streets.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     tones = [map_tone(np.full(3, 255.0), ~houses), map_tone(np.zeros(3), houses)]
     assert not with_streets_alone(tones)[1].shared
+
+
+def test_land_in_color_is_no_street() -> None:
+    black, _ = town(river=80)
+    tones = [map_tone(np.full(3, 255.0), ~black), map_tone(np.array([209.0, 214.0, 255.0]), black)]
+    assert with_streets_alone(tones)[1] is tones[1]
+
+
+def test_gray_land_among_whose_thin_pieces_one_is_long_is_no_street() -> None:
+    land = np.zeros((400, 400), np.uint8)
+    land[190:196] = 1
+    for y in range(4, 170, 16):
+        for x in range(4, 380, 40):
+            land[y : y + 6, x : x + 30] = 1
+    land[230:390, 20:380] = 1
+    gray = land > 0
+    tones = [map_tone(np.full(3, 250.0), ~gray), map_tone(np.full(3, 224.0), gray)]
+    assert not with_streets_alone(tones)[1].shared

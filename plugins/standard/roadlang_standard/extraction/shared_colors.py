@@ -17,6 +17,8 @@ from .skeleton import skeleton
 _UNEVEN, _LENGTH = 0.35, 0.7
 """A color may be shared where less than this share of its surface keeps its width, but on a length
 of more than so many shorter sides of the picture."""
+_MOST = 0.7
+"""The streets have at least this share of that length: pieces of land that are thin have less."""
 _WIDE = 4.3
 """What is so many times as wide as its ribbons usually are is water, or a park."""
 _EXTENT, _EVEN = 40, 0.5
@@ -32,7 +34,8 @@ def with_streets_alone(tones: list[MapTone]) -> list[MapTone]:
 
 def _streets(tone: MapTone) -> MapTone:
     least = _LENGTH * min(tone.mask.shape)
-    if tone.steady >= _UNEVEN or tone.steady_length < least:
+    # Maps of a few grays have one for streets and houses; land in color is no street.
+    if not tone.is_gray or tone.steady >= _UNEVEN or tone.steady_length < least:
         return tone
     mask = _narrow(without_specks(tone.mask, _SPECK))
     count, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
@@ -45,7 +48,10 @@ def _streets(tone: MapTone) -> MapTone:
     streets[0] = False
     if even[streets].sum() < least:
         return tone
-    return replace(map_tone(tone.color, np.asarray(streets[parts])), shared=True)
+    found = map_tone(tone.color, np.asarray(streets[parts]))
+    if found.steady_length < _MOST * tone.steady_length:
+        return tone
+    return replace(found, shared=True)
 
 
 def _narrow(mask: Booleans) -> Booleans:
