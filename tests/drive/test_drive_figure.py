@@ -11,7 +11,7 @@ import pytest
 
 from roadlang.drive.figure import color_shares, drive_figure, robustness_color
 from roadlang.geometry import Marking
-from roadlang.ir.scene import SceneActor, SceneNetwork
+from roadlang.ir.scene import SceneActor, SceneNetwork, SceneRoad
 from roadlang.ir.scene_junctions import SceneArm, SceneJunction
 from roadlang.ir.scene_lane import SceneLane
 from roadlang.ir.trace import AgentTrace, Trace
@@ -81,19 +81,36 @@ def test_a_road_is_as_wide_as_its_drivable_lanes_at_each_place() -> None:
     assert line(main) == [(24, 18), (876, 28), (876, 88), (24, 98)], "80 pixels wide, then 60"
 
 
-def test_a_closed_road_is_drawn_around_its_inside() -> None:
+def ring(**changes: Any) -> SceneRoad:
+    """A circle around (0, 0) that begins and ends at (40, 0)."""
     around = np.linspace(0.0, 2.0 * np.pi, 401)[:-1]
-    ring = replace(
-        road("main", lambda x: 0.0, 80.0 * np.pi, width=(8.0,) * 400),
+    return replace(
+        road("main", lambda x: 0.0, 80.0 * np.pi, width=(8.0,) * 400, **changes),
         x=tuple((40.0 * np.cos(around)).tolist()), y=tuple((40.0 * np.sin(around)).tolist()),
         heading=tuple((around + 0.5 * np.pi).tolist()), closed=True,
+        stations=tuple((40.0 * around).tolist()),
     )  # fmt: skip
-    (drawn,) = figure(roads=(ring,)).findall("polygon")
+
+
+def test_a_closed_road_is_drawn_around_its_inside() -> None:
+    (drawn,) = figure(roads=(ring(),)).findall("polygon")
     points = np.array(line(drawn))
     x, y = points.T
     area = 0.5 * abs(float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))))
     scale = (900 - 48) / 120.0  # from the west of the ring, at -40 m, to the end of the drive
     assert area == pytest.approx(2.0 * np.pi * 40.0 * 8.0 * scale**2, rel=0.01)
+
+
+def test_lines_of_a_closed_road_that_leaves_a_junction_end_there() -> None:
+    """6 m along the road from it, which they do not cross: nearly 12 m from each other."""
+    paths = figure(roads=(ring(trim=(6.0, 6.0)),)).findall("path")
+    lines = [part.split() for path in paths for part in (path.get("d") or "M").split("M")[1:]]
+    scale = (900 - 48) / 120.0
+    assert len(lines) == 3, "along both edges, and in the middle"
+    for points in lines:
+        (x, y), (end_x, end_y) = (map(float, points[i].split(",")) for i in (0, -1))
+        assert x == pytest.approx(end_x, abs=0.2)
+        assert abs(y - end_y) / scale == pytest.approx(12.0, abs=1.5)
 
 
 def test_objects_are_drawn_in_their_size() -> None:

@@ -40,18 +40,17 @@ class ShownPart:
 def shown_part(road: SceneRoad) -> ShownPart | None:
     """From where one junction ends to where the next begins, round a closed road; None of a road
     inside a junction."""
-    axis = np.array(road.stations)
+    axis, columns = np.array(road.stations), np.array((road.x, road.y, road.heading))
+    if road.closed:  # its last station lies before its end, which is its start
+        axis, columns = np.append(axis, road.length), np.hstack([columns, columns[:, :1]])
     first, last = axis[0] + road.trim[0], axis[-1] - road.trim[1]
     if not first < last:
         return None
     inner = axis[(axis > first) & (axis < last)]
     s = np.concatenate([[first], inner, [last]])
-    heading = np.interp(s, axis, np.unwrap(road.heading))
-    points = np.column_stack([np.interp(s, axis, part) for part in (road.x, road.y)])
-    left = np.column_stack([-np.sin(heading), np.cos(heading)])
-    if road.closed:
-        s = np.append(s, axis[0])
-        points, left = (np.concatenate([part, part[:1]]) for part in (points, left))
+    columns[2] = np.unwrap(columns[2])
+    x, y, heading = (np.interp(s, axis, part) for part in columns)
+    points, left = np.column_stack([x, y]), np.column_stack([-np.sin(heading), np.cos(heading)])
     section = road.cross_section()
     width = float(np.mean(road.width))
     return ShownPart(points, left, section, section.border_offsets(s), width)
