@@ -41,6 +41,8 @@ def check_greeting(line: str) -> None:
     if not isinstance(answer, dict) or answer.get("protocol") != PROTOCOL:
         reason = f'its first line has to be {{"protocol": "{PROTOCOL}"}}, not {_short(line)}'
         raise ProgramFailed(reason)
+    if "agent" in answer:  # what it was told has a steering angle and an acceleration, too
+        raise ProgramFailed("it sends back the line that it read, as `cat` does")
 
 
 def observations(seen: ObservationBatch) -> list[str]:
