@@ -95,3 +95,18 @@ def test_a_name_of_several_verbs_gives_the_schemas_of_all(
 def test_a_kind_of_another_verb_is_not_meant(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["schema", "emit", "sine"]) == 2
     assert "there is no schema called `emit sine`" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        (("explain", "lane_keep"), "drive lane_follow"),
+        (("explain", "emit", "png"), "emit svg"),
+        (("plugins", "show", "canny"), "extract contour"),
+    ],
+)
+def test_the_name_that_another_tool_has_for_a_kind_leads_to_it(
+    words: tuple[str, ...], meant: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(list(words)) == 2
+    assert f"did you mean `{meant}`?" in capsys.readouterr().err

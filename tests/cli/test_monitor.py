@@ -174,7 +174,7 @@ def test_the_column_of_positions_is_no_signal(
     path = tmp_path / "late.csv"
     path.write_text("e,time\n1,0\n2,1\n")
     assert run(["monitor", "always (e < 6)", str(path)]) == 1
-    assert "`e` is the first column, which holds the positions" in capsys.readouterr().err
+    assert "`e` is the first column, which is taken as the positions" in capsys.readouterr().err
 
 
 def test_a_name_with_a_hyphen_is_no_difference(

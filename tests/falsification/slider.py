@@ -6,11 +6,13 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from roadlang.api import AgentTrace, Controller, Length, Scene, Simulator, Trace, option
+from roadlang.session.loading import LoadedScenario
+from roadlang.testing import scenario
 
 STEP = 0.1
 
@@ -53,6 +55,8 @@ class Slider(Simulator):
         return Trace(time, agents, "slider")
 
 
+PERTURBED = "perturb with harmonics { modes: 6, amplitude: 30m }"
+FEW: dict[str, Any] = {"evaluations": 120, "seed": 3}
 TEXT = """
 param limit = 1.4m
 road main {
@@ -72,3 +76,7 @@ def numbers_in_journal(folder: Path) -> list[int]:
     lines = (folder / "journal.jsonl").read_text(encoding="utf-8").splitlines()
     rows = [json.loads(line) for line in lines]
     return [row["index"] for row in rows if "index" in row]
+
+
+def slides(text: str = TEXT, **params: Any) -> LoadedScenario:
+    return scenario(text, kinds=[Slider], **params)

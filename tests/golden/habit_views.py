@@ -14,7 +14,7 @@ from roadlang.syntax import parse
 from roadlang.syntax.recovery.foreign_notation import SYMBOLS
 from tests.golden.comparing import SCENES
 from tests.golden.language_views import said
-from tests.semantics.test_habits import EGO, HABITS, ROAD
+from tests.semantics.habits import EGO, HABITS, ROAD
 from tests.syntax.test_mistakes import FAULTS, SAMPLES
 
 _TOKEN = re.compile(r'"[^"\n]*"|[\w.]+|\.\.|[^\w\s]')

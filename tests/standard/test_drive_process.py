@@ -102,7 +102,7 @@ FAILING = {
         print("ready", flush=True)
         time.sleep(60)
     """,
-    "it sends back the line that it read": "for line in sys.stdin: print(line, end='', flush=True)",
+    "it sent back the line it was given": "for line in sys.stdin: print(line, end='', flush=True)",
     "its first line has to be": 'print("{}", flush=True)\ntime.sleep(60)',
     "is no JSON object: 'ready'": """
         sys.stdin.readline()

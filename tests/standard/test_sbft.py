@@ -176,11 +176,11 @@ def test_points_may_be_anything_but_even(gaps: list[float]) -> None:
 @pytest.mark.parametrize(
     ("points", "options", "reason"),
     [
-        ("(0m, 0m), (600m, 0m)", "", "sticks out of the map of 200 m by 200 m, by 200 m"),
+        ("(0m, 0m), (600m, 0m)", "", "leaves the map of 200 m by 200 m by 200 m"),
         ("(0m, 0m), (150m, 0m)", ", centered: false", "`centered: true` moves it to the middle"),
-        ("(0m, 0m), (15m, 0m)", "", "it is 15 m long, not 20 m"),
-        ("(0m, 0m), (1500m, 0m)", ", spacing: 1m, size: 2000m", "give it a larger `spacing`"),
-        ("(0m, 0m), (50m, 0m), (50m, 20m), (0m, 20m)", "", "14.33 m the least allowed"),
+        ("(0m, 0m), (15m, 0m)", "", "it is 15 m long; at least 20 m is required"),
+        ("(0m, 0m), (1500m, 0m)", ", spacing: 1m, size: 2000m", "increase `spacing`"),
+        ("(0m, 0m), (50m, 0m), (50m, 20m), (0m, 20m)", "", "at least 14.33 m is required"),
         ("(0m, 0m), (100m, 0m), (140m, 40m), (100m, 80m), (60m, 40m), (60m, -50m)", "", "overlap"),
     ],
 )

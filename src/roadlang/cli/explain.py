@@ -19,7 +19,7 @@ from ..diagnostics import (
 )
 from .commands import COMMANDS
 from .console import echo, style
-from .named_kinds import kinds_text, named_kinds
+from .named_kinds import kinds_text, named_kinds, other_names
 from .option_listing import statement_lines
 
 
@@ -90,7 +90,7 @@ def _kinds(wanted: str) -> str:
     from ..semantics.statement_reference import BY_WORD
 
     names = {page(known).name for known in codes()} | {entry.name for entry in registry.entries}
-    hints = did_you_mean(wanted.upper(), codes())
+    hints = did_you_mean(wanted.upper(), codes()) or other_names(registry, wanted.split())
     hints = hints or did_you_mean(wanted.lower(), names | set(BY_WORD))
     raise DiagnosticError(
         diagnose(Code.UNKNOWN_CODE, wanted=wanted, help=(*hints, *_where_else(wanted)))
@@ -108,9 +108,9 @@ def _where_else(wanted: str) -> tuple[str, ...]:
         folder.glob("scene-*[0-9].json")
     )
     if not scenes:
-        return ("a folder has no explanation: name a scene in it that violates an expectation",)
+        return ("`explain` takes a scene, not a folder: name one that violates an expectation",)
     shown = f"`roadlang explain {scenes[0].as_posix()}`"
-    return (f"name a scene of it in which an expectation is violated, as in {shown}",)
+    return (f"name a scene in it that violates an expectation, as in {shown}",)
 
 
 def _shown(found: Page) -> str:

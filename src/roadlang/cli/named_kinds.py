@@ -30,6 +30,15 @@ def named_kinds(registry: Registry, words: Sequence[str]) -> list[KindEntry]:
     return found
 
 
+def other_names(registry: Registry, words: Sequence[str]) -> tuple[str, ...]:
+    """Help where kinds have the last word as another name, as in other tools."""
+    from ..plugins.finding import called
+    from ..plugins.kinds import VERBS
+
+    meant = ((verb, called(registry, verb, words[-1])) for verb in VERBS)
+    return tuple(f"did you mean `{verb} {name}`?" for verb, name in meant if name)
+
+
 _VERBS = {"require": "monitor", "expect": "monitor"}
 """What scene files write before kinds that are listed under another verb."""
 

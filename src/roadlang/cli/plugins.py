@@ -11,7 +11,7 @@ from click.shell_completion import CompletionItem
 
 from ..diagnostics import Code
 from .console import echo
-from .named_kinds import kinds_text, named_kinds
+from .named_kinds import kinds_text, named_kinds, other_names
 from .option_listing import statement_lines
 from .plugin_listing import kind_record, listing_lines, listing_record
 
@@ -139,7 +139,9 @@ def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
 
     entries = named_kinds(registry, words)
     if not entries:
-        hints = did_you_mean(words[-1], {entry.name for entry in registry.entries})
+        hints = other_names(registry, words) or did_you_mean(
+            words[-1], {entry.name for entry in registry.entries}
+        )
         hints = hints or registry.hints
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=hints)

@@ -60,7 +60,8 @@ def naming(path: str, diagnostics: Iterable[Diagnostic], axis: str = "") -> Iter
             diagnostic = replace(diagnostic, path=path)
         if axis and diagnostic.code == Code.MISSING_SIGNAL and f"`{axis}`" in diagnostic.message:
             about = (
-                f"`{axis}` is the first column, which holds the positions: put that of time first"
+                f"`{axis}` is the first column, which is taken as the positions: put the time "
+                "column first"
             )
             diagnostic = replace(diagnostic, help=(about, *diagnostic.help))
         yield diagnostic

@@ -6,8 +6,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from ..geometry.arrays import Floats
 from ..geometry.strokes_of_lanes import LaneStroke
 from ..ir.scene import Scene, SceneRoad
@@ -15,8 +13,9 @@ from ..ir.scene_junctions import SceneJunction
 from ..scenes.figure_colors import FIGURE_COLORS
 from ..scenes.junction_paint import crosswalk_paint, junction_paint
 from ..scenes.shown_junctions import shown_junctions
-from .lane_bands import LaneBand, bands_and_lines, lane_bands
+from .lane_bands import bands_and_lines, lane_bands
 from .lane_lines import TOLERANCE, painted_lines, shown_part
+from .road_areas import road_areas
 
 _SEAM = 2.0
 """Pixels: areas are drawn so much wider in all, or thin lines of ground show between them."""
@@ -44,28 +43,13 @@ def drawn_roads(
         [line for line, _ in painted],
         tolerance,
     )
-    for band in bands:
-        if not (band.is_driven or band.inner):
-            yield _band(band, place)
-    for junction in junctions:
-        yield _area(place(*np.array(junction.area).T), FIGURE_COLORS.surface)
-    for band in bands:
-        if band.is_driven:
-            yield _band(band, place)
-    for band in bands:
-        if band.inner:
-            yield _band(band, place)
+    for area in road_areas(bands, junctions):
+        yield _area(place(*area.ring.T), area.color, 0.0 if area.inner else _SEAM)
     yield from _lane_lines(lines, [stroke for _, stroke in painted], place)
     yield from _paint(scene, junctions, place, scale)
 
 
-def _band(band: LaneBand, place: Place) -> str:
-    beside = FIGURE_COLORS.raised if band.raised else FIGURE_COLORS.beside
-    color = FIGURE_COLORS.surface if band.is_driven else beside
-    return _area(place(*band.ring.T), color, 0.0 if band.inner else _SEAM)
-
-
-def _area(ring: Floats, color: str, seam: float = _SEAM) -> str:
+def _area(ring: Floats, color: str, seam: float) -> str:
     points = ("%.1f,%.1f " * len(ring) % tuple(ring.ravel().tolist()))[:-1]
     stroke = f' stroke="{color}" stroke-width="{seam:g}"' if seam else ""
     return f'<polygon points="{points}" fill="{color}"{stroke}/>'

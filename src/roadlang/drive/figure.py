@@ -10,10 +10,10 @@ from html import escape
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..ir.category import BUILDING, GREENERY
+from ..ir.category import GREENERY
 from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
-from ..scenes.figure_colors import FIGURE_COLORS
+from ..scenes.figure_colors import FIGURE_COLORS, object_color
 from .drawn_roads import drawn_roads
 
 COLOR_STEPS = 8
@@ -78,10 +78,10 @@ def _footprint(actor: SceneActor, place: Callable[[Floats, Floats], Floats], sca
     x, y = place(np.array(actor.x), np.array(actor.y)).tolist()
     long, wide = actor.length * scale, actor.width * scale
     title = f"<title>{escape(actor.name, quote=False)}</title>"
+    color = object_color(actor.category)
     if actor.category in GREENERY:
         crown = f'cx="{x:.1f}" cy="{y:.1f}" r="{max(long, wide) / 2:.1f}"'
-        return f'<circle {crown} fill="{FIGURE_COLORS.leaves}">{title}</circle>'
-    color = FIGURE_COLORS.roof if actor.category == BUILDING else FIGURE_COLORS.thing
+        return f'<circle {crown} fill="{color}">{title}</circle>'
     turn = f"translate({x:.1f} {y:.1f}) rotate({-np.degrees(actor.heading):.1f})"
     return (
         f'<rect x="{-long / 2:.1f}" y="{-wide / 2:.1f}" width="{long:.1f}" height="{wide:.1f}"'

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..drive.lane_bands import LaneBand, bands_and_lines, lane_bands
+from ..drive.lane_bands import bands_and_lines, lane_bands
 from ..drive.lane_lines import painted_lines, shown_part
+from ..drive.road_areas import road_areas
 from ..geometry.arrays import Booleans, Floats
 from ..geometry.strokes_of_lanes import LaneStroke
-from ..ir.category import BUILDING, GREENERY
+from ..ir.category import GREENERY
 from ..ir.scene import Scene, SceneActor
-from ..scenes.figure_colors import FIGURE_COLORS
+from ..scenes.figure_colors import FIGURE_COLORS, object_color
 from ..scenes.shown_junctions import shown_junctions
 
 PIXELS = 480
@@ -70,24 +71,16 @@ class TopView:
 
 
 def _road_shapes(scene: Scene) -> Iterator[_Shape]:
-    """From the ground up: what lies beside roadways, junctions, roadways, lines."""
+    """From the ground up: areas, then lines."""
     roads = [road for road in scene.roads if road.derived] or list(scene.roads)
     parts = [part for road in roads if (part := shown_part(road)) is not None]
     painted = [found for part in parts for found in painted_lines(part, SCALE)]
     every = [band for part in parts for band in lane_bands(part)]
     bands, lines = bands_and_lines(every, [line for line, _ in painted])
-    yield from (_band_shape(band) for band in bands if not (band.is_driven or band.inner))
-    for junction in shown_junctions(scene, {road.name for road in roads}):
-        yield _Shape(np.array(junction.area), FIGURE_COLORS.surface)
-    yield from (_band_shape(band) for band in bands if band.is_driven)
-    yield from (_band_shape(band) for band in bands if band.inner)
+    for area in road_areas(bands, shown_junctions(scene, {road.name for road in roads})):
+        yield _Shape(area.ring, area.color)
     for line, (_, stroke) in zip(lines, painted, strict=True):
         yield from _line_shapes(line, stroke)
-
-
-def _band_shape(band: LaneBand) -> _Shape:
-    beside = FIGURE_COLORS.raised if band.raised else FIGURE_COLORS.beside
-    return _Shape(band.ring, FIGURE_COLORS.surface if band.is_driven else beside)
 
 
 def _line_shapes(line: Floats, stroke: LaneStroke) -> Iterator[_Shape]:
@@ -109,9 +102,8 @@ def _object_shape(found: SceneActor) -> _Shape:
     if found.category in GREENERY:
         angle = np.linspace(0.0, 2.0 * np.pi, 16, endpoint=False)
         crown = 0.5 * max(size) * np.column_stack([np.cos(angle), np.sin(angle)])
-        return _Shape(crown + np.array([found.x, found.y]), FIGURE_COLORS.leaves)
-    color = FIGURE_COLORS.roof if found.category == BUILDING else FIGURE_COLORS.thing
-    return _Shape(_box(size, (found.x, found.y, found.heading)), color)
+        return _Shape(crown + np.array([found.x, found.y]), object_color(found.category))
+    return _Shape(_box(size, (found.x, found.y, found.heading)), object_color(found.category))
 
 
 def _vehicle_shapes(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..ir.category import BUILDING, GREENERY
+
 
 @dataclass(frozen=True)
 class FigureColors:
@@ -28,3 +30,10 @@ class FigureColors:
 
 
 FIGURE_COLORS = FigureColors()
+
+
+def object_color(category: str) -> str:
+    """Of an object seen from above."""
+    if category in GREENERY:
+        return FIGURE_COLORS.leaves
+    return FIGURE_COLORS.roof if category == BUILDING else FIGURE_COLORS.thing

@@ -18,6 +18,7 @@ _NEAR, _VARIES, _JAGGED = 0.4, 0.35, 2.1
 """Within so many of the larger widths to each side, the width of a ribbon varies by less than this
 share of it, or by less than so many pixels; that of land, parks and buildings grows and shrinks."""
 _WIDE = 0.95
+"""The quantile of the widths of ribbons that stands for the widest."""
 _LONG = 2.5
 """A ribbon is longer than so many widths."""
 

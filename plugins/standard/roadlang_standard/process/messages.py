@@ -42,7 +42,7 @@ def check_greeting(line: str) -> None:
         reason = f'its first line has to be {{"protocol": "{PROTOCOL}"}}, not {_short(line)}'
         raise ProgramFailed(reason)
     if "agent" in answer:  # what it was told has a steering angle and an acceleration, too
-        raise ProgramFailed("it sends back the line that it read, as `cat` does")
+        raise ProgramFailed("it sent back the line it was given, as `cat` does")
 
 
 def observations(seen: ObservationBatch) -> list[str]:

@@ -17,7 +17,7 @@ def broken_rules(points: Floats, size: float, centered: bool) -> str | None:
     """
     count = points.shape[1]
     if count > MOST_POINTS:
-        return f"it has {count} points, and {MOST_POINTS} are the most: give it a larger `spacing`"
+        return f"it has {count} points, but at most {MOST_POINTS} are allowed: increase `spacing`"
     margins = judged(points, size)
     inside, apart, radius, length = (
         float(column[0])
@@ -27,18 +27,20 @@ def broken_rules(points: Floats, size: float, centered: bool) -> str | None:
     if inside < 0.0:
         where = "" if centered else "; `centered: true` moves it to the middle of the map"
         found.append(
-            f"the road, {2.0 * HALF_WIDTH:g} m wide, sticks out of the map of {size:g} m by "
-            f"{size:g} m, by {_meters(-inside)}{where}"
+            f"the road, {2.0 * HALF_WIDTH:g} m wide, leaves the map of {size:g} m by {size:g} m "
+            f"by {_meters(-inside)}{where}"
         )
     if radius < 0.0:
         found.append(
-            f"its least radius is {_meters(LEAST_RADIUS + radius)}, and {LEAST_RADIUS:.2f} m the "
-            "least allowed"
+            f"its minimum radius is {_meters(LEAST_RADIUS + radius)}; at least "
+            f"{LEAST_RADIUS:.2f} m is required"
         )
     if apart < 0.0 <= radius:  # a sharp bend folds as well
         found.append("parts of it overlap or touch")
     if length < 0.0:
-        found.append(f"it is {_meters(LEAST_LENGTH + length)} long, not {LEAST_LENGTH:g} m")
+        found.append(
+            f"it is {_meters(LEAST_LENGTH + length)} long; at least {LEAST_LENGTH:g} m is required"
+        )
     return "; ".join(found) or None
 
 

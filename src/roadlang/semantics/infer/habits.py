@@ -121,7 +121,7 @@ _SETTINGS = {
 """Other tools' names of options, by verb."""
 _MOMENT = "a condition says when it takes over: `when: time > 5s`"
 _DRIVE_OPTIONS = dict.fromkeys(("after", "begin", "delay", "start", "trigger"), _MOMENT)
-_ENDS = "`while: time < 20s` says how long; afterwards the controller before it drives on"
+_ENDS = "`while: time < 20s` limits it; after that the previous controller takes over again"
 _DRIVE_OPTIONS |= dict.fromkeys(("duration", "until", "hold", "wait", "end", "dwell"), _ENDS)
 _PLACES = ("position", "at", "on")
 _NETWORK_WIDTH = (
@@ -138,7 +138,7 @@ _ROUTE = (
 )
 _ROUTES = frozenset(("turn", "turns", "then", "direction", "path", "goal", "destination", "to"))
 _LANE_LISTS = "lanes are listed from the middle of the road: `right: [drive, {}]`"
-_SELECT = "one road of it is declared: `road NAME from NETWORK { select: longest }`"
+_SELECT = "to use one of its roads, declare it: `road NAME from NETWORK { select: longest }`"
 _SIDES = {"right": "-1", "left": "1"}
 
 
@@ -213,7 +213,7 @@ def number_of_entity_help(typed: TypedExpression) -> tuple[str, ...]:
 def position_help(typed: TypedExpression) -> tuple[str, ...]:
     """Help where a signal of an agent stands for the position of another."""
     if isinstance(typed.type, SignalType):
-        return ("where an agent begins on its road is `ego.start`: write `at ego.start + 20m`",)
+        return ("`ego.start` is where an agent starts on its road: write `at ego.start + 20m`",)
     return ()
 
 

@@ -214,5 +214,5 @@ def _listing(verb: str, names: Iterable[str]) -> list[str]:
     shown = ", ".join(f"`{name}`" for name in known[:MOST_LISTED])
     if len(known) == 1:
         return [f"the only kind of `{verb}` is {shown}"]
-    rest = f", ...: `roadlang plugins --verb {verb}` lists all"
+    rest = f", ... (`roadlang plugins --verb {verb}` lists all)"
     return [f"the kinds of `{verb}` are {shown}{rest if len(known) > MOST_LISTED else ''}"]
