@@ -1,4 +1,4 @@
-# Several perturbations, one after the other, the last on a stretch only, of a closed track in CSV.
+# Several perturbations in turn, the last on an interval, of a closed track read from CSV.
 scenario composed "A race track, swayed, roughened and flattened on a stretch"
 
 road main from "track.csv" { width: 12m, closed: true }

@@ -1,4 +1,4 @@
-# A car cuts in closely on a motorway: does the one behind brake in time and stay calm?
+# A car cuts in closely on a motorway: does the car behind brake in time, and gently?
 scenario cut_in "A car changes lanes closely in front of another"
 
 road motorway {

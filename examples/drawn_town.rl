@@ -1,5 +1,5 @@
-# A drawn town: the colors of a picture are things. White is road, green a tree, red a building.
-# Any drawing program will do; the colors are yours to choose.
+# A drawn town: the legend says what each color is. White is road, green a tree, red a building.
+# Use any drawing program and any colors.
 scenario drawn_town "A drawn town with trees and buildings"
 
 image sketch from "town.png" {

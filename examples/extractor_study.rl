@@ -1,5 +1,5 @@
-# How far can the extractor be trusted? One photo under other light, and what that does to the road.
-# An `expect` over roads is judged when the scene is compiled: the extractor is on trial.
+# How far can the extractor be trusted? One photo in different light, and its roads.
+# An `expect` over roads is evaluated at compile time: the extractor is the system under test.
 scenario extractor_study "One photo, other light"
 
 image photo from "hairpin.jpg" { scale: 0.5m/px }

@@ -1,4 +1,4 @@
-# A scene to be changed while a car drives in it: save this file, or drag its points and objects.
+# A scene to edit while a car drives in it: save this file, or drag its points and objects.
 #   roadlang watch examples/godot_live.rl --save
 scenario godot_live "Change me while I drive"
 

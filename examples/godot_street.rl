@@ -1,4 +1,4 @@
-# A street to be driven with physics in Godot: queue, oncoming traffic, parked van, pedestrian.
+# A street, driven with physics in Godot: queue, oncoming traffic, parked van, pedestrian.
 #   roadlang run examples/godot_street.rl
 #   roadlang render examples/godot_street.rl -o street.png --at 6
 scenario godot_street "A tree-lined street at a quarter past nine"

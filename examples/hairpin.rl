@@ -1,5 +1,5 @@
-# The paper's example: a bend in an aerial photo, bent further within the paper's three
-# specifications, and a car that is to stay in its lane. Make 8 scenes of it:
+# The example of the paper: a bend in an aerial photo, perturbed within the paper's three
+# specifications, and a car that must stay in its lane. Compile 8 scenes of it:
 #   roadlang compile examples/hairpin.rl -o out -n 8
 scenario hairpin "A bend from an aerial photo, bent further"
 

@@ -1,4 +1,4 @@
-# A car on a road of its own. two_actors.rl includes it twice, with other params.
+# A car on its own road. two_actors.rl includes this file twice, with different params.
 param y = 0m
 param speed = 40km/h
 

@@ -1,4 +1,4 @@
-# A photo with several streets: every one of them is bent, and the junctions stay joined.
+# A photo with several streets: all are perturbed, and the junctions stay connected.
 scenario streets "Streets from a photo, bent, junctions joined"
 
 image photo from "village.jpg" { scale: 0.5m/px }

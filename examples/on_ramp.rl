@@ -1,4 +1,4 @@
-# Merging from an on-ramp: the lane beside the motorway ends, and traffic leaves a gap or does not.
+# Merging from an on-ramp: the acceleration lane ends, and traffic may or may not leave a gap.
 scenario on_ramp "Merging from an on-ramp"
 
 road before {

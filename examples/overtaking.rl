@@ -1,4 +1,4 @@
-# Overtaking on a country road with oncoming traffic: it pulls out only when there is time.
+# Overtaking on a country road with oncoming traffic: the car pulls out only if there is time.
 scenario overtaking "Overtaking a truck with oncoming traffic"
 
 road country {

@@ -1,4 +1,4 @@
-# A platoon of trucks keeps its headways while the first one brakes and speeds up again.
+# A platoon of trucks keeps its time gaps while the first one brakes and speeds up again.
 scenario platoon "Five trucks in a row behind a leader that slows down"
 
 road motorway {

@@ -1,4 +1,4 @@
-# Ten cars at a roundabout that was drawn with a mouse: who is in the ring goes first.
+# Ten cars at a roundabout drawn with a mouse: vehicles in the ring have priority.
 scenario roundabout "Traffic at a drawn roundabout"
 
 image sketch from "roundabout.png" {

@@ -1,4 +1,4 @@
-# Twelve cars and vans at a crossing with signals: they turn, wait at red, and nobody touches anybody.
+# Twelve cars and vans at a crossing with signals: they turn, wait at red, and do not collide.
 scenario signals "Traffic at a crossing with signals"
 
 image plan from """

@@ -1,4 +1,4 @@
-# A table instead of chance: every combination of three radii, two speeds and four lookaheads.
+# A parameter sweep: every combination of three radii, two speeds and four lookaheads.
 #   roadlang compile examples/sweep.rl -o out -n 24
 scenario sweep "Radius, speed and lookahead"
 

@@ -1,4 +1,4 @@
-# Two bent versions of one road that stay near each other, but are not the same.
+# Two perturbed versions of one road that stay near each other, but are not the same.
 scenario two_versions "Two versions of one road within a distance"
 
 image photo from "hairpin.jpg" { scale: 0.5m/px }

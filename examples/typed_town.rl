@@ -1,4 +1,4 @@
-# The same idea without a picture: a character is a thing. A route through the town is driven.
+# A town typed as text: the legend says what each character is. A car drives a route through it.
 scenario typed_town "A town typed as text"
 
 param cell = 8m/px

@@ -1,4 +1,4 @@
-# Time of day, weather and grip, for backends that can show them.
+# Time of day, weather and friction, for backends that can show them.
 include "street.rl"
 
 scenario weather "One street in all weathers"

@@ -1,4 +1,4 @@
-# A road of which each scene bends differently.
+# A road that bends differently in each scene.
 road main {
   draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 40m), (240m, 40m), (340m, 0m)] }
   width: 8m
