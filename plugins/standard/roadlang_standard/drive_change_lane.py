@@ -50,8 +50,8 @@ _SIGNS = {"left": 1.0, "right": -1.0}
 @dataclass(frozen=True)
 class ChangeLane(Controller):
     """Change lanes as soon as there is room, and stay in the new lane; the controller before it
-    keeps the distance, and steers otherwise. It returns if the gap closes during the first half
-    of the change. Behind what stands still it waits for room where it can still pull out."""
+    steers otherwise, and controls the speed. It returns if the gap closes during the first half
+    of the change. Behind a standing obstacle it waits at a distance from which it can pull out."""
 
     name: ClassVar[str] = "change_lane"
     also_called: ClassVar[tuple[str, ...]] = (

@@ -21,8 +21,8 @@ WITHOUT_ROAD = 10.0
 
 @dataclass(frozen=True)
 class Crossing(Controller):
-    """Cross the road at a right angle and stop on the other side. Once it walks, it yields to
-    nobody, but does not walk into the side of a vehicle, and goes around one that stands still."""
+    """Cross the road at a right angle and stop on the other side. Once it walks, it does not
+    yield, but does not walk into the side of a vehicle either, and goes around one that stands."""
 
     name: ClassVar[str] = "crossing"
     also_called: ClassVar[tuple[str, ...]] = ("cross", "CrossingBehavior")

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmergencyBrake(Controller):
-    """Brake hard for what a `ranges` sensor sees straight ahead, as if it stood still; otherwise
-    the controller before it drives. Once it brakes, it brakes to a stop."""
+    """Brake hard for what a `ranges` sensor sees straight ahead, assuming that it does not move;
+    otherwise the controller before it drives. Once it brakes, it brakes to a stop."""
 
     name: ClassVar[str] = "emergency_brake"
     also_called: ClassVar[tuple[str, ...]] = ("aeb", "autonomous_emergency_braking")

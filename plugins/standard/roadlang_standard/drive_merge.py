@@ -72,7 +72,7 @@ class Merge(Controller):
     """Merge into the adjacent lane: adapt the speed to a gap, change lanes where there is room,
     and stop before the end of its own lane if there is none. It returns if the gap closes during
     the first half of the change. Afterwards the controller before it drives on, but keeps its
-    distance to who is ahead."""
+    distance to the vehicle ahead."""
 
     name: ClassVar[str] = "merge"
     leaves_open: ClassVar[str] = "the rest of the drive"

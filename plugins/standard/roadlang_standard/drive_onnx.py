@@ -24,9 +24,9 @@ MOST_AGENTS = 100
 
 @dataclass(frozen=True)
 class OnnxController(Controller):
-    """A policy network in an ONNX file, float32 (1, F) to (1, 2): it gets the vector of numbers
-    that environments observe, and gives steering and acceleration as the actions there. Inputs
-    that are called SENSOR.ARRAY, such as `front.distances`, get readings of the agent's sensors.
+    """A policy network in an ONNX file, float32 (1, F) to (1, 2): its input is the observation
+    vector of environments, its output their actions, steering and acceleration. Inputs called
+    SENSOR.ARRAY, such as `front.distances`, get readings of the agent's sensors.
     """
 
     name: ClassVar[str] = "onnx"

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Contacts(DriveSignal):
-    """Number of bodies in contact with the agent, not counting the ground."""
+    """Number of agents and objects that the agent has touched so far."""
 
     name: ClassVar[str] = "contacts"
     unit: ClassVar[str] = ""

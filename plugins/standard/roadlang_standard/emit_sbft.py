@@ -20,7 +20,7 @@ _SHOWN = 8
 @dataclass(frozen=True)
 class SbftBackend(Backend):
     """The road as a list of points `[[x, y], ...]` in meters, as tools of the SBFT tool competition
-    (cyber-physical systems track) give it; `require N with sbft` judges it by the same points."""
+    (cyber-physical systems track) give it; `require N with sbft` evaluates the same points."""
 
     name: ClassVar[str] = "sbft"
     road: String = option(

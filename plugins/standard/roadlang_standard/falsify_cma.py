@@ -37,15 +37,17 @@ from which none can be reached, and seldom leaves them."""
 
 @dataclass(frozen=True)
 class Cma(Searcher):
-    """CMA-ES (Hansen and Ostermeier 2001) with restarts, and a model of what was evaluated: the
-    default. It begins with random candidates. Until something fails, half of each batch is near the
-    two drives that came nearest to it (near others where three batches find nothing better), and
-    half where the model leaves hope. After 500 evaluations without a failure it discards them and
-    starts over. Then all are around failures, each unlike those that are known. The model knows
-    roads by their bends, wherever along the road they are, and all draws. Most candidates that
-    violate a requirement are replaced before they are evaluated, which costs a small part of a
-    drive; they are not counted. The strategy leads to scenes that satisfy the requirements where
-    none is found at random, and has what `spread` leaves."""
+    """CMA-ES (Hansen and Ostermeier 2001) with restarts, and a model of the robustness of
+    evaluated candidates: the default. It begins with random candidates. Until something fails,
+    half of each batch is near the two drives that came nearest to failing (or near others, if
+    three batches find nothing better), and half where the model expects that a failure is still
+    possible. After 500 evaluations without a failure it discards them and starts over. After the
+    first failure, candidates are near failures, and each is unlike the known ones. The model
+    compares roads by their bends, wherever along the road these are, and all draws by their
+    values. Most candidates that violate a requirement are replaced before they are evaluated,
+    which is much cheaper than a drive; they are not counted. CMA-ES leads to scenes that satisfy
+    the requirements if none is found at random; the model chooses the share `spread` of the
+    candidates, CMA-ES the rest."""
 
     name: ClassVar[str] = "cma"
     also_called: ClassVar[tuple[str, ...]] = ("cma_es", "cmaes", "evolution")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Start(RoadNumber):
-    """Arc length at which an agent or object on a road begins."""
+    """Arc length at which an agent or object on a road starts."""
 
     name: ClassVar[str] = "start"
     unit: ClassVar[str] = "m"

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class StartLane(RoadNumber):
-    """Id of the lane in which an agent or object on a road begins; 0 for none."""
+    """Id of the lane in which an agent or object on a road starts; 0 for none."""
 
     name: ClassVar[str] = "start_lane"
     cost: ClassVar[float] = 1.0

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Sine(Perturber):
-    """Sway the road by a sine wave along its arc length."""
+    """Displace the road by a sine wave along its arc length."""
 
     name: ClassVar[str] = "sine"
     also_called: ClassVar[tuple[str, ...]] = ("sinusoid", "sinusoidal", "sin", "wave")

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Gps(Sensor):
-    """A satellite receiver: the place of the agent's center."""
+    """A satellite receiver: the position of the agent's center."""
 
     name: ClassVar[str] = "gps"
 

@@ -29,7 +29,7 @@ _UNITS = {
 
 @dataclass(frozen=True)
 class ObservationNoise(Sensor):
-    """Controllers see the place, heading and speed of their agent with errors, and late."""
+    """Controllers see the position, heading and speed of their agent with errors and delay."""
 
     name: ClassVar[str] = "noise"
     replaces: ClassVar[tuple[str, ...]] = tuple(_UNITS)
