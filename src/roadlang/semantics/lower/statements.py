@@ -117,7 +117,7 @@ _SPECS = (
         lower_constraint,
         form="expect NAME: formula { ... }",
         help=(
-            "An expectation of the system under test: judged over roads when scenes are "
+            "An expectation of the system under test: evaluated over roads when scenes are "
             "generated, and over drives when they are driven. The block is optional. `expect "
             "NAME with KIND { ... }` uses a monitor of a plugin."
         ),
@@ -135,8 +135,9 @@ _SPECS = (
         form="agent NAME is KIND on ROAD at POSITION { ... }",
         help=(
             "Something that moves. `at` is an arc length, a percentage of the length of the "
-            "road, or, without `on`, a point. `on` also takes a network, in which a `route` may"
-            " stand for `at`."
+            "road, `random`, a position relative to another agent or object (`ahead_of(lead, "
+            "20m)`), or, without `on`, a point. `on` may also be a network, where a `route` may "
+            "replace `at`."
         ),
         example=_ROAD + "agent ego is car on main at 5m { lane: -1, drive with lane_follow }",
         options=AgentOptions,
@@ -162,7 +163,7 @@ _SPECS = (
         "world",
         lower_settings,
         form="world { ... }",
-        help="Light, weather and friction. At most one.",
+        help="Light, weather, friction and the side of traffic. At most one.",
         example="world { time_of_day: 14h, weather: rain, rain: 5mm/h, friction: 0.4..0.9 }",
         options=WorldOptions,
         once=True,
@@ -196,7 +197,7 @@ _SPECS = (
         form="falsify with KIND { ... }",
         help=(
             "How `roadlang falsify` searches for scenes that violate an expectation: `cma` (the"
-            " default), `random`, `halton` or `grid`. At most one."
+            " default), `elites`, `random`, `halton` or `grid`. At most one."
         ),
         example=(
             _ROAD
