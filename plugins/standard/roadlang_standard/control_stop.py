@@ -20,7 +20,7 @@ class Stop(JunctionControl):
     roads: tuple[int, ...] | None = option(
         None,
         minimum=0,
-        help="ids of the roads whose traffic stops; by default those beside the widest, "
+        help="ids of the roads whose traffic stops; by default all but the widest, "
         "straightest road",
         example="[12]",
     )

@@ -20,7 +20,7 @@ class Yield(JunctionControl):
     roads: tuple[int, ...] | None = option(
         None,
         minimum=0,
-        help="ids of the roads whose traffic yields; by default those beside the widest, "
+        help="ids of the roads whose traffic yields; by default all but the widest, "
         "straightest road",
         example="[12]",
     )

@@ -38,9 +38,13 @@ class OnnxController(Controller):
     agents: Integer = option(
         4, minimum=0, maximum=MOST_AGENTS, help="number of other agents it observes"
     )
-    steering: Angle = option(0.61, above=0, maximum=1.5, help="value of an output of 1")
-    acceleration: Acceleration = option(4.0, above=0, maximum=20, help="value of an output of 1")
-    deceleration: Acceleration = option(8.0, above=0, maximum=20, help="value of an output of -1")
+    steering: Angle = option(0.61, above=0, maximum=1.5, help="steering angle for an output of 1")
+    acceleration: Acceleration = option(
+        4.0, above=0, maximum=20, help="acceleration for an output of 1"
+    )
+    deceleration: Acceleration = option(
+        8.0, above=0, maximum=20, help="deceleration for an output of -1"
+    )
 
     def controls(self, observations: ObservationBatch, state: None) -> ControlBatch:
         import numpy as np

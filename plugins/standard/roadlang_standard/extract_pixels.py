@@ -21,7 +21,7 @@ class Pixel(Extractor):
     thickness: Pixels | None = option(
         None,
         above=0,
-        help="road width; by default the drawn width, or where all roads are drawn one cell wide "
+        help="road width; by default the drawn width, or if all roads are drawn one cell wide, "
         "that of the lanes, at most one cell",
     )
 

@@ -20,7 +20,7 @@ class Bump(Perturber):
     is_random: ClassVar[bool] = False
     at: Length = option(help="arc length of the middle")
     height: Length = option(help="displacement in the middle, left positive")
-    length: Length = option(above=0, help="arc length from where it begins to where it ends")
+    length: Length = option(above=0, help="arc length of the bump")
 
     def displacements(self, roads: RoadBatch, random: BatchRandom) -> Floats:
         """height * (1 - x^2)^3 for x in [-1, 1]: position, heading and curvature join smoothly."""

@@ -64,7 +64,7 @@ class Beside(Position):
     name: ClassVar[str] = "beside"
     other: AgentOrObject = option(help="agent or object on a road")
     side: Word = option(words=("left", "right"), help="as seen by the other", example="left")
-    gap: Length = option(1.0, minimum=0, help="between the two where the other is in no lane")
+    gap: Length = option(1.0, minimum=0, help="gap between the two, if the other is in no lane")
 
     def place(self, length: Floats, width: Floats) -> Standing:
         """At the same arc length; `lane` counts on over the middle, which has no number."""

@@ -27,7 +27,7 @@ class Boxes(CameraView):
         100.0, above=0, maximum=1000, help="greatest distance of a center from the camera"
     )
     most: Integer = option(
-        16, minimum=1, maximum=256, help="number of boxes of a reading: the nearest"
+        16, minimum=1, maximum=256, help="number of boxes in a reading, the nearest first"
     )
     noise: Length = option(
         0.0,
@@ -37,7 +37,7 @@ class Boxes(CameraView):
         example="20cm",
     )
     missed: Number = option(
-        0.0, minimum=0, maximum=1, help="share of the things that are not found", example="2%"
+        0.0, minimum=0, maximum=1, help="share of things that are not detected", example="2%"
     )
 
     def arrays(self) -> dict[str, ReadingArray]:

@@ -26,7 +26,7 @@ class Gps(Sensor):
         1.0,
         minimum=0,
         maximum=1000,
-        help="standard deviation of x and of y, drawn anew for each reading",
+        help="standard deviation of x and of y, independent for each reading",
     )
     bias: Point = option(
         (0.0, 0.0),

@@ -32,7 +32,7 @@ class Imu(Sensor):
         0.05,
         minimum=0,
         maximum=1000,
-        help="standard deviation of the accelerations, drawn anew for each reading",
+        help="standard deviation of the accelerations, independent for each reading",
     )
     bias: Acceleration = option(
         0.0,
@@ -52,7 +52,7 @@ class Imu(Sensor):
         0.002,
         minimum=0,
         maximum=1000,
-        help="standard deviation of the yaw rate, drawn anew for each reading",
+        help="standard deviation of the yaw rate, independent for each reading",
         example="0.1deg/s",
     )
     yaw_bias: AngularVelocity = option(

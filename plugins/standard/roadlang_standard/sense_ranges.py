@@ -34,7 +34,7 @@ class Ranges(MountedSensor):
         example="120deg",
     )
     range: Length = option(
-        60.0, above=0, maximum=1000, help="greatest distance; what a ray reads that meets nothing"
+        60.0, above=0, maximum=1000, help="greatest distance; a ray that hits nothing reads this"
     )
     channels: Integer = option(1, minimum=1, maximum=256, help="number of rows of rays, from below")
     vertical_angle: Angle = option(
@@ -47,7 +47,7 @@ class Ranges(MountedSensor):
         0.0, minimum=0, maximum=100, help="standard deviation of a distance", example="3cm"
     )
     lost_rays: Number = option(
-        0.0, minimum=0, maximum=1, help="share of the rays that read nothing", example="1%"
+        0.0, minimum=0, maximum=1, help="share of rays that are lost and read `range`", example="1%"
     )
 
     def arrays(self) -> dict[str, ReadingArray]:
