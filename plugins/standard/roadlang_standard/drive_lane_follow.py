@@ -32,6 +32,7 @@ class LaneFollow(SlowsForBends):
         "lka",
         "constant_velocity",
     )
+    is_elementwise: ClassVar[bool] = True
     speed: Speed = target_speed_option()
     acceleration: Acceleration = option(2.0, above=0, maximum=20, help="maximum acceleration")
     deceleration: Acceleration = option(4.0, above=0, maximum=20, help="maximum deceleration")

@@ -24,6 +24,7 @@ class PurePursuit(SlowsForBends):
     """Steer along the arc to a point ahead in the lane (Coulter 1992)."""
 
     name: ClassVar[str] = "pure_pursuit"
+    is_elementwise: ClassVar[bool] = True
     speed: Speed = target_speed_option()
     lookahead: Length | None = option(
         None, above=0, maximum=200,
@@ -52,4 +53,5 @@ class PurePursuit(SlowsForBends):
 
         if self.lookahead is not None:
             return self.lookahead
-        return np.asarray(NEAR + LATER * np.maximum(seen.speed - FAST, 0.0))
+        farther: Floats = NEAR + LATER * np.maximum(seen.speed - FAST, 0.0)
+        return farther

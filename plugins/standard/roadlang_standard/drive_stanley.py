@@ -23,6 +23,7 @@ class Stanley(SlowsForBends):
     rate (Hoffmann et al. 2007)."""
 
     name: ClassVar[str] = "stanley"
+    is_elementwise: ClassVar[bool] = True
     speed: Speed = target_speed_option()
     gain: Annotated[float, quantity(FREQUENCY)] = option(
         2.5, above=0, help="gain of the cross-track error"

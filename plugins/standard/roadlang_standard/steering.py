@@ -79,7 +79,8 @@ def difference(heading: Floats, other: Floats) -> Floats:
     """(N,) turn from `heading` to `other`, within half a turn."""
     import numpy as np
 
-    return np.asarray((other - heading + np.pi) % (2.0 * np.pi) - np.pi)
+    turn: Floats = (other - heading + np.pi) % (2.0 * np.pi) - np.pi
+    return turn
 
 
 def ahead_in_lane(seen: ObservationBatch) -> tuple[Floats, Floats]:

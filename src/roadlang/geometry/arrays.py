@@ -66,7 +66,8 @@ def left_of(vectors: Floats) -> Floats:
 
 def wrapped(angles: Floats) -> Floats:
     """Angles in [-pi, pi)."""
-    return np.asarray((angles + np.pi) % (2.0 * np.pi) - np.pi)
+    within: Floats = (angles + np.pi) % (2.0 * np.pi) - np.pi
+    return within
 
 
 def inverse_index(rows: Integers, count: int) -> Integers:

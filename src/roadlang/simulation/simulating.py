@@ -20,9 +20,11 @@ from .recording.recording import Recorder
 from .recording.violations import ViolationWatch
 from .state.world import World
 from .surroundings.contacts import Contact, ContactDetector
+from .tapes.repeating import Repetition
 from .vehicles import compiled, motion
 from .vehicles.bodies import Body
 from .vehicles.motion import Advance
+from .vehicles.poses import Poses
 
 AN_AGENT = "add one, such as `agent ego is car on main at 5m { drive with pure_pursuit }`"
 BLOCK_AGENTS = 3072
@@ -93,12 +95,12 @@ def _drive_block(
 ) -> list[Trace]:
     held, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
     last = settings.ticks(settings.duration)
-    dt = settings.vehicle_step
     with collector_paused():  # objects for each scene, all of which live on
         world, drivers, contacts, recorder = _at_start(scenes, controllers, settings)
     world.advance = advance
     poses = world.poses
     recorder.note(world, contacts.watch(world, poses, 0.0))
+    calm = Repetition.of(world, drivers, contacts, held, sampled)
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
             recorder.record(world, poses)
@@ -112,23 +114,41 @@ def _drive_block(
             contacts.take(agents, count)
             world, poses = world.take(going_on), poses.take(agents)
             recorder.go_on_with(going_on, agents, count)
-        decision = drivers.decide(world, poses)
-        recorder.note_failures(world, decision.failures)
-        steps = min(held, last - world.tick)
-        samples = range(sampled - world.tick % sampled, steps, sampled)
-        pose = None if decision.pose is None else (decision.pose, held)
-        passed = world.step(
-            decision.steering, decision.acceleration, decision.heading, steps, samples, pose
-        )
-        poses = world.poses
-        touched = contacts.watch(world, poses, steps * dt)
-        if touched:
-            recorder.note(world, touched)
+            if calm:
+                calm.take(agents)
+        if calm and calm.drive(world, recorder, last):
             poses = world.poses
-            contacts.seen(poses)
-        for between in passed:
-            _halt_touched(between, world, touched)
-            recorder.record(between, between.poses)
+            continue
+        poses = _decide_and_move(world, poses, (drivers, contacts, recorder), settings)
+
+
+def _decide_and_move(
+    world: World,
+    poses: Poses,
+    others: tuple[DriverGroup, ContactDetector, Recorder],
+    settings: EngineSettings,
+) -> Poses:
+    """Agents move for as long as a decision holds. Returns where they are then."""
+    drivers, contacts, recorder = others
+    held, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
+    decision = drivers.decide(world, poses)
+    recorder.note_failures(world, decision.failures)
+    steps = min(held, settings.ticks(settings.duration) - world.tick)
+    samples = range(sampled - world.tick % sampled, steps, sampled)
+    pose = None if decision.pose is None else (decision.pose, held)
+    passed = world.step(
+        decision.steering, decision.acceleration, decision.heading, steps, samples, pose
+    )
+    poses = world.poses
+    touched = contacts.watch(world, poses, steps * settings.vehicle_step)
+    if touched:
+        recorder.note(world, touched)
+        poses = world.poses
+        contacts.seen(poses)
+    for between in passed:
+        _halt_touched(between, world, touched)
+        recorder.record(between, between.poses)
+    return poses
 
 
 def _at_start(

@@ -65,6 +65,12 @@ class Controller(Kind):
     """whether it drives in a lane as vehicles do: a warning says so where it drives an agent on
     foot"""
 
+    is_elementwise: ClassVar[bool] = False
+    """whether `controls` computes each agent's controls with numpy's functions of numbers alone
+    (`np.sin`, `np.minimum`, `np.where`) and operators, of columns of the observations, and neither
+    looks at a number (`if`) nor remembers anything: then the embedded engine may write down what it
+    computes once, and repeat that for many steps without calling it, to the same bits"""
+
     lane_options: ClassVar[tuple[str, ...]] = ()
     """options that hold the id of a lane: one that the road does not have is an error (RL613)"""
 

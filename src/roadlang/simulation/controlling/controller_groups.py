@@ -104,6 +104,17 @@ class Group:
         self.since, self.held = self.since[remaining], self.held[:, remaining]
 
 
+def elementwise_controller(groups: Sequence[Group], agents: int) -> Controller | None:
+    """The one that decides for all agents at every step, if it does so by computations of their
+    columns alone."""
+    if len(groups) != 1 or len(groups[0].rows) != agents:
+        return None
+    (group,) = groups
+    kind = group.controller.kind
+    holds = group.state is not None or kind.interval > 0.0 or group.singles
+    return group.of_all if kind.is_elementwise and not holds else None
+
+
 def grouped(
     world: World,
     controllers: Sequence[Mapping[str, Controller]],

@@ -27,7 +27,7 @@ from ..state.world import World
 from ..vehicles.line_steering import line_steering
 from ..vehicles.poses import Poses
 from .actuators import Actuators
-from .controller_groups import Group, grouped
+from .controller_groups import Group, elementwise_controller, grouped
 
 
 class DriverGroup:
@@ -96,6 +96,12 @@ class DriverGroup:
             out.close()
         self._actuators.alter(world, self._triggers.active, out)
         return out
+
+    def elementwise_controller(self, agents: int) -> Controller | None:
+        """The controller of all, where nothing else decides: no condition, sensor or fault."""
+        if self.sensing is not None or not self._triggers.is_empty:
+            return None
+        return elementwise_controller(self._groups, agents)
 
     def restart(self, agents: Integers) -> None:
         """Some agents are back at the start. Conditions are not: none of theirs may have any."""

@@ -10,6 +10,7 @@ from ...geometry.arrays import Floats, Integers
 from ...geometry.bend_speeds import squares_before, squares_in_bends
 from ..lines.lines import Lines
 from ..state.world import World
+from ..tapes.traced import TracedColumn
 from ..vehicles import compiled
 from ..vehicles.motion import Track
 
@@ -24,6 +25,8 @@ class BendSpeeds:
         self._guides = np.full(count, -1)
         self._plans = np.zeros((count, cells))
         self._first = self._agents * cells - world.track.first
+        self._made = 0
+        """how often plans were made"""
         self._latest: tuple[Any, ...] = ()
         """agents and limits whose plans were last seen to be there: controllers look twice, and
         at every step with the same"""
@@ -44,6 +47,8 @@ class BendSpeeds:
             self._plan(world, track, *wanted)
         self._latest = wanted  # the next may be these very arrays
         along = track.wrapped(world.motion.along[rows] + distance)
+        if isinstance(along, TracedColumn):
+            return along.value_of_cell(self._plans.ravel(), self._first[rows], track, self._made)
         if compiled.is_loaded():
             return compiled.looked_up(self._plans.ravel(), self._first[rows], track, along)
         cell, _ = track.cell(along)
@@ -75,6 +80,7 @@ class BendSpeeds:
         guides = world.followed.guide[rows]
         new = (limits != self._limits[:, rows]).any(axis=0) | (guides != self._guides[rows])
         if new.any():
+            self._made += 1
             self._limits[:, rows], self._guides[rows] = limits, guides
             agents = self._agents[rows][new]
             bend = _bend_beside(world, track.row[new], guides[new])

@@ -17,6 +17,7 @@ from ...ir.surroundings import LaneChoice, LanePlaces, Neighbors
 from ..state.world import World
 from ..surroundings.leaders import Leaders, leaders
 from ..surroundings.neighbors import Nearby
+from ..tapes.traced import TracedColumn
 from ..vehicles.poses import Poses, line_frames
 from .lane_changes import zipper
 from .lane_endings import lets_in
@@ -68,8 +69,8 @@ class View:
         speed = world.motion.speed[rows]
         offset, slope, bend, moving = world.followed.ahead(rows, distance, speed, along)
         if np.count_nonzero(offset):
-            x -= np.sin(heading) * offset
-            y += np.cos(heading) * offset
+            x = x - np.sin(heading) * offset
+            y = y + np.cos(heading) * offset
         if moving is not None:
             heading = np.where(moving, heading + np.arctan(slope), heading)
             curvature = np.where(moving, curvature + bend, curvature)
@@ -83,8 +84,11 @@ class View:
             distances = distances + self._lead(rows)
         track = world.track.of_rows(rows)
         along = track.wrapped(world.motion.along[rows] + distances)
-        cell, _ = track.cell(along)
-        curvature: Floats = track.lines.seen_curvature.take(cell)
+        if isinstance(along, TracedColumn):
+            curvature: Floats = along.line_frames(track)[3]
+        else:
+            cell, _ = track.cell(along)
+            curvature = track.lines.seen_curvature.take(cell)
         speed = world.motion.speed[rows]
         _, _, bend, moving = world.followed.ahead(rows, distances, speed, along)
         return curvature if moving is None else np.where(moving, curvature + bend, curvature)

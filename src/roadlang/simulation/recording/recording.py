@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Floats, Integers, inverse_index
+from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
 from ...ir.controller_failure import ControllerFailure
 from ...ir.road_heights import standing_trace
 from ...ir.scene import Scene
@@ -22,6 +22,12 @@ from .violations import ViolationWatch
 
 ENGINE = "the embedded engine"
 _RECORDED = tuple(COLUMNS[name] for name in RECORDED)
+
+
+def columns_now(world: World, poses: Poses) -> Iterator[Floats]:
+    """(N,) each of the quantities `RECORDED`."""
+    for column in _RECORDED:
+        yield column(world, poses)
 
 
 class Recorder:
@@ -48,14 +54,18 @@ class Recorder:
     def record(self, world: World, poses: Poses) -> None:
         """One sample of all scenes; a scene in which all have arrived ends with it, and one that
         has violated all that is expected of it for long enough."""
-        self._times.append(world.time)
         sample = np.empty((len(RECORDED), len(world.present)))
-        for place, column in enumerate(_RECORDED):
-            sample[place] = column(world, poses)
+        for place, column in enumerate(columns_now(world, poses)):
+            sample[place] = column
+        self.add(world.time, sample, world.finished)
+
+    def add(self, time: float, sample: Floats, finished: Booleans) -> None:
+        """The same: `sample` (Q, N) with the quantities `RECORDED`; `finished` (S,): scenes in
+        which all have arrived."""
+        self._times.append(time)
         self._samples.append(sample)
-        done = None if self._watch is None else self._watch.done(world.time, sample)
-        finished = world.finished if done is None else world.finished | done
-        ended = finished & ~self._over
+        done = None if self._watch is None else self._watch.done(time, sample)
+        ended = (finished if done is None else finished | done) & ~self._over
         if ended.any():
             self._over |= ended
             self._ends |= dict.fromkeys(self._rows[ended].tolist(), len(self._times))

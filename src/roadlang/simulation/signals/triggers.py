@@ -157,6 +157,11 @@ class Triggers:
         depths = [s.looks_back for t in self._triggers for s in t.signals.values()]
         self._samples = Samples(max(depths, default=0))
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether no controller has a condition."""
+        return not self._triggers
+
     def in_charge(self, world: World, poses: Poses) -> Integers:
         """(N,) the place of the controller in charge, -1 for none."""
         if not self._triggers:

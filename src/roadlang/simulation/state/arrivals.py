@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
+from ...geometry.arrays import Booleans
 from ...ir.scene import Scene
 from ...ir.scene_actor import SceneActor
 
@@ -38,6 +41,11 @@ class Arrivals:
         if any(abs(last.stop - station) < AT_LINE for station in lines):
             return length - 0.5 * actor.length - BEFORE_LINE
         return length
+
+
+def all_arrived(at_end: Booleans, has_road: Booleans, filled: Booleans, slots: int) -> Booleans:
+    """(S,) scenes of `slots` agents (N,) each in which every one with a road is at its end."""
+    return np.asarray((at_end | ~has_road | ~filled).reshape(-1, slots).all(axis=1))
 
 
 def _stop_lines(scene: Scene) -> dict[Lane, list[float]]:

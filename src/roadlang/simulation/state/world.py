@@ -22,7 +22,7 @@ from ..vehicles.motion import Advance, Motion, Track, advance
 from ..vehicles.placing import Placing
 from ..vehicles.poses import Poses, poses_of
 from ..vehicles.verges import Verges
-from .arrivals import ARRIVED, END_BRAKING
+from .arrivals import ARRIVED, END_BRAKING, all_arrived
 from .line_heights import LineHeights
 
 
@@ -85,7 +85,8 @@ class World:
     advance: Advance = advance
     """the equations of motion"""
     _arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
-    _any_left: bool = False  # whether anybody has
+    any_left: bool = False
+    """whether anybody has"""
 
     @property
     def time(self) -> float:
@@ -103,7 +104,7 @@ class World:
         if self.placing is None:
             return poses_of(self.motion, self.track)
         steps, stays = self.tick - self.placed_at, self.halted
-        if self._any_left:
+        if self.any_left:
             stays = stays | ~self.present
         return self.placing.poses(self.motion, self.track, steps, stays)
 
@@ -183,7 +184,7 @@ class World:
         if self.placing is not None:
             self.placing.put(self.motion, self.track, steps, seconds)
         speed = self.motion.speed
-        if self._any_left:  # they stay as they were when they left, but for who comes back
+        if self.any_left:  # they stay as they were when they left, but for who comes back
             gone = self.filled & ~self.present & self.at_end
             self.motion.put(gone, before)
             speed = np.where(gone, 0.0, speed)
@@ -199,9 +200,9 @@ class World:
 
     def _leave(self) -> None:
         """Who has arrived is no longer there, unless it began where it would arrive."""
-        if self._any_left or np.count_nonzero(self.at_end):
+        if self.any_left or np.count_nonzero(self.at_end):
             arrived = self.at_end & ~self.closed & (self.traveled > ARRIVED)
-            self._any_left = bool(arrived.any())
+            self.any_left = bool(np.count_nonzero(arrived))
             self.present = self.filled & ~arrived
 
     def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
@@ -234,14 +235,13 @@ class World:
             arrived = self.end - along < ARRIVED
             if self.track.has_closed:
                 arrived = np.where(self.closed, traveled >= self.length, arrived)
-            known = self._arrived = along, traveled, np.asarray(self.has_road & arrived)
+            known = self._arrived = along, traveled, self.has_road & arrived
         return known[2]
 
     @property
     def finished(self) -> Booleans:
         """(S,) scenes in which every agent with a road has arrived."""
-        rows = (self.at_end | ~self.has_road | ~self.filled).reshape(-1, self.slots)
-        return np.asarray(rows.all(axis=1))
+        return all_arrived(self.at_end, self.has_road, self.filled, self.slots)
 
     @property
     def station(self) -> Floats:

@@ -68,9 +68,14 @@ class ContactDetector:
             free |= are_apart(height[agent], self._standing[thing])
         return (first[clear], second[clear]), (agent[free], thing[free])
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether nobody can touch anything."""
+        return not len(self._pairs[0]) and not len(self._near[0])
+
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
-        if not len(self._pairs[0]) and not len(self._near[0]):
+        if self.is_idle:
             return []
         before = self._before or poses
         self._before = poses

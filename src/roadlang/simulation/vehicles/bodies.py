@@ -111,26 +111,44 @@ class Bodies:
     @cached_property
     def stacked(self) -> Floats:
         """(13, N) what the compiled motion has to know of a car."""
-        return np.stack([getattr(self, name) for name in _STACKED])
+        return np.stack(self.in_order)
 
     def on_ground(self, rows: Integers, friction: Floats, rolling: Floats) -> Bodies:
         """The bodies, of which those of agents `rows` (R,) have this friction (R,) and this rolling
         resistance (R,), m/s^2."""
+        stacked = self.stacked.copy()
+        found = self._with({}, stacked)
+        for name, values in self._ground(rows, friction, rolling).items():
+            column = found.__dict__[name] = stacked[_STACKED.index(name)]
+            column[rows] = values
+        return found
+
+    def where(self, rows: Booleans, friction: Floats, rolling: Floats) -> Bodies:
+        """The same of traced columns: `rows`, friction and rolling resistance (N,) of all."""
+        changed = self._ground(slice(None), friction, rolling)
+        columns = {name: np.where(rows, new, getattr(self, name)) for name, new in changed.items()}
+        return self._with(columns, None)
+
+    @property
+    def in_order(self) -> list[Floats]:
+        """The columns of `stacked`, one by one."""
+        return [getattr(self, name) for name in _STACKED]
+
+    def _ground(self, rows: Any, friction: Floats, rolling: Floats) -> dict[str, Floats]:
+        """The columns (R,) of agents on ground with this friction and this rolling resistance."""
         before = self.friction[rows]
-        changed = {
+        return {
             "friction": friction,
             "front_slope": self.front_slope[rows] * before / friction,
             "rear_slope": self.rear_slope[rows] * before / friction,
             "grip": friction * GRAVITY,
             "rolling": rolling,
         }
-        stacked = self.stacked.copy()
+
+    def _with(self, columns: Mapping[str, Floats], stacked: Floats | None) -> Bodies:
         found = object.__new__(Bodies)  # `replace` takes longer, and drives do this at every step
-        found.__dict__.update(self.__dict__, stacked=stacked)
+        found.__dict__.update(self.__dict__, stacked=stacked, **columns)
         found.__dict__.pop("columns", None)
-        for name, values in changed.items():
-            column = found.__dict__[name] = stacked[_STACKED.index(name)]
-            column[rows] = values
         return found
 
     def take(self, rows: Any) -> Bodies:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 from collections.abc import Callable
 from functools import cache
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -102,7 +103,7 @@ def pays(steps: float, agents: int) -> bool:
 @cache
 def kernel() -> Any:
     """The compiled loop over agents and steps."""
-    found = _compiled(kernels.advanced)
+    found = compile_loop(kernels.advanced)
     _is_loaded[0] = True
     return found
 
@@ -110,55 +111,56 @@ def kernel() -> Any:
 @cache
 def frames_kernel() -> Any:
     """The compiled loop over places on lines."""
-    return _compiled(kernels.framed)
+    return compile_loop(kernels.framed)
 
 
 @cache
 def lookup_kernel() -> Any:
     """The compiled loop over values of cells."""
-    return _compiled(kernels.looked_up)
+    return compile_loop(kernels.looked_up)
 
 
 @cache
 def corridors_kernel() -> Any:
     """The compiled loop over pairs of an agent and what may be in its way."""
-    return _compiled(kernels.gaps_in_corridors)
+    return compile_loop(kernels.gaps_in_corridors)
 
 
-_OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
+OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
 
 
-def _compiled(loop: Callable[..., None]) -> Any:
+def compile_loop(loop: Callable[..., Any], *more: ModuleType) -> Any:
     """Takes half a second the first time, and more where it has to compile: once, and anew when
-    the formulas change."""
+    the formulas change. `more`: modules beside those here, of what the loop calls."""
     import numba
 
     _register_formulas()
-    keyed = _keyed(loop, _digest())
+    keyed = _keyed(loop, _digest(*more))
     try:
-        return numba.njit(cache=True, nogil=True, **_OPTIONS)(keyed)
+        return numba.njit(cache=True, nogil=True, **OPTIONS)(keyed)
     except RuntimeError:  # neither the installation nor a folder of the user can be written
-        return numba.njit(nogil=True, **_OPTIONS)(keyed)
+        return numba.njit(nogil=True, **OPTIONS)(keyed)
 
 
-def _keyed(loop: Callable[..., None], digest: str) -> Callable[..., None]:
+def _keyed(loop: Callable[..., Any], digest: str) -> Callable[..., Any]:
     """The loop as a function that holds a digest: numba's cache looks at the file of a function
     and at what the function holds, but not at the files of those that it calls."""
 
-    def keyed(*arguments: Any) -> None:
+    def keyed(*arguments: Any) -> Any:
         if digest:
-            loop(*arguments)
+            return loop(*arguments)
+        return None
 
     keyed.__name__ = keyed.__qualname__ = loop.__name__
     return keyed
 
 
-def _digest() -> str:
+def _digest(*more: ModuleType) -> str:
     """Of the text of everything that is compiled."""
     import hashlib
     import inspect
 
-    text = "".join(inspect.getsource(module) for module in (kernels, dynamics, lines))
+    text = "".join(inspect.getsource(module) for module in (kernels, dynamics, lines, *more))
     return hashlib.sha256(text.encode()).hexdigest()
 
 
@@ -174,14 +176,14 @@ def _register_formulas() -> None:
         kernels.turn_abreast,
     ):  # fmt: skip
         # A call that is left in the loop over agents keeps it from computing several at once.
-        register_jitable(forceinline=True, **_OPTIONS)(formula)
+        register_jitable(forceinline=True, **OPTIONS)(formula)
     for loop in (
         kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
         kernels.nearest_sample,
-        kernels.widest,
+        kernels.widest, kernels.move_abreast,
     ):  # fmt: skip
-        register_jitable(**_OPTIONS)(loop)
-    register_jitable(inline="always", **_OPTIONS)(kernels.fill)
+        register_jitable(**OPTIONS)(loop)
+    register_jitable(inline="always", **OPTIONS)(kernels.fill)
     # Of numbers, and with NaN only where both are NaN.
-    overload(dynamics.least, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
-    overload(dynamics.greatest, jit_options=_OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)
+    overload(dynamics.least, jit_options=OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
+    overload(dynamics.greatest, jit_options=OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)

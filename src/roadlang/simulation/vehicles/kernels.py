@@ -36,17 +36,22 @@ def advanced(
             rows[34, j] = 1.0 if walks[i] else 0.0
             starts[j] = first[i]
             rows[29, j] = table[first[i] + int(rows[31, j]), 4]
-        for _ in range(steps):
-            drive_abreast(rows, dt)
-            for j in range(ABREAST):
-                cell = int(rows[31, j])
-                rows[29, j] = table[starts[j] + cell, 4]
-                rows[32, j] = table[starts[j] + cell, 5]
-                rows[33, j] = float(cell)
-            turn_abreast(rows, dt)
+        move_abreast(rows, starts, table, steps, dt)
         for k in range(10):
             for j in range(used):
                 after[k, begin + j] = rows[k, j]
+
+
+def move_abreast(rows: Any, starts: Any, table: Any, steps: Any, dt: Any) -> None:
+    """Some steps of all columns."""
+    for _ in range(steps):
+        drive_abreast(rows, dt)
+        for j in range(ABREAST):
+            cell = int(rows[31, j])
+            rows[29, j] = table[starts[j] + cell, 4]
+            rows[32, j] = table[starts[j] + cell, 5]
+            rows[33, j] = float(cell)
+        turn_abreast(rows, dt)
 
 
 def fill(

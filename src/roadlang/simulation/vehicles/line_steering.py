@@ -33,4 +33,5 @@ def line_steering(seen: ObservationBatch) -> Floats:
     turning = seen.speed * curvature
     slip = SLIP * np.minimum(np.maximum(seen.speed * turning, -GRAVITY), GRAVITY)
     damping = YAW_DAMPING * (seen.yaw_rate - turning)
-    return np.asarray(bend + slip + wrapped(rear_heading - seen.heading) - correction - damping)
+    angle: Floats = bend + slip + wrapped(rear_heading - seen.heading) - correction - damping
+    return angle

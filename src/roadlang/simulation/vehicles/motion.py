@@ -149,7 +149,8 @@ class Track:
         """Arc lengths, on closed lines within one lap."""
         if not self.has_closed:
             return along
-        return np.asarray(along - np.floor(along / self.length) * self.closed * self.length)
+        within: Floats = along - np.floor(along / self.length) * self.closed * self.length
+        return within
 
     def cell(self, along: Floats) -> tuple[Any, Floats]:
         """(N,) the cells at arc lengths, and the distance from where each begins."""

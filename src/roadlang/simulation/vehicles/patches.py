@@ -67,7 +67,7 @@ class Patches:
     ) -> Bodies:  # fmt: skip
         """`mixed` bodies with what these stretches change; `own` are those on the road that each
         agent begins on."""
-        if self._is_empty:
+        if self.is_empty:
             return mixed
         rows = np.flatnonzero(self.patched & present & ~own.walks)
         if not len(rows):
@@ -93,7 +93,8 @@ class Patches:
         return mixed.on_ground(rows, friction, mixed.rolling[rows] + GRAVITY * more[1])
 
     @cached_property
-    def _is_empty(self) -> bool:
+    def is_empty(self) -> bool:
+        """Whether no agent can come to any."""
         return not self.patched.any()
 
     def _lanes(self, road: SceneRoad) -> _LaneSurfaces:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats
 from ..lines.lines import on_arc
+from ..tapes.traced import TracedColumn
 from . import compiled
 from .motion import Motion, Track
 
@@ -40,6 +41,8 @@ def poses_of(motion: Motion, track: Track) -> Poses:
 def line_frames(track: Track, along: Floats) -> Floats:
     """(5, N) x, y, heading, curvature around there and width of the road, at arc lengths of lines;
     within a cell a line is an arc."""
+    if isinstance(along, TracedColumn):
+        return along.line_frames(track)
     if compiled.is_loaded():
         return compiled.line_frames(track, along)
     return frames_in(track, *track.cell(along))

@@ -14,12 +14,11 @@ from ...ir.scene import Scene, SceneRoad
 from ..lanes.lane_columns import LaneSection
 from ..lanes.surfaces import BESIDE, TireSurface, below
 from ..lines.route_table import RouteTable
+from ..tapes.tape import NotElementwiseError
 from .bodies import Bodies
 from .motion import Motion
 from .patches import TIRE, WHEELS, Patches
 from .vehicle_dynamics import GRAVITY
-
-_AHEAD, _LEFT = np.array(WHEELS).T[:, :, None]
 
 
 @dataclass(frozen=True)
@@ -82,6 +81,30 @@ class Verges:
             self.has_route[agents], self.edges[agents], self.patches.take(agents), self.known,
         )  # fmt: skip
 
+    def traced(self, bodies: Bodies, motion: Motion, table: RouteTable) -> TracedVerges:
+        """What `below` does, of agents whose columns are traced. `motion`: where they are now.
+        Raises NotElementwiseError where an agent may come to ground that its own columns and the
+        edges of its road do not tell."""
+        rows = np.flatnonzero(np.isfinite(self.clear) | (self.clear < 0.0))
+        edges = np.full((len(self.clear), 2), (np.inf, -np.inf))
+        edges[rows] = self._edges_at(table, motion, rows)
+        if len(rows) and np.isnan(self.edges[rows, 0]).any():
+            raise NotElementwiseError("a road whose edges are elsewhere at each station")
+        if not self.patches.is_empty:
+            raise NotElementwiseError("stretches of other surfaces")
+        return TracedVerges(self, edges, len(rows) > 0)
+
+    def traced_below(
+        self, bodies: Bodies, motion: Motion, present: Booleans, edges: Floats
+    ) -> Bodies:
+        """The same as `below`, by computations of columns alone. `edges`: of all agents."""
+        every = slice(None)
+        near = self._near(bodies, motion)
+        beside = _share_beside(bodies, motion, edges, every)
+        share = np.where(present & near, beside, 0.0)
+        friction, rolling = self._ground(bodies, every, share)
+        return bodies.where(share > 0.0, friction, rolling)
+
     def below(self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans) -> Bodies:
         """The bodies with the grip and the resistance that they have where they are."""
         mixed = self._with_verges(bodies, motion, table, present)
@@ -90,28 +113,33 @@ class Verges:
     def _with_verges(
         self, bodies: Bodies, motion: Motion, table: RouteTable, present: Booleans
     ) -> Bodies:
-        near = np.abs(motion.offset) + bodies.half_base * np.abs(motion.sine) > self.clear
-        rows = (present & near).nonzero()[0]
+        rows = (present & self._near(bodies, motion)).nonzero()[0]
         if not len(rows):
             return bodies
         share = self._beside(bodies, motion, table, rows)
         rows, share = rows[share > 0.0], share[share > 0.0]
         return self._mixed(bodies, rows, share) if len(rows) else bodies
 
+    def _near(self, bodies: Bodies, motion: Motion) -> Booleans:
+        """(N,) who may have a wheel beside the road."""
+        return np.abs(motion.offset) + bodies.half_base * np.abs(motion.sine) > self.clear
+
     def _mixed(self, bodies: Bodies, rows: Integers, share: Floats) -> Bodies:
         """`share` (R,) of the wheels of agents `rows` are beside the road."""
+        friction, rolling = self._ground(bodies, rows, share)
+        return bodies.on_ground(rows, friction, rolling)
+
+    def _ground(self, bodies: Bodies, rows: Any, share: Floats) -> tuple[Floats, Floats]:
+        """(R,) friction and rolling resistance of agents with such a share of their wheels beside
+        the road."""
         on = bodies.friction[rows]
         friction = on + (self.friction[rows] - on) * share
-        return bodies.on_ground(rows, friction, bodies.rolling[rows] + self.rolling[rows] * share)
+        return friction, bodies.rolling[rows] + self.rolling[rows] * share
 
     def _beside(self, bodies: Bodies, motion: Motion, table: RouteTable, rows: Integers) -> Floats:
         """(R,) share of the wheels of agents that are beside their roads; at junctions none."""
         edges = self._edges_at(table, motion, rows)
-        along = bodies.half_base[rows] * motion.sine[rows]
-        across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
-        offset = motion.offset[rows] + _AHEAD * along + _LEFT * across
-        beside = (offset > edges[:, 0]) | (offset < edges[:, 1])
-        return np.asarray(beside.sum(axis=0) / len(WHEELS))
+        return _share_beside(bodies, motion, edges, rows)
 
     def _edges_at(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
         """(R, 2) how far left of their lines the left and right edges of roads are."""
@@ -167,6 +195,35 @@ class Verges:
         if road.lane_list:
             self.known[alike] = left, right
         return left, right
+
+
+@dataclass(frozen=True)
+class TracedVerges:
+    """The verges of agents whose columns are traced."""
+
+    verges: Verges
+    edges: Floats
+    """(N, 2) as of `Verges`"""
+    has_any: bool
+    """whether any agent can have a wheel beside a road"""
+
+    def below(self, bodies: Bodies, motion: Motion, _: RouteTable, present: Booleans) -> Bodies:
+        """The bodies with the grip and the resistance that they have where they are."""
+        if not self.has_any:
+            return bodies
+        return self.verges.traced_below(bodies, motion, present, self.edges)
+
+
+def _share_beside(bodies: Bodies, motion: Motion, edges: Floats, rows: Any) -> Floats:
+    """(R,) share of the wheels of agents that are beyond the left and right edges (R, 2)."""
+    along = bodies.half_base[rows] * motion.sine[rows]
+    across = 0.5 * np.maximum(bodies.width[rows] - TIRE, 0.0) * motion.cosine[rows]
+    share: Floats = np.zeros(())
+    for ahead, left in WHEELS:
+        offset = motion.offset[rows] + ahead * along + left * across
+        beside = (offset > edges[:, 0]) | (offset < edges[:, 1])
+        share = share + np.where(beside, 1.0 / len(WHEELS), 0.0)
+    return share
 
 
 def _edges_of(lanes: LaneSection, lane: int | None, station: Floats) -> Floats:

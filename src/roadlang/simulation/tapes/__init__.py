@@ -1,0 +1,1 @@
+"""Computations of columns that are written down once and repeated by a compiled loop."""

@@ -1,0 +1,99 @@
+"""Drives in which nothing happens but the motion of each agent: many steps in one compiled loop."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers
+from ..controlling.driving import DriverGroup
+from ..recording.recording import Recorder
+from ..signals.recorded_columns import RECORDED
+from ..state.arrivals import all_arrived
+from ..state.world import World
+from ..surroundings.contacts import ContactDetector
+from ..vehicles import compiled
+from ..vehicles.motion import MOTION_COLUMNS
+from . import compiled_tapes
+from .tape import NotElementwiseError, TapeProgram
+from .tracing import STATE, period, traced_steps
+
+AT_ONCE = 1.0
+"""Seconds that are driven before it is asked which scenes are over."""
+
+
+@dataclass
+class Repetition:
+    """What a world does in one period of its samples and decisions."""
+
+    program: TapeProgram
+    period: int
+    """steps"""
+    sampled: int
+
+    @classmethod
+    def of(
+        cls, world: World, drivers: DriverGroup, contacts: ContactDetector, held: int, sampled: int
+    ) -> Repetition | None:
+        """None where more happens than the motion of each agent by itself."""
+        controller = drivers.elementwise_controller(len(world.present))
+        if controller is None or not contacts.is_idle or world.advance is not compiled.advance:
+            return None
+        try:
+            program = traced_steps(world, drivers, controller, held, sampled)
+        except NotElementwiseError:
+            return None
+        return cls(program, period(held, sampled), sampled)
+
+    def take(self, agents: Integers) -> None:
+        """From now on the world has these of its agents alone."""
+        self.program = self.program.take(agents)
+
+    def drive(self, world: World, recorder: Recorder, last: int) -> bool:
+        """Go on by some periods, to the step `last` at most. The last sample is left to be
+        recorded. False where it cannot go on like this now."""
+        if world.tick % self.period:
+            return False
+        seconds = self.period * world.dt
+        times = min((last - world.tick) // self.period, max(1, round(AT_ONCE / seconds)))
+        if times < 1:
+            return False
+        went_on, out, samples = self._repeated(world, times)
+        if went_on < times:  # a number is infinite: go on until there, where it is said what is
+            if not went_on:
+                return False
+            _, out, samples = self._repeated(world, went_on)
+        self._record(world, recorder, samples)
+        _go_on(world, out, len(samples) * self.sampled)
+        return True
+
+    def _repeated(self, world: World, times: int) -> tuple[int, Floats, Floats]:
+        columns = [getattr(world.motion, name) for name in MOTION_COLUMNS]
+        state = np.stack([*columns, world.traveled, world.present])
+        track = world.track
+        lines = track.first, track.lines.table, world.bodies.walks.astype(np.float64)
+        each = self.period // self.sampled
+        samples = np.empty((times * each, len(RECORDED) + 1, len(world.present)))
+        out = np.empty((len(STATE) + 2, len(world.present)))
+        went_on = compiled_tapes.repeated()(
+            state, self.program.arguments, lines, times, world.dt, samples, out
+        )
+        return int(went_on), out, samples
+
+    def _record(self, world: World, recorder: Recorder, samples: Floats) -> None:
+        for number, sample in enumerate(samples[:-1], 1):
+            time = round((world.tick + number * self.sampled) * world.dt, 9)
+            at_end = sample[-1] > 0.5
+            finished = all_arrived(at_end, world.has_road, world.filled, world.slots)
+            recorder.add(time, sample[:-1], finished)
+
+
+def _go_on(world: World, columns: Floats, steps: int) -> None:
+    """The world is as `columns` say, some steps on."""
+    for name, column in zip(MOTION_COLUMNS, columns, strict=False):
+        setattr(world.motion, name, column)
+    traveled, present, along, left = columns[len(MOTION_COLUMNS) :]
+    world.traveled, world.present, world.pace = traveled, present > 0.5, (along, left)
+    world.any_left = bool((world.filled & ~world.present).any())
+    world.tick += steps

@@ -1,0 +1,201 @@
+"""A computation of columns over agents as a list of instructions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Floats, Integers
+from . import operations
+
+
+class NotElementwiseError(TypeError):
+    """A computation is not made of numbers of one agent alone, or looks at them to decide on how
+    to go on: it cannot be written down."""
+
+
+@dataclass
+class Tape:
+    """Values are numbered: first the columns that are given, then whatever is computed. A value
+    that is there already is not computed again."""
+
+    agents: int
+    given: int
+    """columns that the computation begins with"""
+    instructions: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = field(
+        default_factory=list
+    )
+    """operation, values that it takes, values that it gives, and a number more"""
+    columns: dict[int, Floats] = field(default_factory=dict)
+    """(N,) by value: constant columns"""
+    numbers: dict[int, float] = field(default_factory=dict)
+    """by value: numbers that all agents share"""
+    loops: list[tuple[int, int]] = field(default_factory=list)
+    """of functions of numpy"""
+    cells: Floats | None = None
+    """a column of the cells of lines, and where the table of each agent begins in it"""
+    shift: Integers | None = None
+    takes_every_way: bool = True
+    """whether code may ask if any agent is concerned, and is told that some are"""
+    _version: int = -1
+    _count: int = -1
+    _known: dict[Any, Any] = field(default_factory=dict)
+    _kept: list[Any] = field(default_factory=list)
+    """arrays whose addresses are keys"""
+
+    def __post_init__(self) -> None:
+        self._count = self.given
+
+    def value(self, what: Any) -> int:
+        """The value of a constant: an array (N,) or a number. Raises NotElementwiseError."""
+        if isinstance(what, np.ndarray) and what.ndim:
+            return self._column(what)
+        if not isinstance(what, bool | int | float | np.generic | np.ndarray):
+            raise NotElementwiseError(f"a {type(what).__name__} in a computation of columns")
+        number = float(what)
+        key = "number", np.float64(number).tobytes()
+        if key not in self._known:
+            self._known[key] = self._new()
+            self.numbers[self._known[key]] = number
+        found: int = self._known[key]
+        return found
+
+    def _column(self, array: Any) -> int:
+        if array.shape != (self.agents,) or array.dtype.kind not in "fiub":
+            raise NotElementwiseError(f"an array {array.shape} of {array.dtype} among columns")
+        address = array.__array_interface__["data"][0]
+        key = "column", address, array.strides, array.dtype.str
+        if key not in self._known:
+            self._kept.append(array)
+            self._known[key] = self._new()
+            self.columns[self._known[key]] = array.astype(np.float64)
+        found: int = self._known[key]
+        return found
+
+    def put(self, operation: int, takes: Sequence[int], gives: int = 1, more: int = 0) -> Any:
+        """The numbers of the values that an instruction gives, of one alone without a tuple."""
+        key = operation, tuple(takes), more
+        is_known = key in self._known
+        if not is_known or not gives:
+            found = tuple(self._new() for _ in range(gives))
+            self.instructions.append((operation, tuple(takes), found, more))
+            self._known[key] = found[0] if gives == 1 else found
+        return self._known[key]
+
+    def loop(self, found: tuple[int, int]) -> int:
+        """The number of a loop of numpy among those of the tape."""
+        if found not in self.loops:
+            self.loops.append(found)
+        return self.loops.index(found)
+
+    def look_up_in(self, cells: Floats, shift: Integers, version: int) -> None:
+        """From now on `VALUE_OF_CELL` looks at this column of cells. `version`: how often it was
+        changed. Raises NotElementwiseError where it looked at another before."""
+        if self.cells is not None and self._version != version:
+            raise NotElementwiseError("two columns of cells")
+        self.cells, self.shift, self._version = cells, shift, version
+
+    def _new(self) -> int:
+        self._count += 1
+        return self._count - 1
+
+
+@dataclass(frozen=True)
+class TapeProgram:
+    """A tape in the form that the compiled loop reads. The rows of its registers are, in this
+    order, the columns that are given, constant columns, constant numbers, and what is computed."""
+
+    code: Integers
+    """(I, 6) operation, three registers (or where the lists of them begin), a number, and the
+    register of the result"""
+    lists: Integers
+    """registers of instructions that take or give many"""
+    columns: Floats
+    """(C, N)"""
+    numbers: Floats
+    gives: Integers
+    """registers of what it all comes to; the first are the columns given, when it is repeated"""
+    registers: int
+    loops: Integers
+    """(L, 2)"""
+    cells: Floats
+    shift: Integers
+    """(N,)"""
+
+    @property
+    def arguments(self) -> tuple[Any, ...]:
+        """What the compiled loop is called with."""
+        return (
+            self.code, self.lists, self.columns, self.numbers, self.gives, self.registers,
+            self.loops, self.cells, self.shift,
+        )  # fmt: skip
+
+    def take(self, agents: Integers) -> TapeProgram:
+        """The same computation of some of the agents."""
+        return replace(self, columns=self.columns[:, agents], shift=self.shift[agents])
+
+
+def program_of(tape: Tape, gives: Sequence[int]) -> TapeProgram:
+    """`gives`: the values that it comes to. A register is used again once its value is not needed
+    any more, but never for a result of the instruction that needs it last."""
+    fixed = [*range(tape.given), *tape.columns, *tape.numbers]
+    register = {value: place for place, value in enumerate(fixed)}
+    needed = _needed(tape, gives)
+    last = {value: len(needed) for value in gives}
+    for place in range(len(needed) - 1, -1, -1):
+        for value in needed[place][1]:
+            last.setdefault(value, place)
+    free: list[int] = []
+    if any(value < tape.given and value != place for place, value in enumerate(gives)):
+        raise NotElementwiseError("a column becomes another that was given")
+    count = len(fixed)
+    code: list[tuple[int, ...]] = []
+    lists: list[int] = []
+    for place, (operation, takes, results, more) in enumerate(needed):
+        for value in results:
+            if free:
+                register[value] = free.pop()
+            else:
+                register[value], count = count, count + 1
+        places = [register[value] for value in takes]
+        if len(results) == 1 and len(takes) <= _FEW:
+            first = (*places, 0, 0, 0)[:_FEW]
+            code.append((operation, *first, more, register[results[0]]))
+        else:
+            code.append((operation, len(lists), 0, 0, more, len(takes)))
+            lists += [*places, *(register[value] for value in results)]
+        ended = {value for value in takes if last[value] == place and register[value] >= len(fixed)}
+        unused = {value for value in results if value not in last}
+        free += [register[value] for value in (*ended, *unused)]
+    nothing = np.zeros(0)
+    return TapeProgram(
+        code=np.array(code, dtype=np.int64).reshape(-1, 6),
+        lists=np.array(lists, dtype=np.int64),
+        columns=np.array([*tape.columns.values()]).reshape(-1, tape.agents),
+        numbers=np.array([*tape.numbers.values()], dtype=np.float64),
+        gives=np.array([register[value] for value in gives], dtype=np.int64),
+        registers=count,
+        loops=np.array(tape.loops, dtype=np.int64).reshape(-1, 2),
+        cells=nothing if tape.cells is None else tape.cells,
+        shift=np.zeros(tape.agents, np.int64) if tape.shift is None else tape.shift,
+    )
+
+
+_FEW = 3
+
+
+def _needed(tape: Tape, gives: Sequence[int]) -> list[Any]:
+    """The instructions on which something depends."""
+    used, found = set(gives), []
+    for instruction in reversed(tape.instructions):
+        operation, takes, results, _ = instruction
+        if operation in _EFFECTS or not used.isdisjoint(results):
+            used.update(takes)
+            found.append(instruction)
+    return found[::-1]
+
+
+_EFFECTS = (operations.RECORD, operations.FINITE)
