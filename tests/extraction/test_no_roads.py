@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 
 from roadlang_standard.extraction.classical import roads_by_ribbons
+from roadlang_standard.extraction.drawing import has_edge_lines
 from roadlang_standard.extraction.drawn_confidence import with_doubts
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
@@ -113,3 +114,30 @@ def test_a_blot_is_no_sure_road() -> None:
     assert _sure(_road(0, 1, (20, 80), wide=40)) == [0.5]
     # The rule is for what hangs together: the blot beside a road does not make the road doubtful.
     assert _sure(_road(0, 1, (20, 80), wide=40), _road(2, 3, (20, 80), 10)) == [0.5, 1.0]
+
+
+def _texture(sigma: float, seed: int) -> np.ndarray:
+    """Smooth noise (300, 400) of standard deviation 1."""
+    noise = np.random.default_rng(seed).normal(0, 1, (300, 400))
+    smooth = cv2.GaussianBlur(noise, (0, 0), sigma)
+    return np.asarray(smooth / smooth.std())
+
+
+def test_roof_tiles_of_nearly_one_color_are_a_photo() -> None:
+    """Their colors lie near a few, everywhere alike, but they are nowhere without texture."""
+    y, x = np.mgrid[:300, :400]
+    grain = np.random.default_rng(2).normal(0, 2, (300, 400, 1))
+    rows = 30 * np.abs(np.sin(x / 9)) - 40 * (y % 16 < 3) + 6 * _texture(10, 4)
+    tiles = np.array([60, 80, 160]) + rows[..., None] + grain
+    assert picture_kind(np.clip(tiles, 0, 255).astype(np.uint8)).name == PHOTO
+
+
+def test_lines_of_text_are_no_edges_of_roads() -> None:
+    """Closed where they have gaps, they become blots with even spaces between them."""
+    words = "road scenario vehicle extraction network curve the and of driver lane speed with"
+    rng = np.random.default_rng(11)
+    page = np.full((480, 480, 3), 255, np.uint8)
+    for row in range(40, 460, 22):
+        line = " ".join(rng.choice([*words.split(), "without", "testing"], 10))[:62]
+        cv2.putText(page, line, (20, row), cv2.FONT_HERSHEY_SIMPLEX, 0.4, (20, 20, 20), 1, 16)
+    assert not has_edge_lines(page[..., 0] < 128)

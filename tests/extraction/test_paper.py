@@ -153,3 +153,13 @@ def test_auto_says_that_a_picture_is_a_drawing_on_paper() -> None:
     assert found.remarks[0] == "read as a drawing on paper"
     length = np.hypot(*np.diff(wave(), axis=0).T).sum()
     assert found.network.edges[0].length == pytest.approx(0.5 * length, rel=0.02)
+
+
+def test_a_scan_with_little_noise_is_a_drawing_on_paper() -> None:
+    """Most of it is nearly white, as of a drawing made on a screen, but nothing is even."""
+    page = cv2.resize(drawn(sheet(), wave(), 3), None, fx=1.5, fy=1.5)
+    noise = np.random.default_rng(2).normal(0, 3, (*page.shape[:2], 1))
+    scan = np.clip(page.astype(float) + 12 + noise, 0, 255).astype(np.uint8)
+    found = Auto().extract(Picture(scan, 1.0))
+    assert found.remarks[0] == "read as a drawing on paper"
+    assert len(found.network.edges) == 1

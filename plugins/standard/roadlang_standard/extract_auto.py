@@ -66,6 +66,8 @@ class Auto(Extractor):
 
     def _seen(self, picture: Picture) -> tuple[str, Extraction]:
         """What sort of picture without a legend it is, and its roads."""
+        from dataclasses import replace
+
         from .extract_aerial import Aerial
         from .extract_contour import Contour, road_width
         from .extraction.drawing import roads_of_drawing
@@ -73,12 +75,15 @@ class Auto(Extractor):
         from .extraction.paper import roads_on_paper
         from .extraction.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
+        from .extraction.screen_grid import without_grid
         from .extraction.thresholding import EDGE_LINES
 
         assert picture.pixels is not None
+        picture = replace(picture, pixels=without_grid(picture.pixels))
+        assert picture.pixels is not None
         seen, width = picture_kind(picture.pixels), road_width(self.width, picture)
         if self.threshold == "auto" and not self.through and not seen.named(MASK):
-            on_paper = None if seen.exact else roads_on_paper(picture.pixels, width)
+            on_paper = None if seen.exact else roads_on_paper(picture.pixels, width, not seen.drawn)
             if on_paper is not None:
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = roads_of_map(picture.pixels, width) if seen.drawn else None

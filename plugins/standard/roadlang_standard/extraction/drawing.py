@@ -26,6 +26,8 @@ _BOLD, _THIN, _SOME = 3.5, 0.6, 0.03
 thickness; they are sought where they are this share of the ink."""
 _GAPS = (2, 4, 8)
 """Gaps of edge lines that are closed, by so many pixels from both sides."""
+_THICKER = 2.0
+"""Where more than gaps are closed, lines of text become blots so many times as thick as the pen."""
 _SAMPLE = 50_000
 """About so many pixels tell how thick a surface is."""
 
@@ -124,7 +126,7 @@ def _between(ink: Booleans) -> tuple[list[RoadRegion], Booleans]:
         return ribbons, ink
     for closed, closed_parts in _closed_gaps(ink, parts):
         ribbons = road_regions(closed, closed_parts)
-        if ribbons and _edged(ribbons, ink, pen):
+        if ribbons and _edged(ribbons, ink, pen) and _pen_width(closed) <= _THICKER * pen + 1:
             return ribbons, ink
     capped = with_closed_ends(ink, pen)
     ribbons = [] if capped is None else road_regions(capped)

@@ -12,7 +12,7 @@ from roadlang.geometry import Booleans
 
 from .counted_colors import color_codes, counted_colors
 from .map_tones import flat_colors, local_spread
-from .tones import Image, away_from, thinned
+from .tones import Image, away_from, flatness, thinned
 
 _SAMPLE = 250_000
 """Pixels that are looked at."""
@@ -25,6 +25,9 @@ _HALF = 0.5
 _SEVERAL, _MOST, _MAP_OFF = 3, 0.6, 2.5
 """A map has at least so many of them, on more than this share, and where it is full of houses and
 stored as JPEG is off them by up to this."""
+_LEAST_FLAT = 0.2
+"""Share of its pixels without texture: sand, dunes and tiles may be near a few colors, but are not
+even anywhere. JPEG leaves .39 of a map full of houses."""
 _SAME_SHARE, _SAME_IN_ALL, _WINDOW = 0.01, 0.4, 1024
 """A lossless picture has each of more colors exactly, on more than this share of its middle, of
 so many pixels a side, and all of them on more than the other share."""
@@ -62,7 +65,8 @@ def has_exact_colors(image: Image) -> bool:
     colors = flat_colors(small)[:_COLORS]
     if len(colors) >= _SEVERAL:
         share, off = _near(small, colors)
-        if share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0]):
+        seems_exact = share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0])
+        if seems_exact and flatness(image) > _LEAST_FLAT:
             return True
     return len(found) >= _PARTS and _has_few_still_colors(part)
 

@@ -52,13 +52,14 @@ class Sheet:
     noise: float
 
 
-def sheet_of(image: Image, within: Booleans | None = None) -> Sheet | None:
+def sheet_of(image: Image, within: Booleans | None = None, textured: bool = False) -> Sheet | None:
     """The ink of a picture (h, w, 3), freed from how it is lit; None if it shows no light sheet.
 
-    Where a sheet lies on a desk, it is `within` (h, w) these pixels.
+    Where a sheet lies on a desk, it is `within` (h, w) these pixels. What is `textured` was not
+    drawn on a screen, even if most of it has nearly one color: a scan.
     """
     seen = np.ones(image.shape[:2], bool) if within is None else within
-    if _is_flat(image, seen):
+    if not textured and _is_flat(image, seen):
         return None
     light = _light(image, within)
     if not _has_one_light_color(light):
@@ -92,18 +93,20 @@ def _is_flat(image: Image, seen: Booleans, least: float = _EXACT) -> bool:
     return bool(sample.number(same) > least * sample.counts.sum())
 
 
-def roads_on_paper(image: Image, width: float | None = None) -> FoundNetwork | None:
+def roads_on_paper(
+    image: Image, width: float | None = None, textured: bool = False
+) -> FoundNetwork | None:
     """The roads (pixels) drawn on a photographed sheet (h, w, 3); None if it shows no sheet.
 
     The sheet fills the picture or lies on a darker desk. A line is a road; two lines side by side
-    are the edges of one. There may be none.
+    are the edges of one. There may be none. `textured` is as for `sheet_of`.
     """
     everywhere = np.ones(image.shape[:2], bool)
-    if not has_even_ground(image) or _is_flat(image, everywhere, _SCREEN):
+    if not has_even_ground(image) or (not textured and _is_flat(image, everywhere, _SCREEN)):
         return None
     outline = sheet_outline(image)
     sheet = None if outline is None else sheet_of(image, outline)
-    sheet = sheet or sheet_of(image)
+    sheet = sheet or sheet_of(image, textured=textured)
     if sheet is None:
         return None
     marked = _strokes(sheet)
