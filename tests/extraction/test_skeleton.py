@@ -36,3 +36,37 @@ def test_any_mask_keeps_its_parts(mask: Any) -> None:
     assert not (thin & ~mask).any()
     parts = [cv2.connectedComponents(m.astype(np.uint8), connectivity=8)[0] for m in (mask, thin)]
     assert parts[0] == parts[1]
+
+
+def _one_by_one(mask: np.ndarray) -> np.ndarray:
+    """Thinning by the rules as they are written (Guo and Hall 1989), for each pixel of a mask."""
+    thin = np.pad(mask, 1)
+    changed = True
+    while changed:
+        changed = False
+        for odd in (False, True):
+            doomed = [(y, x) for y, x in np.argwhere(thin) if _may_go(thin, y, x, odd)]
+            for place in doomed:
+                thin[place] = False
+            changed |= bool(doomed)
+    return thin[1:-1, 1:-1]
+
+
+def _may_go(thin: np.ndarray, y: int, x: int, odd: bool) -> bool:
+    ring = ((-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1), (0, -1), (-1, -1))
+    p2, p3, p4, p5, p6, p7, p8, p9 = (bool(thin[y + dy, x + dx]) for dy, dx in ring)
+    pairs = ((p2, p3, p4), (p4, p5, p6), (p6, p7, p8), (p8, p9, p2))
+    crossings = sum(not a and (b or c) for a, b, c in pairs)
+    first = (p9 or p2) + (p3 or p4) + (p5 or p6) + (p7 or p8)
+    second = (p2 or p3) + (p4 or p5) + (p6 or p7) + (p8 or p9)
+    kept = (p2 or p3 or not p5) and p4 if odd else (p6 or p7 or not p9) and p8
+    return crossings == 1 and 2 <= min(first, second) <= 3 and not kept
+
+
+def test_the_rules_are_kept_to_the_pixel() -> None:
+    rng = np.random.default_rng(5)
+    for blur in (0.8, 1.5, 3.0):
+        mask = cv2.GaussianBlur(rng.normal(0, 1, (60, 70)), (0, 0), blur) > 0
+        assert (skeleton(mask) == _one_by_one(mask)).all()
+    full = np.ones((9, 31), bool)
+    assert (skeleton(full) == _one_by_one(full)).all()

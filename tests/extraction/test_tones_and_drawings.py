@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import cv2
 import numpy as np
 import pytest
@@ -183,3 +185,19 @@ def test_a_ring_road_has_no_seam() -> None:
     )
     assert road.widths == pytest.approx(np.full(len(road.points), 12.0), abs=0.4)
     assert road.length == pytest.approx(2 * np.pi * 60, rel=0.003)
+
+
+def test_a_large_drawing_needs_little_memory() -> None:
+    """Of pixels there are millions: what is worked out for each is let go when it is done with."""
+    image = np.full((1000, 1000, 3), 255, np.uint8)
+    for place, pen in ((200, 16), (450, 9), (700, 12)):
+        cv2.line(image, (0, place), (1000, place + 60), (50, 50, 50), pen, cv2.LINE_AA)
+        cv2.line(image, (place, 0), (place - 50, 1000), (50, 50, 50), pen - 2, cv2.LINE_AA)
+    roads_by_contour(image, ContourSteps())
+    tracemalloc.start()
+    try:
+        roads_by_contour(image, ContourSteps())
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most < 27 * 1000 * 1000

@@ -13,7 +13,7 @@ from roadlang.geometry import Booleans
 
 from .dashed_roads import with_dashes_joined
 from .found_network import FoundNetwork
-from .mask_parts import parts_of
+from .mask_parts import parts_of, window_around
 from .masks import roads_of_surface, without_specks
 from .open_edges import with_closed_ends
 from .road_markings import with_markings_filled
@@ -120,20 +120,27 @@ def _between(ink: Booleans) -> tuple[list[RoadRegion], Booleans]:
     pen = _pen_width(ink)
     if pen > 0.02 * min(ink.shape) + 3:
         return [], ink
-    parts = PaperParts.about(ink)
-    ribbons = road_regions(ink, parts)
-    if ribbons and _edged(ribbons, ink, pen):
-        return ribbons, ink
-    for closed, closed_parts in _closed_gaps(ink, parts):
-        ribbons = road_regions(closed, closed_parts)
-        if ribbons and _edged(ribbons, ink, pen) and _pen_width(closed) <= _THICKER * pen + 1:
-            return ribbons, ink
-    capped = with_closed_ends(ink, pen)
-    ribbons = [] if capped is None else road_regions(capped)
-    if ribbons and _edged(ribbons, ink, pen):
+    ribbons = _between_all(ink, pen)
+    if ribbons:
         return ribbons, ink
     bold = _without_thin_lines(ink, pen)
     return ([], ink) if bold is None else _between(bold)
+
+
+def _between_all(ink: Booleans, pen: float) -> list[RoadRegion]:
+    """The regions between all lines of the ink (h, w): as they are, or else with gaps closed, or
+    else with open ends closed."""
+    parts = PaperParts.about(ink)
+    ribbons = road_regions(ink, parts)
+    if ribbons and _edged(ribbons, ink, pen):
+        return ribbons
+    for closed, closed_parts in _closed_gaps(ink, parts):
+        ribbons = road_regions(closed, closed_parts)
+        if ribbons and _edged(ribbons, ink, pen) and _pen_width(closed) <= _THICKER * pen + 1:
+            return ribbons
+    capped = with_closed_ends(ink, pen)
+    ribbons = [] if capped is None else road_regions(capped)
+    return ribbons if ribbons and _edged(ribbons, ink, pen) else []
 
 
 def _without_thin_lines(ink: Booleans, pen: float) -> Booleans | None:
@@ -199,19 +206,10 @@ def _surface(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> Layer:
         closed = cv2.morphologyEx(union, cv2.MORPH_CLOSE, np.ones((size, size), np.uint8))
         union |= closed & ink.astype(np.uint8)
     surface = np.zeros(ink.shape, np.float32)
-    window = _around(union, int(pen / 2) + 3)
+    window = window_around(union, int(pen / 2) + 3)
     union = np.ascontiguousarray(union[window])
     outside = cv2.distanceTransform(1 - union, cv2.DIST_L2, 5)
     inside = cv2.distanceTransform(union, cv2.DIST_L2, 5)
     signed = np.where(union > 0, inside - 0.5, 0.5 - outside) + pen / 2
     surface[window] = np.clip(0.5 + signed, 0, 1)
     return surface
-
-
-def _around(mask: NDArray[np.uint8], margin: int) -> tuple[slice, slice]:
-    """The part of a picture that holds a mask (h, w) and so many pixels around it."""
-    x, y, width, height = cv2.boundingRect(mask)
-    return (
-        slice(max(0, y - margin), y + height + margin),
-        slice(max(0, x - margin), x + width + margin),
-    )

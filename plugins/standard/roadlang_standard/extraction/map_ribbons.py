@@ -10,6 +10,7 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import window_around
 from .tones import Layer
 
 _WIDTHS = (1.0, 4.5, 9.0, 18.0, 36.0, 72.0)
@@ -44,8 +45,9 @@ def ribbons(thin: Booleans, inner: Layer) -> RibbonLines:
     found = np.zeros_like(thin)
     for low, high in pairwise(_WIDTHS):
         some = thin & (across >= low) & (across < high)
-        if some.any():
-            found |= _ribbons(some, across, least, high)
+        if np.count_nonzero(some) > _LONG * low:
+            window = window_around(some, int(_NEAR * high) + 1)
+            found[window] |= _ribbons(some[window], across[window], least[window], high)
     total = float(across.sum())
     widths = across[found]
     wide = float(np.quantile(widths, _WIDE)) if widths.size else 0.0

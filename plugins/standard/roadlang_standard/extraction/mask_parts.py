@@ -21,3 +21,10 @@ def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int
     else:
         count, labels = cv2.connectedComponentsWithAlgorithm(seen, 4, cv2.CV_32S, cv2.CCL_BOLELLI)
     return count, np.asarray(labels, np.int32)
+
+
+def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slice, slice]:
+    """The rows and columns of a picture that hold a mask (h, w) and so many pixels around it."""
+    x, y, width, height = cv2.boundingRect(mask.view(np.uint8))
+    rows = slice(max(0, y - margin), y + height + margin)
+    return rows, slice(max(0, x - margin), x + width + margin)

@@ -9,6 +9,13 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+Pixels = NDArray[np.intp]
+_BITS = np.arange(8, dtype=np.uint8)[:, None]
+
+
+_GONE, _SET, _QUEUED = 0, 1, 3
+"""States of a pixel: only the first is even."""
+
 
 def skeleton(mask: Booleans) -> Booleans:
     """The skeleton (h, w) of a mask: same topology, one pixel wide, centered.
@@ -20,38 +27,50 @@ def skeleton(mask: Booleans) -> Booleans:
     flat = np.zeros((height + 2) * stride, np.uint8)
     flat.reshape(height + 2, stride)[1:-1, 1:-1] = mask
     around = np.array([-stride, -stride + 1, 1, stride + 1, stride, stride - 1, -1, -stride - 1])
-    stamp = np.zeros(flat.shape, np.int32)
+    first, second = _tables()
     candidates = _border(flat, stride)
     while len(candidates):
-        near = []
-        for table in _tables():
-            codes = np.zeros(len(candidates), np.uint8)
-            for bit, step in enumerate(around):
-                codes |= flat.take(candidates + step) << np.uint8(bit)
-            removable = candidates[table.take(codes)]
-            flat[removable] = 0
-            near.append((removable[:, None] + around).ravel())
-            candidates = _alive(flat, stamp, np.concatenate([candidates, near[-1]]))
-        candidates = _alive(flat, stamp, np.concatenate(near))
+        codes = _codes(flat, candidates, around)
+        removable = candidates[first.take(codes)]
+        flat[removable] = _GONE
+        near = _queued(flat, removable, around)
+        # All others have the neighbors that they had.
+        same = flat.take(candidates) == _SET
+        removable = np.concatenate([
+            candidates[same][second.take(codes[same])],
+            near[second.take(_codes(flat, near, around))],
+        ])  # fmt: skip
+        flat[removable] = _GONE
+        candidates = np.concatenate([near, _queued(flat, removable, around)])
+        candidates = candidates[flat.take(candidates) != _GONE]
+        flat[candidates] = _SET
     return flat.reshape(height + 2, stride)[1:-1, 1:-1].astype(bool)
 
 
-def _border(flat: NDArray[np.uint8], stride: int) -> NDArray[np.intp]:
+def _codes(flat: NDArray[np.uint8], pixels: Pixels, around: Pixels) -> NDArray[np.uint8]:
+    """Which neighbors of each pixel (n,) are set: bit 0 is north, clockwise."""
+    is_set = flat.take(pixels + around[:, None]) & np.uint8(1)
+    return np.asarray(np.bitwise_or.reduce(is_set << _BITS, axis=0))
+
+
+def _queued(flat: NDArray[np.uint8], pixels: Pixels, around: Pixels) -> Pixels:
+    """The neighbors of some pixels (n,) that are set and were not queued, each once; now they are,
+    in place."""
+    found = []
+    for step in around:
+        beside = pixels + step
+        beside = beside[flat.take(beside) == _SET]
+        flat[beside] = _QUEUED
+        found.append(beside)
+    return np.concatenate(found)
+
+
+def _border(flat: NDArray[np.uint8], stride: int) -> Pixels:
     grid = flat.reshape(-1, stride)
     inner = grid[1:-1, 1:-1] & grid[:-2, 1:-1] & grid[2:, 1:-1] & grid[1:-1, :-2] & grid[1:-1, 2:]
     edge = grid.copy()
     edge[1:-1, 1:-1] -= inner
     return np.flatnonzero(edge.view(bool))
-
-
-def _alive(
-    flat: NDArray[np.uint8], stamp: NDArray[np.int32], pixels: NDArray[np.intp]
-) -> NDArray[np.intp]:
-    """Those of the pixels that are still set, each once."""
-    pixels = pixels[flat.take(pixels) > 0]
-    order = np.arange(len(pixels), dtype=np.int32)
-    stamp[pixels] = order
-    return np.asarray(pixels[stamp.take(pixels) == order])
 
 
 @cache

@@ -9,6 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roadlang.geometry import Booleans
+
 from .dashed_roads import with_dashes_joined
 from .drawing import between_lines, most_like_roads
 from .found_network import FoundNetwork
@@ -128,17 +130,20 @@ def _lightness(gray: Layer, level: float, dark: float, bright: float) -> Layer:
 
 
 def _surface(light: Layer, chain: ContourSteps, image: Image) -> tuple[Layer, str]:
-    sides = {"light": light, "dark": 1 - light}
     if chain.road != "auto":
-        return sides[chain.road], "contour"
-    rim = np.concatenate([light[0], light[-1], light[:, 0], light[:, -1]])
+        return (light if chain.road == "light" else 1 - light), "contour"
     if chain.between:
-        ink = 1 - light if rim.mean() > 0.5 else light
-        between = between_lines(ink >= 0.5)
+        between = between_lines(_ink(light))
         if between is not None:
             return between, EDGE_LINES
-    road = with_markings_filled(_road(tuple(sides.values())), image)
+    road = with_markings_filled(_road((light, 1 - light)), image)
     return with_dashes_joined(road), "contour"
+
+
+def _ink(light: Layer) -> Booleans:
+    """What is darker (h, w) than the level where most of the rim is light, else what is lighter."""
+    rim = np.concatenate([light[0], light[-1], light[:, 0], light[:, -1]])
+    return np.asarray(light <= 0.5 if rim.mean() > 0.5 else light >= 0.5)
 
 
 def _road(surfaces: tuple[Layer, ...]) -> Layer:
