@@ -95,6 +95,27 @@ def test_init_never_writes_over_a_file(folder: Path) -> None:
     assert (folder / "scene.rl").read_text() == SCENE
 
 
+def test_init_leaves_nothing_on_a_full_disk(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from roadlang.cli.main import run
+
+    def full(handle: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.fsync", full)
+    monkeypatch.chdir(tmp_path)
+    assert run(["init", "new.rl"]) == 2
+    assert "no space left on device" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_init_says_a_command_that_can_be_pasted(tmp_path: Path) -> None:
+    done = roadlang("init", "my scene.rl", cwd=tmp_path)
+    assert "roadlang compile 'my scene.rl' -o out -n 4" in done.stdout
+    assert "'my scene.rl'" in (tmp_path / "my scene.rl").read_text().splitlines()[0]
+
+
 def test_explain_prints_a_page_and_knows_a_near_code(tmp_path: Path) -> None:
     assert "internal-error: internal error" in roadlang("explain", "RL900", cwd=tmp_path).stdout
     done = roadlang("explain", "RL999", cwd=tmp_path)

@@ -79,6 +79,15 @@ def test_a_full_device_behind_standard_output_is_said(words: str, folder: Path) 
     assert "Exception ignored" not in done.stderr
 
 
+@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-"])
+def test_closed_streams_change_nothing(closed: str, folder: Path) -> None:
+    """As some daemons start their jobs."""
+    line = f"{sys.executable} -m roadlang compile scene.rl -o out {closed}"
+    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, cwd=folder)
+    assert (done.returncode, "Traceback" in done.stderr) == (0, False)
+    assert (folder / "out" / "manifest.json").exists()
+
+
 @pytest.mark.parametrize(
     ("error", "says"),
     [

@@ -29,6 +29,7 @@ FINE = {
     "long list": "let a = [" + "1, " * 20_000 + "1]",
     "long name": "let " + "a" * 1_000_000 + " = 1",
     "byte order mark": "\ufefflet a = 1\r\n\tlet b = 2\r\n",
+    "spaces of a web page": "let a = 1\n\u00a0let b = 2\n\u2003 let c = 3\n",
     "nothing": "",
     "white space": " \n\t\r\n",
 }
@@ -43,6 +44,11 @@ def test_a_hopeless_file_is_refused(text: str) -> None:
 @pytest.mark.parametrize("text", FINE.values(), ids=FINE)
 def test_an_odd_file_is_read(text: str) -> None:
     assert parse(Source("fine.rl", text))[1] == []
+
+
+def test_a_comment_after_a_space_of_a_web_page_keeps_its_line() -> None:
+    text = "let a = 1\n\u00a0# about b\nlet b = 2\n"
+    assert format_file(parse(Source("pasted.rl", text))[0]) == "let a = 1\n# about b\nlet b = 2\n"
 
 
 def test_a_bad_byte_spoils_nothing_around_it() -> None:

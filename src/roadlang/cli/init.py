@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
+import shlex
 from importlib.resources import files
 from pathlib import Path
 
 import click
 
 from ..diagnostics import Code, DiagnosticError, diagnose
+from ..files.writing import replace_file
 from .console import echo
 
 TEMPLATES = {
@@ -30,17 +33,22 @@ TEMPLATES = {
 def command(file: str, template: str) -> None:
     """Write a starter scene to FILE (scene.rl)."""
     path = Path(file)
+    line = shlex.join(["roadlang", "compile", file, "-o", "out"])
     text = (files(__package__) / "templates" / f"{template}.rl").read_text(encoding="utf-8")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with path.open("x", encoding="utf-8") as target:
-            target.write(text.replace("THIS_FILE", file))
+        path.touch(exist_ok=False)
     except (OSError, ValueError) as error:
-        if path.exists():
+        if os.path.lexists(path):
             help = "choose another name: `roadlang init other.rl`"
             raise DiagnosticError(diagnose(Code.FILE_EXISTS, path=file, help=help)) from None
         reason = getattr(error, "strerror", None) or str(error)
         raise DiagnosticError(
             diagnose(Code.UNWRITABLE_OUTPUT, path=file, reason=reason.lower())
         ) from None
-    echo(f"wrote {file}; now: roadlang compile {file} -o out -n 4")
+    try:
+        replace_file(path, text.replace("roadlang compile THIS_FILE -o out", line))
+    except BaseException:  # a full disk: nothing is left that a second try would stumble over
+        path.unlink(missing_ok=True)
+        raise
+    echo(f"wrote {file}; now: {line} -n 4")

@@ -22,7 +22,7 @@ from ..plugins.tracebacks import VARIABLE
 from ..version import __version__
 from . import exit_codes
 from .commands import LazyGroup
-from .standard_output import claim_standard_output
+from .standard_output import claim_standard_output, open_closed_streams
 
 _COLLECTED_AFTER = (20_000, 20, 100)
 """Thresholds of the garbage collector, above its defaults: most objects of a command live until it
@@ -83,6 +83,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """The console script."""
     _one_thread_for_matrices()
     gc.set_threshold(*_COLLECTED_AFTER)
+    open_closed_streams()
     claim_standard_output()
     try:
         end_on_sigterm()

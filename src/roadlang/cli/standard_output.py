@@ -1,4 +1,4 @@
-"""Standard output belongs to the results of a command, whatever else runs in the process."""
+"""Standard streams: there are always three, and output belongs to the results of a command."""
 
 from __future__ import annotations
 
@@ -7,6 +7,20 @@ import os
 import sys
 
 _OUT, _ERR = 1, 2
+
+
+def open_closed_streams() -> None:
+    """Give a process that was started without some of them (`>&-`, a daemon) empty ones.
+
+    From the first to the last, so that each gets its own descriptor and no file that is written
+    later is taken for standard output by a library.
+    """
+    if sys.stdin is None:
+        sys.stdin = open(os.open(os.devnull, os.O_RDWR), encoding="utf-8")
+    if sys.stdout is None:
+        sys.stdout = open(os.open(os.devnull, os.O_RDWR), "w", encoding="utf-8")
+    if sys.stderr is None:
+        sys.stderr = open(os.open(os.devnull, os.O_RDWR), "w", encoding="utf-8")
 
 
 def claim_standard_output() -> None:

@@ -9,6 +9,7 @@ from ..recovery.suspect_tokens import SUSPECTS
 from ..recovery.unprintable import binary, surrogates
 from ..tree.nodes import Comment
 from .grammar import END
+from .line_positions import begins_line
 from .tables import Tables
 from .tokens import Lexed
 
@@ -72,7 +73,6 @@ def _read_unlexable(source: Source, tables: Tables, lexed: Lexed, start: int) ->
 
 
 def _comment(source: Source, lexed: Lexed, start: int, end: int) -> None:
-    line = source.text.rfind("\n", 0, start) + 1
-    own_line = not source.text[line:start].strip("\ufeff \t\r\f\v")
+    own_line = begins_line(source, start)
     text = source.text[start:end].rstrip()
     lexed.comments.append(Comment(text, own_line, span=source.span(start, start + len(text))))

@@ -12,9 +12,12 @@ def starts_line(source: Source, token: Token) -> bool:
 
 
 def begins_line(source: Source, offset: int) -> bool:
-    """Only white space stands before this offset on its line. Long lines cost nothing."""
+    """Only white space stands before this offset on its line. Long lines cost nothing.
+
+    White space is what the grammar skips between tokens: also spaces that do not break (U+00A0).
+    """
     text = source.text
-    while offset > 0 and text[offset - 1] in "\ufeff \t\r\f\v":
+    while offset > 0 and text[offset - 1] != "\n" and _is_space(text[offset - 1]):
         offset -= 1
     return offset == 0 or text[offset - 1] == "\n"
 
@@ -32,3 +35,7 @@ def at_margin(source: Source, token: Token) -> bool:
     """Whether the token begins a line with no white space before it."""
     start = token[2]
     return start == 0 or source.text[start - 1] in "\n\ufeff"
+
+
+def _is_space(character: str) -> bool:
+    return character.isspace() or character == "\ufeff"
