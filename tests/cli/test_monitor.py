@@ -36,6 +36,15 @@ def test_numbers_are_printed_in_six_digits(trace: Any, capsys: pytest.CaptureFix
     assert "decided at 1.5: v < 4.44444, where v = 6" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("later", ["1711846790100000000", "1711846790.10025", "846791.000001"])
+def test_time_stamps_keep_their_digits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], later: str
+) -> None:
+    (tmp_path / "log.csv").write_text(f"t,x\n0,1\n{later},9\n")
+    run(["monitor", "always (x < 5)", str(tmp_path / "log.csv")])
+    assert f"from {later} to {later} not x < 5" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("formula", "code", "verdict"),
     [

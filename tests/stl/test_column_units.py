@@ -54,6 +54,29 @@ def test_numbers_in_the_unit_of_the_column_and_columns_in_si_are_fine(
 
 
 @pytest.mark.parametrize(
+    ("text", "unit"),
+    [
+        ("time_ms,x\n0,1\n100,2\n", "ms"),
+        ("stamp_NS,x\n0,1\n100,2\n", "ns"),
+        ("%time,x\n1711846790000000000,1\n1711846790100000000,2\n", "ns"),
+        ("t,x\n,m\n1711846790000000,1\n1711846790100000,2\n", "us"),
+        ("# log\nt;x\n1711846790000,0;1\n1711846790100,0;2\n", "ms"),
+    ],
+)
+def test_clocks_that_do_not_count_seconds_are_known(tmp_path: Path, text: str, unit: str) -> None:
+    (tmp_path / "a.csv").write_text(text)
+    with pytest.raises(DiagnosticError, match=f"is in `{unit}`, and `2s`"):
+        check_units("always[0s, 2s] (x < 5)", [str(tmp_path / "a.csv")])
+    check_units("always[0, 2] (x < 5m)", [str(tmp_path / "a.csv")])
+
+
+@pytest.mark.parametrize("start", ["0", "1711846790.25", "2024-03-31T01:59:50Z", "99999999999"])
+def test_clocks_of_seconds_are_fine(tmp_path: Path, start: str) -> None:
+    (tmp_path / "a.csv").write_text(f"t,x\n{start},1\n")
+    check_units("always[0s, 2s] (x < 5)", [str(tmp_path / "a.csv")])
+
+
+@pytest.mark.parametrize(
     "text",
     ["t,x (left),y\n0,1,2\n", '{"t": [0], "x [mm]": [1]}', "t,x\n,,\n0,1\n", "", "t;x\n0;1,5\n"],
 )

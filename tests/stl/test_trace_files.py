@@ -27,6 +27,7 @@ from roadlang.stl.formats.trace_files import read_trace
         ("c.csv", 's,"x"\r\n"0","1"\r\n2,3\r\n'),
         ("c.csv", "s,x\r0,1\r2,3\r"),
         ("c.csv", 's, "x"\n"0", "1"\n2, "3"\n'),
+        ("c.csv", 's;"x"\n0;1\n2;3\n'),
         ("c.csv", "s,x\n00:00:00,1\n00:00:02.0,3\n"),
         ("c.csv", "s,x\n1970-01-01T00:00:00Z,1\n1970-01-01 01:00:02+01:00,3\n"),
         ("d.json", '{"s": [0, 2], "x": [1, 3]}'),
@@ -37,6 +38,14 @@ def test_layouts(tmp_path: Path, name: str, text: str) -> None:
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
     assert read_trace(path) == ("s", [0, 2], {"x": [1, 3]})
+
+
+@pytest.mark.parametrize("header", ['"t";"v, front"', "t;v, front", '"t","v, front"'])
+def test_names_may_have_commas(tmp_path: Path, header: str) -> None:
+    between = ";" if ";" in header else ","
+    path = tmp_path / "log.csv"
+    path.write_text(f"{header}\n0{between}1\n2{between}3\n")
+    assert read_trace(path) == ("t", [0, 2], {"v, front": [1, 3]})
 
 
 def test_cells_of_logs(tmp_path: Path) -> None:
@@ -82,6 +91,11 @@ def test_positions_and_signals(tmp_path: Path) -> None:
         ("a.csv", "0,1\n2,3\n", "must name the columns"),
         ("a.csv", "s,x\n0,1\n2\n", "line 3 has 1 cells, not 2"),
         ("a.csv", "s,x\none,0\n", "line 2, column `s`"),
+        (
+            "a.csv",
+            "s,x\n31.12.2025 23:59:59,0\n",
+            "a time stamp is written `2026-11-22T07:16:01.5Z`",
+        ),
         ("a.csv", "s,s\n0,1\n", "the same name, `s`"),
         ("a.csv", ",s,x\n0,1,2\n", r"column 1, .* has no name; pandas .* `index=False`"),
         ("a.csv", "s,,x\n0,1,2\n", "column 2 has no name"),

@@ -8,5 +8,11 @@ _LONG = re.compile(r"(?<![\w.`])\d+\.\d{6,}(?:e[+-]?\d+)?(?![\w.`])")
 
 
 def short_numbers(text: str) -> str:
-    """The text with six significant digits of longer numbers: `16.6667`."""
-    return _LONG.sub(lambda number: f"{float(number[0]):.6g}", text)
+    """The text with six significant digits of longer numbers: `16.6667`. Large ones, such as time
+    stamps, keep all of theirs."""
+    return _LONG.sub(_short, text)
+
+
+def _short(number: re.Match[str]) -> str:
+    value = float(number[0])
+    return f"{value:.6g}" if value < 1e5 else number[0]

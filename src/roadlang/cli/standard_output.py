@@ -15,12 +15,10 @@ def open_closed_streams() -> None:
     From the first to the last, so that each gets its own descriptor and no file that is written
     later is taken for standard output by a library.
     """
-    if sys.stdin is None:
-        sys.stdin = open(os.open(os.devnull, os.O_RDWR), encoding="utf-8")
-    if sys.stdout is None:
-        sys.stdout = open(os.open(os.devnull, os.O_RDWR), "w", encoding="utf-8")
-    if sys.stderr is None:
-        sys.stderr = open(os.open(os.devnull, os.O_RDWR), "w", encoding="utf-8")
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            descriptor = os.open(os.devnull, os.O_RDWR)
+            setattr(sys, name, os.fdopen(descriptor, mode, encoding="utf-8"))
 
 
 def claim_standard_output() -> None:

@@ -17,6 +17,9 @@ from .trace_files import decoded
 from .unit_factors import factor, is_unit
 
 _IN_NAME = re.compile(r".*\S\s*[\[(]\s*([^\[\]()]+?)\s*[\])]\s*", re.DOTALL)
+_TIME_IN_NAME = re.compile(r".*[\w)]_(ms|us|ns)", re.DOTALL | re.IGNORECASE)
+_LEAST_CLOCK = {"ns": 1e17, "us": 1e14, "ms": 1e11}
+"""Time stamps since 1970 in these units are above; in seconds they are below all of them."""
 _HEAD = 1 << 16
 """Bytes of a file in which the names and units of its columns are."""
 
@@ -31,11 +34,15 @@ class ColumnUnits:
 
     @classmethod
     def of_table(cls, file: str, table: DelimitedText) -> ColumnUnits:
-        """By the row below the names, or in brackets behind a name: `e [mm]`, `speed (km/h)`."""
+        """By the row below the names, or in brackets behind a name: `e [mm]`, `speed (km/h)`. Of
+        the axis also by the end of its name (`time_ms`), or as time stamps since 1970 are large."""
         found = {name: _in_name(name) for name in table.names}
         row = zip(table.names, table.unit_row or (), strict=False)
         found |= {name: unit for name, unit in row if unit}
         units = {name: unit for name, unit in found.items() if unit.strip("-1 ")}
+        axis = table.names[0]
+        if axis not in units and (unit := _of_times(axis, table.first_cell)):
+            units[axis] = unit
         return cls(file, table.names, units)
 
     @classmethod
@@ -81,6 +88,18 @@ class ColumnUnits:
 def _in_name(name: str) -> str:
     found = _IN_NAME.fullmatch(name)
     return found[1] if found is not None and is_unit(found[1]) else ""
+
+
+def _of_times(name: str, first: str) -> str:
+    """The unit of the positions that a file does not state otherwise, or nothing."""
+    found = _TIME_IN_NAME.fullmatch(name)
+    if found is not None:
+        return found[1].lower()
+    try:
+        start = float(first)
+    except ValueError:
+        return ""
+    return next((unit for unit, least in _LEAST_CLOCK.items() if least < start < math.inf), "")
 
 
 def _is_si(unit: str) -> bool:

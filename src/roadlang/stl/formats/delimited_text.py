@@ -23,6 +23,7 @@ from .text_cell import TextCell
 COMMENT = "#"
 _UNPACKED_BY_NUMPY = (".bz2", ".gz", ".lzma", ".xz")
 """Ends of names that numpy takes for compressed files, whatever is in them."""
+_QUOTED = re.compile(r'"[^"]*"')
 _ISO_8601 = re.compile(
     r"(\d{4}-\d\d-\d\d)[Tt ](\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:[Zz]|([+-])(\d\d):?(\d\d))?"
 )
@@ -105,6 +106,17 @@ class DelimitedText:
         is_row = len(cells) == len(self.names) and not any(map(_is_value, cells)) and any(cells)
         return tuple(cells) if is_row else None
 
+    @property
+    def first_cell(self) -> str:
+        """The first cell of the first line below the names that is no row of units."""
+        lines = [
+            line
+            for line in self.body.splitlines()
+            if line.strip() and not line.lstrip().startswith(COMMENT)
+        ]
+        skipped = 0 if self.unit_row is None else 1
+        return _cells(lines[skipped], self.delimiter)[0] if len(lines) > skipped else ""
+
     def columns(self, file: Path | None = None) -> list[list[Any]]:
         """The columns. Empty cells are NaN, true and false 1 and 0, time stamps of the first
         column seconds (since 1970 where they have a date). `file` is a file that holds the text as
@@ -126,8 +138,9 @@ class DelimitedText:
                 if value is None and index:
                     value = TextCell.at(cell.strip(), f"in line {line}")
                 elif value is None:
+                    place = f"line {line}, column `{name}`"
                     raise DelimitedTextFault(
-                        f"{cell!r} in line {line}, column `{name}` is not a number"
+                        f"{cell!r} in {place} is not a number{_date_form(cell)}"
                     )
                 columns[index].append(value)
         return columns
@@ -177,12 +190,13 @@ def _fault_of(names: list[str]) -> str:
 
 
 def _delimiter(header: str) -> str | None:
-    """The separator that occurs most often; without any, spaces part the cells, if there are
-    some between words."""
-    delimiter = max(",;\t", key=header.count)
-    if delimiter in header or len(header.split()) == 1:
+    """The separator that occurs most often outside of quotes; without any, spaces part the cells,
+    if there are some between words. A comma may be in a name (`v, front`), so it comes last."""
+    header = _QUOTED.sub("", header)
+    delimiter = max("\t;,", key=header.count)
+    if delimiter in header:
         return delimiter
-    return None
+    return "," if len(header.split()) <= 1 else None
 
 
 def _cells(header: str, delimiter: str | None) -> list[str]:
@@ -228,6 +242,12 @@ def _seconds(text: str) -> float | None:
         return None
     ahead = 3600 * int(hours_off or 0) + 60 * int(minutes_off or 0)
     return float(counted) / 1e9 - (-ahead if sign == "-" else ahead)
+
+
+def _date_form(cell: str) -> str:
+    """What to write in place of a date in another form than those that are read."""
+    is_date = re.search(r"\d[./-]\d", cell) or cell.count(":") > 1
+    return "; a time stamp is written `2026-11-22T07:16:01.5Z` or `07:16:01.5`" if is_date else ""
 
 
 def _is_value(cell: str) -> bool:
