@@ -130,6 +130,14 @@ def test_a_run_without_scenes_does_not_end_the_others(folder: Path) -> None:
     assert not (folder / "out/run-000").exists()
 
 
+def test_params_of_included_files_are_set(folder: Path) -> None:
+    (folder / "two.rl").write_text('include "scene.rl" as left\nemit json\n')
+    write(folder, "- left.reach: 2m\n- left.reach: 1.5m\n")
+    done = command("compile", "two.rl", "--params", "night.yaml", "-o", "out", cwd=folder)
+    assert done.returncode == 0, done.stderr
+    assert [row["left.reach"] for row in rows_of(folder / "out/runs.csv")] == ["2m", "1.5m"]
+
+
 def test_a_fault_in_one_map_writes_nothing(folder: Path) -> None:
     write(folder, "- reach: 2m\n- reach: 2q\n")
     done = command("compile", "scene.rl", "--params", "night.yaml", "-o", "out", cwd=folder)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -116,8 +117,13 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
         echo(f"  ... and {more} more")
     if not search.driven:
         tried, file = f"{len(search.outcomes):,}", str(search.loaded.path)
-        report([diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried)])
-        note(f"\n{as_text(search.rejections, len(search.outcomes))}")
+        rejections = search.rejections
+        help_ = (
+            () if rejections else f"`roadlang compile {shlex.quote(file)}` says what is in the way"
+        )
+        report([diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried, help=help_)])
+        if rejections:
+            note(f"\n{as_text(rejections, len(search.outcomes))}")
     failing = sum(outcome.is_failure for outcome in search.driven)
     echo(
         f"{len(search.failures)} distinct of {failing} failures in {len(search.driven):,} scenes"

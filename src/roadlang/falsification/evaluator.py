@@ -28,11 +28,10 @@ from ..world.index import index_scenario
 from .axes import axes_of
 from .descriptors import descriptor, measures, moment_of, protagonist
 from .outcome import Outcome
+from .violations import Violations
 
 AFTER_VIOLATION = "after_violation"
 """The option of simulators that can end a drive early."""
-_PILOT, _PILOT_SIZE = -2, 64
-"""Candidates that the usual size of violations is learned from."""
 _WORTH_IT = 8
 """Candidates of one screening, at least, that are not measured again."""
 _SCREENED = -3
@@ -83,6 +82,7 @@ class Evaluator:
         self.scenario = index_scenario(task.scenario, task.registry)
         self._places = WrittenPlaces.of(task.scenario)
         self.acceptance = Acceptance(self.scenario)
+        self._violations = Violations(self.acceptance, task.seed)
         self._screened: list[_Screened] = []
         self._simulator: tuple[Call | None, Call] | None = None
         """what the last scene says of how it is driven, and how it is in this search"""
@@ -112,10 +112,10 @@ class Evaluator:
         rho = np.empty((len(self.acceptance.requirements), len(proposals)))
         for rows, valid, measured in self._measured(proposals):
             rho[:, rows] = measured.rho
-            violations, is_valid = self._violations(measured), measured.satisfied.all(axis=0)
+            violations, is_valid = self._violations.of(measured), measured.satisfied.all(axis=0)
             for row, violation in zip(rows[~is_valid].tolist(), violations[~is_valid], strict=True):
                 outcomes[row] = self._invalid(proposals[row], float(violation), rho[:, row])
-            rows = rows[is_valid]
+            rows, valid = self._with_room(proposals, rows[is_valid], valid, outcomes, rho)
             numbers = [proposals[row].index for row in rows.tolist()]
             made = driven_scenes_or_faults(valid, numbers, self.task.overrides) if numbers else []
             for row, found in zip(rows.tolist(), made, strict=True):
@@ -143,7 +143,15 @@ class Evaluator:
         if not candidates.is_keyed:
             rows = {point.tobytes(): row for row, point in enumerate(points)}
             self._screened.append(_Screened(rows, candidates, measured))
-        return np.where(measured.satisfied.all(axis=0), 0.0, 1.0 + self._violations(measured))
+        violations = np.where(
+            measured.satisfied.all(axis=0), 0.0, 1.0 + self._violations.of(measured)
+        )
+        survivors = np.flatnonzero(violations == 0.0)
+        if len(survivors):
+            room = self.acceptance.measure(candidates.take(survivors), last=True)
+            lack = self._violations.of(room)
+            violations[survivors] = np.where(lack > 0.0, 1.0 + lack, 0.0)
+        return violations
 
     def full_scene(self, proposal: Proposal) -> Scene:
         """The scene of a point with all that people and figures want."""
@@ -209,6 +217,27 @@ class Evaluator:
         entry = entry_of(self.task.registry, "simulate", kind)
         return any(option.name == AFTER_VIOLATION for option in entry.options)
 
+    def _with_room(
+        self,
+        proposals: Sequence[Proposal],
+        rows: Integers,
+        valid: CandidateBatch,
+        outcomes: dict[int, Outcome],
+        rho: Floats,
+    ) -> tuple[Integers, CandidateBatch]:
+        """The rows, with their candidates, in which there is room for all agents and objects. A
+        search chooses where they are, so that nothing is placed again; the others are outcomes."""
+        if not len(rows):
+            return rows, valid
+        measured = self.acceptance.measure(valid, last=True)
+        fits = measured.satisfied.all(axis=0)
+        if fits.all():
+            return rows, valid
+        lack = self._violations.of(measured)
+        for row, violation in zip(rows[~fits].tolist(), lack[~fits], strict=True):
+            outcomes[row] = self._invalid(proposals[row], float(violation), rho[:, row])
+        return rows[fits], valid.take_recorded(np.flatnonzero(fits))
+
     def _invalid(self, proposal: Proposal, violation: float, rho: Floats) -> Outcome:
         return Outcome(
             proposal.index, proposal.point, proposal.is_random, violation, self._named(rho)
@@ -258,26 +287,6 @@ class Evaluator:
         coordinates = {name: points[:, column] for column, name in enumerate(self.task.axes)}
         record = DrawRecord()
         return CandidateBatch(self.scenario, self.task.seed, scenes, attempts, coordinates, record)
-
-    def _violations(self, measured: Measurements) -> Floats:
-        """(V,) over the violated requirements the sum of their violations, each relative
-        to its typical size and below 1."""
-        rho = np.nan_to_num(measured.rho, nan=0.0, posinf=0.0, neginf=-np.inf)
-        lack = np.maximum(-rho, 0.0) / self._typical_violation
-        size = np.where(np.isfinite(lack), lack / (1.0 + lack), 1.0)
-        return np.asarray(np.where(measured.satisfied, 0.0, 0.01 + size).sum(axis=0))
-
-    @cached_property
-    def _typical_violation(self) -> Floats:
-        """(R, 1) the typical size of a violation of each requirement."""
-        attempts = np.arange(_PILOT_SIZE)
-        pilot = CandidateBatch(
-            self.scenario, self.task.seed, np.full(_PILOT_SIZE, _PILOT), attempts
-        )
-        rho = self.acceptance.measure(pilot).rho
-        lack = np.where(np.isfinite(rho) & (rho < 0.0), -rho, 0.0)
-        mean = lack.sum(axis=1) / np.maximum((lack > 0.0).sum(axis=1), 1)
-        return np.where(mean > 0.0, mean, 1.0)[:, None]
 
 
 def _is_of_draws(error: DiagnosticError) -> bool:

@@ -129,19 +129,18 @@ class Acceptance:
             done[first] = True
             rows, scenes = rows[~done], scenes[~done]
 
-    def measure(self, candidates: CandidateBatch) -> Measurements:
-        """Every requirement, of rejected candidates too; the last ones count as satisfied."""
+    def measure(self, candidates: CandidateBatch, *, last: bool = False) -> Measurements:
+        """Every requirement, of rejected candidates too. The last ones count as satisfied: with
+        `last` they are judged, of candidates that satisfy all others, which count so then."""
         shape = (len(self.requirements), candidates.count)
-        rho, satisfied = np.empty(shape), np.empty(shape, dtype=bool)
+        rho, satisfied = np.zeros(shape), np.ones(shape, dtype=bool)
         start = 0
         for part in self._comparable(candidates):
             rows = slice(start, start + part.count)
             for index, requirement in enumerate(self.requirements):
-                if requirement.last:
-                    rho[index, rows], satisfied[index, rows] = 0.0, True
-                    continue
-                rho[index, rows] = found = requirement.rho(part)
-                satisfied[index, rows] = requirement.is_satisfied(part, found)
+                if requirement.last is last:
+                    rho[index, rows] = found = requirement.rho(part)
+                    satisfied[index, rows] = requirement.is_satisfied(part, found)
             start = rows.stop
         return Measurements(rho, satisfied)
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, Span, diagnose
 from ..files.reading import UnreadableFile, read_file
-from .params import param_texts
+from .params import is_param_name, param_texts
 
 if TYPE_CHECKING:
     import yaml
@@ -104,7 +104,7 @@ class _ParamReader:
             return {}
         found: dict[str, Source] = {}
         for key, value in node.value:
-            if not isinstance(key, yaml.ScalarNode) or not key.value.isidentifier():
+            if not isinstance(key, yaml.ScalarNode) or not is_param_name(key.value):
                 self.report(
                     self._source.span(*_ends(key)),
                     "this is not the name of a param",

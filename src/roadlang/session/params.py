@@ -55,7 +55,7 @@ def parse_overrides(settings: Iterable[str]) -> dict[str, Source]:
     faults: list[Diagnostic] = []
     for setting in settings:
         name, sign, value = (part.strip() for part in setting.partition("="))
-        if not sign or not _is_name(name) or not value:
+        if not sign or not is_param_name(name) or not value:
             faults.append(
                 diagnose(Code.MALFORMED_SET_OPTION, text=setting, help="write `--set reach=12m`")
             )
@@ -65,6 +65,6 @@ def parse_overrides(settings: Iterable[str]) -> dict[str, Source]:
     return overrides
 
 
-def _is_name(text: str) -> bool:
+def is_param_name(text: str) -> bool:
     """`reach`, or `left.reach` of a file that is included as `left`."""
     return all(part.isidentifier() for part in text.split("."))

@@ -36,13 +36,16 @@ def infer_call(checker: Checker, call: ast.CallExpression, context: Context) -> 
         return checker.report(
             Code.UNKNOWN_FUNCTION, call.function.span, name=call.function.span.text
         )
+    declared = name
+    if isinstance(call.function, ast.Name):
+        name = call.function.word
     if name in _COUNTS:
         return _built_in(checker, call, name, context)
     verbs = verbs_with(checker, context.verbs, name)[:1] or verbs_with(checker, FUNCTIONS, name)
-    if not verbs and context.verbs == () and name in checker.program.declarations:
+    if not verbs and context.verbs == () and declared in checker.program.declarations:
         habit = function_help(call, name)
         if habit is None:  # else another function is meant, as in `expect ttc: always (ttc(a, b)`
-            checker.use(name, context)
+            checker.use(declared, context)
         help_ = () if habit is None else habit[0]
         return checker.report(Code.NOT_A_FUNCTION, call.function.span, name=name, help=help_)
     if not verbs:

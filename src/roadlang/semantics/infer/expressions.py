@@ -195,13 +195,13 @@ def _collected(typed: TypedExpression) -> TypedExpression:
 
 def infer_name(checker: Checker, name: ast.Name, context: Context) -> TypedExpression:
     """A word of the option, a declared thing, a kind, a built-in name."""
-    text = name.text
-    if text in context.words:
-        return TypedExpression(name.span, StringType(frozenset({text}), word=True), TextValue(text))
+    text, word = name.text, name.word
+    if word in context.words:
+        return TypedExpression(name.span, StringType(frozenset({word}), word=True), TextValue(word))
     declaration = checker.program.declarations.get(text)
     if text in checker.program.spoiled and text != "time":
         return unknown(name.span)
-    verb = _expected_verb(checker, text, context)
+    verb = _expected_verb(checker, word, context)
     if declaration is not None and verb is None:
         return _declared(checker, name, declaration.role, context)
     if text == "inf":

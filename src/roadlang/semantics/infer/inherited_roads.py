@@ -35,7 +35,8 @@ def named_in_position(checker: Checker, statement: ast.Actor) -> ast.Actor | Non
     call = statement.at
     if not isinstance(call, ast.CallExpression):
         return None
-    name = dotted(call.function)
+    function = call.function
+    name = function.word if isinstance(function, ast.Name) else dotted(function)
     if name is None or not checker.registry.has("position", name):
         return None
     for argument in call.arguments:

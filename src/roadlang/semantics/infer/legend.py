@@ -71,9 +71,9 @@ def _is_kind(
 def kind_text(value: ast.Expression) -> str | None:
     """The dotted name that an expression is, if it is one; a string names as well."""
     if isinstance(value, ast.Name):
-        return value.text
+        return value.word
     if isinstance(value, ast.String):
         return value.value
     if isinstance(value, ast.Member) and isinstance(value.of, ast.Name):
-        return f"{value.of.text}.{value.name.text}"
+        return f"{value.of.word}.{value.name.text}"
     return None

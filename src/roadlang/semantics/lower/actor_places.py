@@ -42,7 +42,7 @@ def place_of(
     inner = replace(context, place=f"{context.place}/at")
     if statement.at is None:
         return _begin_of_route(checker, statement, inner, network, route)
-    if isinstance(statement.at, ast.Name) and statement.at.text == "random":
+    if isinstance(statement.at, ast.Name) and statement.at.word == "random":
         return _anywhere(checker, statement, statement.at, inner)
     if _is_misspelled_random(checker, statement.at):
         at = statement.at.span
@@ -179,9 +179,10 @@ def _by_another(
                 name, member = value.name, "place on a road"
                 checker.report(Code.START_WITHOUT_ROAD, typed.span, name=name, member=member)
                 return None
-            if not {road.span.text, own_road.span.text} <= checker.program.declarations.keys():
+            names = {_declared_name(road), _declared_name(own_road)}
+            if not names <= checker.program.declarations.keys():
                 return None  # reported where it stands
-            if road.span.text != own_road.span.text:
+            if len(names) > 1:
                 help_ = f"place it on `{road.span.text}`, or leave out `on`"
                 checker.report(
                     Code.OTHER_ROAD,
@@ -193,6 +194,11 @@ def _by_another(
                 )
                 return None
     return typed
+
+
+def _declared_name(road: ast.Expression) -> str:
+    """Of the road in the program, which is not as it is written in files that are included."""
+    return road.text if isinstance(road, ast.Name) else road.span.text
 
 
 def is_by_another(call: PassCall) -> bool:

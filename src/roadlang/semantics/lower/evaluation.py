@@ -89,11 +89,12 @@ def _weights(
 
     assert isinstance(stated.value, Entries)
     assert typed.formula is not None
+    # Keys of maps are not names to whoever reads included files: these stand for names beside it.
+    prefix = statement.name.text.removesuffix(statement.name.span.text)
     found: dict[Formula, float] = {}
     for key, span in stated.keys:
-        operand = as_formula(
-            checker, checker.infer(ast.Name(key, span=span), context), f"the weight of `{key}`"
-        )
+        named = ast.Name(prefix + key, short=key, span=span)
+        operand = as_formula(checker, checker.infer(named, context), f"the weight of `{key}`")
         if operand.formula is None:
             return None
         weight = stated.value.entries[key]

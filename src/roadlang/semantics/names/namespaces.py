@@ -44,8 +44,9 @@ def resolved(statement: Node, space: Namespace, unknown: Unknown) -> Node:
 
 def _rewritten(node: Any, space: Namespace, unknown: Unknown) -> Any:
     if isinstance(node, ast.Name):
-        known = node.text in space.declared
-        return replace(node, text=space.prefix + node.text) if known else node
+        if not space.prefix or node.text not in space.declared:
+            return node
+        return replace(node, text=space.prefix + node.text, short=node.text)
     if isinstance(node, ast.Member):
         return _member(node, space, unknown)
     if isinstance(node, tuple):

@@ -72,10 +72,19 @@ class Boolean(SyntaxNode):
 
 @dataclass(frozen=True, slots=True)
 class Name(SyntaxNode):
-    """A reference to what the checker knows; one that is `quoted` names the column of a trace."""
+    """A reference to what the checker knows; one that is `quoted` names the column of a trace.
+
+    `short` is the name as the file has it, where the file is included under a name of its own.
+    """
 
     text: str
     quoted: bool = False
+    short: str | None = None
+
+    @property
+    def word(self) -> str:
+        """The name as the file has it: kinds and words of options have no other."""
+        return self.text if self.short is None else self.short
 
 
 @dataclass(frozen=True, slots=True)
