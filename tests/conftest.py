@@ -70,12 +70,11 @@ def pytest_collection() -> Generator[None, object, object]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Tests of engines come first: they wait for most of their time, which costs nothing while
     other workers compute, and half a core while they are all that is left."""
-    engines = Path(__file__).parent / "godot"
-    items.sort(key=lambda item: engines not in item.path.parents)
+    items.sort(key=lambda item: not item.nodeid.startswith("tests/godot/"))
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """With `-m slow`, most files have nothing to run: those are not imported."""
     if config.option.markexpr != "slow" or not collection_path.name.startswith("test_"):
         return None
-    return "slow" not in collection_path.read_text(encoding="utf-8") or None
+    return "mark.slow" not in collection_path.read_text(encoding="utf-8") or None

@@ -5,4 +5,4 @@ const Looks := preload("looks.gd")
 
 
 func look() -> Material:
-	return Looks.plain(Color(0.82, 0.82, 0.8), 0.8)
+	return Looks.plain(Color(0.86, 0.86, 0.82), 0.8)

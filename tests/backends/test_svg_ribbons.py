@@ -142,7 +142,7 @@ def test_edge_lines_are_painted_inside_the_road_and_the_middle_is_broken() -> No
     assert [value for line in lines_of(drawn) for value in line] == near(
         215, 1.4, 250, 1.4, 285, 1.4
     )
-    assert [line.get("stroke-dasharray") for line in drawn] == [None, "30.00 45.00", None]
+    assert [line.get("stroke-dasharray") for line in drawn] == [None, "30.00 60.00", None]
 
 
 @pytest.mark.parametrize(("pixels", "width"), [(10.0, 0.5), (20.0, 0.7), (100.0, 2.0)])
@@ -152,9 +152,9 @@ def test_lines_are_wider_on_wide_lanes_within_limits(pixels: float, width: float
 
 
 def test_dashes_can_be_seen_on_a_small_map() -> None:
-    """3 m and a gap of 4.5 m, but at least 5 pixels."""
+    """3 m and a gap of 6 m, but at least 5 pixels."""
     drawn = of(lane_lines(straight_ribbon(), 40.0, 1.0), "path")
-    assert drawn[1].get("stroke-dasharray") == "5.00 7.50"
+    assert drawn[1].get("stroke-dasharray") == "5.00 10.00"
 
 
 def test_a_double_line_is_one_to_each_side() -> None:

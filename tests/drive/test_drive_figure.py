@@ -237,7 +237,7 @@ def test_lines_between_lanes_are_drawn_as_they_are_marked() -> None:
     """Broken or double in the middle, at y = 0; each line of a double one is 1.2 lines away."""
     (broken,), (double,) = marked("broken"), marked("double")
     assert broken.get("d") == "M24.0,58.0 876.0,58.0", "two points of a straight line"
-    assert broken.get("stroke-dasharray") == "30.0 45.0"
+    assert broken.get("stroke-dasharray") == "30.0 60.0"
     assert double.get("d") == "M24.0,56.3 876.0,56.3M24.0,59.7 876.0,59.7"
     assert double.get("stroke-dasharray") is None
     assert marked("none") == []

@@ -4,11 +4,19 @@ from __future__ import annotations
 
 import pytest
 
-from roadlang.geometry import LaneStroke, are_lines_seen, lane_strokes, line_width
+from roadlang.geometry import (
+    Lane,
+    LaneStroke,
+    WidthProfile,
+    are_lines_seen,
+    lane_strokes,
+    line_width,
+)
 
 
 def drawn(*markings: str, lane: float = 40.0, scale: float = 10.0) -> list[LaneStroke]:
-    return list(lane_strokes(markings, lane, scale))  # type: ignore[arg-type]
+    lanes = [Lane(-id, "drive", WidthProfile.constant(4.0)) for id in range(1, len(markings))]
+    return list(lane_strokes(lanes, markings, lane, scale))  # type: ignore[arg-type]
 
 
 def test_lines_at_the_edges_lie_inside_the_road_and_those_between_lanes_on_the_border() -> None:
@@ -17,7 +25,7 @@ def test_lines_at_the_edges_lie_inside_the_road_and_those_between_lanes_on_the_b
     assert [left.border, middle.border, right.border] == [0, 1, 2]
     assert [left.shift, middle.shift, right.shift] == pytest.approx([-5.0, 0.0, 5.0])
     assert middle.width == pytest.approx(1.4)
-    assert [left.dashes, middle.dashes] == [None, (30.0, 45.0)]
+    assert [left.dashes, middle.dashes] == [None, (30.0, 60.0)]
 
 
 def test_a_double_line_is_one_to_each_side_of_the_border() -> None:
@@ -32,9 +40,9 @@ def test_a_curb_is_20_cm_wide_on_the_border_itself() -> None:
 
 
 def test_dashes_can_be_seen_on_a_small_map() -> None:
-    """3 m and a gap of 4.5 m, but at least 5 pixels."""
+    """3 m and a gap of 6 m, but at least 5 pixels."""
     (middle,) = drawn("none", "broken", "none", scale=1.0)
-    assert middle.dashes == pytest.approx((5.0, 7.5))
+    assert middle.dashes == pytest.approx((5.0, 10.0))
 
 
 @pytest.mark.parametrize(("lane", "width"), [(10.0, 0.5), (20.0, 0.7), (100.0, 2.0)])

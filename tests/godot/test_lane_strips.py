@@ -13,10 +13,11 @@ from roadlang.geometry import CrossSection, WidthProfile
 from roadlang.scenes.sampling import SamplingResult
 from roadlang_godot.build.agent_specs import line_offset
 from roadlang_godot.build.frame import SceneOrigin
-from roadlang_godot.build.lane_strips import BorderLine, LaneStrip, Surface, lane_strips
+from roadlang_godot.build.lane_strips import LaneStrip, StripLine, lane_strips
 from roadlang_godot.build.line import line_of
 from roadlang_godot.build.road_mesh import road_parts
 from roadlang_godot.build.surface_table import surface_number
+from roadlang_standard.lane_looks import LaneLook
 
 Sample = Callable[..., SamplingResult]
 DRAW = "draw with waypoints { points: [(0m, 0m), (90m, 0m)] }\n"
@@ -32,23 +33,23 @@ def test_equal_lanes_are_one_strip_between_edge_lines(lanes: int) -> None:
     section = CrossSection.of_lane_count(lanes, WidthProfile.constant(9.0))
     (strip,) = lane_strips(section)
     assert strip.lanes == lanes
-    assert (strip.left, strip.right) == (BorderLine.EDGE, BorderLine.EDGE)
+    assert (strip.left, strip.right) == (StripLine.INSIDE_SOLID, StripLine.INSIDE_SOLID)
 
 
 def test_a_double_line_parts_two_strips() -> None:
     left, right = lane_strips(CrossSection.of_lane_count(4, WidthProfile.constant(12.0)))
-    assert left.right == right.left == BorderLine.DOUBLE
+    assert left.right == right.left == StripLine.DOUBLE
     assert (left.lanes, right.lanes) == (2, 2)
 
 
 def test_each_kind_of_lane_has_its_surface(sample: Sample) -> None:
     found = strips(sample, "left: [drive, bike, sidewalk], right: [drive, parking, grass]")
     assert [strip.surface for strip in found] == [
-        Surface.SIDEWALK,
-        Surface.BIKE,
-        Surface.MARKED,
-        Surface.PARKING,
-        Surface.GRASS,
+        LaneLook.SIDEWALK,
+        LaneLook.BIKE,
+        LaneLook.ROADWAY,
+        LaneLook.PARKING,
+        LaneLook.GRASS,
     ]
     assert [strip.raised for strip in found] == [True, False, False, False, False]
     assert all(one.last == other.first for one, other in pairwise(found))
@@ -56,8 +57,8 @@ def test_each_kind_of_lane_has_its_surface(sample: Sample) -> None:
 
 def test_the_curb_lies_on_the_raised_side(sample: Sample) -> None:
     walk, bike, *_ = strips(sample, "left: [drive, bike, sidewalk], right: [drive]")
-    assert walk.right == BorderLine.CURB
-    assert bike.left == BorderLine.NONE
+    assert walk.right == StripLine.CURB
+    assert bike.left == StripLine.NONE
 
 
 def test_strips_lie_side_by_side_and_raised_ones_above(sample: Sample) -> None:
@@ -104,4 +105,4 @@ def test_a_stretch_of_another_surface_is_a_piece_of_its_own_lane(sample: Sample)
     numbers = [part.body[1] for part in parts]
     assert numbers == [0, 0, surface_number("ice") << 4, 0]
     # The line between the two lanes stays broken.
-    assert (parts[1].body[3], parts[2].body[2]) == (BorderLine.BROKEN, BorderLine.BROKEN)
+    assert (parts[1].body[3], parts[2].body[2]) == (StripLine.BROKEN, StripLine.BROKEN)

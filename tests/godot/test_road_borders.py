@@ -11,7 +11,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roadlang.scenes.sampling import SamplingResult
-from roadlang_godot.build.dash_pattern import PERIOD, dashes_between
 from roadlang_godot.build.frame import SceneOrigin
 from roadlang_godot.build.layout import layout_of
 from roadlang_godot.build.line import line_of
@@ -46,15 +45,6 @@ def test_borders_in_tight_bends_do_not_fold(radius: float, degrees: float, is_le
 def test_a_border_that_runs_back_without_crossing_itself_is_cut_off_in_the_middle() -> None:
     border = np.array([(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (1.5, 0.0), (3.0, 0.0)])
     assert unfolded(border, np.zeros(4))[:, 0].tolist() == [0.0, 1.0, 1.75, 1.75, 3.0]
-
-
-@given(st.floats(0.1, 500.0), st.floats(-100.0, 100.0))
-def test_no_dash_is_cut_where_a_road_ends_at_a_junction(length: float, start: float) -> None:
-    """Dashes of 3 m lie in the middle of their periods."""
-    dashes = dashes_between(start, start + length)
-    for station in (start, start + length):
-        away = dashes.at(station) / PERIOD
-        assert abs(away - round(away)) < 0.01
 
 
 def test_the_dashes_of_a_road_with_open_ends_are_not_stretched() -> None:

@@ -58,9 +58,10 @@ def shown_part(road: SceneRoad) -> ShownPart | None:
 
 def painted_lines(part: ShownPart, pixels_per_meter: float) -> Iterator[tuple[Floats, LaneStroke]]:
     """The lines (n, 2) along the lanes, and how each is drawn at this scale."""
-    driven = max(sum(lane.drivable for lane in part.section.lanes), 1)
+    section = part.section
+    driven = max(sum(lane.drivable for lane in section.lanes), 1)
     lane = part.width * pixels_per_meter / driven
-    for stroke in lane_strokes(part.section.markings, lane, pixels_per_meter):
+    for stroke in lane_strokes(section.lanes, section.markings, lane, pixels_per_meter):
         line = part.beside(part.borders[stroke.border] + stroke.shift / pixels_per_meter)
         for piece in unfolded_lines(line, part.points, _LOOPS_SEEN_FROM / pixels_per_meter):
             yield piece, stroke

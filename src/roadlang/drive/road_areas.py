@@ -33,5 +33,5 @@ def road_areas(bands: Sequence[LaneBand], junctions: Iterable[SceneJunction]) ->
 
 
 def _area(band: LaneBand) -> RoadArea:
-    beside = FIGURE_COLORS.raised if band.raised else FIGURE_COLORS.beside
-    return RoadArea(band.ring, FIGURE_COLORS.surface if band.is_driven else beside, band.inner)
+    color = FIGURE_COLORS.of_lane(drivable=band.is_driven, raised=band.raised)
+    return RoadArea(band.ring, color, band.inner)

@@ -8,8 +8,8 @@ Nothing is imported until a name is used.
 - many variants at once: `CurveFrame`, `CurveBatch`, `DisplacedBatch`, `displace`, `sample`,
   `undisplaced`
 - windows that fade a displacement: `over`, `fade`, `ease`
-- roads: `WidthProfile`, `OffsetProfile`, `Lane`, `CrossSection`, `Road`, `offset` (without
-  folding); end to end: `RoadToJoin`, `joined_curve`, `joined_section`, `seams`
+- roads: `WidthProfile`, `OffsetProfile`, `Lane`, `CrossSection`, `drivable_borders`, `Road`,
+  `offset` (without folding); end to end: `RoadToJoin`, `joined_curve`, `joined_section`, `seams`
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
   `anchored_nodes`, `junction_window`
 - junctions as maps state them: `MapJunction`, `MapTurn`, `MapControl`, `LaneEnd`; their
@@ -17,8 +17,9 @@ Nothing is imported until a name is used.
   `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`, `minor_roads`;
   triangles of their areas: `triangulated`
 - lanes of a network, and how one leads into others: `LaneGraph`, `RoutePlace`
-- lines along lanes as figures draw them: `lane_strokes`, `LaneStroke`, `line_width`,
-  `are_lines_seen`, `unfolded_lines`
+- lines painted along lanes: `border_lines`, `BorderLine`, `DashPattern`, `parking_lines`,
+  `LINE_WIDTH`, `PARKING_LINE_WIDTH`, `PARKING_SPACE`; as figures draw them: `lane_strokes`,
+  `LaneStroke`, `line_width`, `are_lines_seen`, `unfolded_lines`
 - distances: `pointwise`, `lp_norm`, `quadrature`, `frechet`, `clearance`, `margin`
 - rectangles on the ground: `Footprints`, `separation`, `distance_between`, `close_pairs`,
   `time_to_contact`, `encroachment_times`
@@ -38,9 +39,11 @@ if TYPE_CHECKING:
     from .batch import CurveBatch as CurveBatch
     from .clearances import clearance as clearance
     from .cross_section import CrossSection as CrossSection
+    from .cross_section import drivable_borders as drivable_borders
     from .crossing import crossings as crossings
     from .crossing import self_crossings as self_crossings
     from .curve import Curve as Curve
+    from .dash_pattern import DashPattern as DashPattern
     from .discrete_frechet import frechet as frechet
     from .displacement import DisplacedBatch as DisplacedBatch
     from .displacement import MovedBatch as MovedBatch
@@ -75,6 +78,12 @@ if TYPE_CHECKING:
     from .junctions.plan import plan_junctions as plan_junctions
     from .junctions.priority import minor_roads as minor_roads
     from .lane import Lane as Lane
+    from .lane_paint import LINE_WIDTH as LINE_WIDTH
+    from .lane_paint import PARKING_LINE_WIDTH as PARKING_LINE_WIDTH
+    from .lane_paint import PARKING_SPACE as PARKING_SPACE
+    from .lane_paint import BorderLine as BorderLine
+    from .lane_paint import border_lines as border_lines
+    from .lane_paint import parking_lines as parking_lines
     from .lanes import Marking as Marking
     from .levels import are_apart as are_apart
     from .map_junctions import MapControl as MapControl
@@ -142,6 +151,13 @@ _HOMES = {
     "WidthProfile": "width",
     "OffsetProfile": "profile",
     "Lane": "lane",
+    "BorderLine": "lane_paint",
+    "LINE_WIDTH": "lane_paint",
+    "PARKING_LINE_WIDTH": "lane_paint",
+    "PARKING_SPACE": "lane_paint",
+    "border_lines": "lane_paint",
+    "parking_lines": "lane_paint",
+    "DashPattern": "dash_pattern",
     "LaneStroke": "strokes_of_lanes",
     "are_lines_seen": "strokes_of_lanes",
     "lane_strokes": "strokes_of_lanes",
@@ -150,6 +166,7 @@ _HOMES = {
     "Marking": "lanes",
     "are_apart": "levels",
     "CrossSection": "cross_section",
+    "drivable_borders": "cross_section",
     "Road": "road",
     "RoadToJoin": "joining",
     "joined_curve": "joining",

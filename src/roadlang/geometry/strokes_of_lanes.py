@@ -1,17 +1,18 @@
-"""The lines along the borders of lanes, as figures draw them: which, how wide and how broken.
-
-For every figure the same rule, in pixels, because a map is drawn in many sizes.
-"""
+"""The lines along the borders of lanes, as figures draw them: in pixels, because a map is drawn in
+many sizes. Which there are, `border_lines` says."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from .lane_paint import DASH, GAP, BorderLine, border_lines
 from .lanes import Marking
 
-DASH, GAP = 3.0, 4.5
-"""Meters: of a dash of a broken line, and of the gap to the next."""
+if TYPE_CHECKING:
+    from .lane import Lane
+
 _SHORTEST_DASH, _NARROWEST_LANE = 5.0, 4.0
 """Pixels: of a dash, and of a lane whose lines are drawn."""
 _CURB, _THINNEST_CURB = 0.2, 0.7
@@ -39,29 +40,28 @@ class LaneStroke:
 
 
 def lane_strokes(
-    markings: Sequence[Marking], lane: float, pixels_per_meter: float
+    lanes: Sequence[Lane], markings: Sequence[Marking], lane: float, pixels_per_meter: float
 ) -> Iterator[LaneStroke]:
-    """The lines at the borders of a road with these markings (L + 1), from left to right, whose
-    lanes are `lane` pixels wide on average. None where lanes are too narrow to see lines."""
+    """The lines at the borders of a road with these lanes (L) and markings (L + 1), from left to
+    right, whose lanes are `lane` pixels wide on average. None where lanes are too narrow to see
+    lines."""
     if not are_lines_seen(lane):
         return
-    width, last = line_width(lane), len(markings) - 1
+    width = line_width(lane)
     curb = max(_CURB * pixels_per_meter, _THINNEST_CURB)
     length = max(pixels_per_meter, _SHORTEST_DASH / DASH)
     dashes = DASH * length, GAP * length
-    for border, marking in enumerate(markings):
-        inside = _INSIDE_EDGE * lane + width
-        shift = -inside if border == 0 else inside if border == last else 0.0
-        match marking:
-            case "solid":
-                yield LaneStroke(border, shift, width)
-            case "broken":
-                yield LaneStroke(border, shift, width, dashes)
-            case "double":
-                for away in (_FROM_MIDDLE * width, -_FROM_MIDDLE * width):
-                    yield LaneStroke(border, shift + away, width)
-            case "curb":
-                yield LaneStroke(border, 0.0, curb, is_curb=True)
+    for line in border_lines(lanes, markings):
+        if line.is_curb:
+            yield LaneStroke(line.border, 0.0, curb, is_curb=True)
+        else:
+            shift = _shift(line, lane, width)
+            yield LaneStroke(line.border, shift, width, dashes if line.is_broken else None)
+
+
+def _shift(line: BorderLine, lane: float, width: float) -> float:
+    """Pixels: lines are wider than they are painted, where they would be too thin to see."""
+    return line.inset * (_INSIDE_EDGE * lane + width) + line.apart * _FROM_MIDDLE * width
 
 
 def are_lines_seen(lane: float) -> bool:

@@ -28,6 +28,12 @@ class FigureColors:
     leaves: str = "#5d9550"
     roof: str = "#b98b6e"
 
+    def of_lane(self, *, drivable: bool, raised: bool) -> str:
+        """Of a lane whose kind says nothing else. Figures of drives know no kinds."""
+        if drivable:
+            return self.surface
+        return self.raised if raised else self.beside
+
 
 FIGURE_COLORS = FigureColors()
 

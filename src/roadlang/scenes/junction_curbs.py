@@ -9,11 +9,10 @@ import numpy as np
 
 from ..geometry import CrossSection
 from ..geometry.arrays import Floats
+from ..geometry.lane_paint import EDGE_INSET
 from ..ir.scene_junctions import SceneArm, SceneJunction
 from ..ir.scene_road import SceneRoad
 
-EDGE_INSET = 0.25
-"""Meters from the border of a road to the middle of its edge line."""
 _LEAST_STEP = 1e-3
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..geometry.lane_paint import LINE_WIDTH
 from ..ir.scene import Scene
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_road import SceneRoad
@@ -21,8 +22,6 @@ from .zebra_crossings import crossings, crosswalk_stripes
 STOP_LINE = 0.4
 """Meters: the width of a stop line and of a line to yield at."""
 ARROW_LINE = 0.15
-LANE_LINE = 0.14
-"""Meters: the width of lines between lanes and at the edge, as along roads."""
 _TEETH = (0.5, 0.4)
 _ARROW_BEFORE = 9.0
 _ARROW_ROOM = 14.0
@@ -56,9 +55,9 @@ def junction_paint(scene: Scene, junctions: Iterable[SceneJunction]) -> Iterator
         for stripe in crossings(junction, roads):
             yield PaintedShape("crossing", stripe)
         for line in lines_through(junction, roads):
-            yield PaintedShape(line.kind, line.points, LANE_LINE)
+            yield PaintedShape(line.kind, line.points, LINE_WIDTH)
         for points in edge_lines(junction, roads):
-            yield PaintedShape("corner_line", points, LANE_LINE)
+            yield PaintedShape("corner_line", points, LINE_WIDTH)
         lanes = connections_by_lane(junction)
         for connections in lanes.values():
             yield from _line(junction, connections[0])

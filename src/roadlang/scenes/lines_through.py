@@ -10,13 +10,11 @@ import numpy as np
 
 from ..geometry import CrossSection, CurveFrame
 from ..geometry.arrays import Floats
+from ..geometry.lane_paint import DASH, EDGE_INSET, border_lines
 from ..ir.scene_junctions import SceneConnection, SceneJunction, SceneLaneEnd
 from ..ir.scene_road import SceneRoad
 from ..world.connection_roads import connection_curve
-from .junction_curbs import EDGE_INSET
 
-LANE_DASH = 3.0
-"""Meters, of lines between lanes: as on the road, but with shorter gaps."""
 EDGE_DASH = 1.5
 """Meters, of edge lines along the mouth of a minor road."""
 _POINT_SPACING = 1.0
@@ -59,7 +57,7 @@ def lines_through(junction: SceneJunction, roads: Mapping[str, SceneRoad]) -> It
             if first.kind == "edge_line" and not _mouth(junction, connection, side):
                 continue
             drawn.add(key)
-            yield from _dashes(first.kind, connection, side)
+            yield from _dashes(first.kind, connection, side, (first.inset, last.inset))
 
 
 def _side(place: int, side: int) -> int:
@@ -73,6 +71,8 @@ class _Border:
 
     kind: Literal["lane_line", "edge_line"]
     key: tuple[str, str, int]
+    inset: float
+    """Meters from the border into the lane, of the line on the road"""
 
     @classmethod
     def of(cls, end: SceneLaneEnd, road: SceneRoad, side: int) -> _Border | None:
@@ -81,11 +81,13 @@ class _Border:
         lane = section.ids.index(end.lane)
         is_left = (side > 0) == (end.end == "end")
         place = lane if is_left else lane + 1
-        marking = section.markings[place]
-        if marking in ("none", "curb"):
+        lines = border_lines(section.lanes, section.markings)
+        line = next((one for one in lines if one.border == place), None)
+        if line is None or line.is_curb:
             return None
         is_inner = _drivable(section, place - 1) and _drivable(section, place)
-        return cls("lane_line" if is_inner else "edge_line", (end.road, end.end, place))
+        inset = EDGE_INSET * (-line.inset if place == lane else line.inset)
+        return cls("lane_line" if is_inner else "edge_line", (end.road, end.end, place), inset)
 
 
 def _drivable(section: CrossSection, lane: int) -> bool:
@@ -102,20 +104,23 @@ def _mouth(junction: SceneJunction, connection: SceneConnection, side: int) -> b
 
 
 def _dashes(
-    kind: Literal["lane_line", "edge_line"], connection: SceneConnection, side: int
+    kind: Literal["lane_line", "edge_line"],
+    connection: SceneConnection,
+    side: int,
+    insets: tuple[float, float],
 ) -> Iterator[LineThrough]:
     """Whole dashes, as long as the gaps: a lane line begins and ends with a dash, after the gap
     that ends the road; an edge line begins and ends with a gap, after its solid line."""
     curve = connection_curve(connection)
     is_edge = kind == "edge_line"
-    unit = EDGE_DASH if is_edge else LANE_DASH
+    unit = EDGE_DASH if is_edge else DASH
     lead = 1 if is_edge else -1
     count = max(1, round((curve.length / unit - lead) / 2.0))
     unit = curve.length / (2 * count + lead)
     for dash in range(count):
         start = (2 * dash + max(lead, 0)) * unit
         s = np.linspace(start, start + unit, 1 + max(1, int(np.ceil(unit / _POINT_SPACING))))
-        away = 0.5 * np.interp(s, [0.0, curve.length], connection.widths)
-        away = side * (away - (EDGE_INSET if is_edge else 0.0))
+        ends = [0.0, curve.length]
+        away = 0.5 * np.interp(s, ends, connection.widths) - np.interp(s, ends, insets)
         frame = CurveFrame.of(curve, s)
-        yield LineThrough(kind, frame.points + away[:, None] * frame.normal)
+        yield LineThrough(kind, frame.points + side * away[:, None] * frame.normal)

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from roadlang.geometry import Lane
 from roadlang_standard.extraction.colors import bgr
+from roadlang_standard.lane_looks import PAINT, LaneLook, lane_look
 
 
 @dataclass(frozen=True)
@@ -43,17 +45,16 @@ def srgb(linear: float) -> float:
 
 
 _SHARED = (
-    Material("asphalt", "#303033"),
-    Material("bus lane", "#3d3330"),
-    Material("bike lane", "#542621"),
-    Material("parking", "#3b3b3d"),
-    Material("sidewalk", "#757370"),
-    Material("median", "#757370"),
-    Material("grass", "#334d1f", 1.0),
+    Material("asphalt", LaneLook.ROADWAY.color),
+    Material("bus lane", LaneLook.BUS.color),
+    Material("bike lane", LaneLook.BIKE.color),
+    Material("parking", LaneLook.PARKING.color),
+    Material("sidewalk", LaneLook.SIDEWALK.color),
+    Material("grass", LaneLook.GRASS.color, 1.0),
     Material("curb", "#8c8a82"),
     Material("ground", "#47592e", 1.0),
     Material("embankment", "#4d4a33", 1.0),
-    Material("paint", "#dbdbd1", 0.7),
+    Material("paint", PAINT, 0.7),
     Material("glass", "#0d1217", 0.1, 0.4),
     Material("tire", "#0d0d0d"),
     Material("metal", "#595c61", 0.5, 0.6),
@@ -67,18 +68,19 @@ _SHARED = (
 MATERIALS: Mapping[str, Material] = {material.name: material for material in _SHARED}
 """By name."""
 _LANES = {
-    "bus": "bus lane",
-    "bike": "bike lane",
-    "parking": "parking",
-    "sidewalk": "sidewalk",
-    "median": "median",
-    "grass": "grass",
+    LaneLook.ROADWAY: "asphalt",
+    LaneLook.PLAIN: "asphalt",
+    LaneLook.BUS: "bus lane",
+    LaneLook.BIKE: "bike lane",
+    LaneLook.PARKING: "parking",
+    LaneLook.SIDEWALK: "sidewalk",
+    LaneLook.GRASS: "grass",
 }
 
 
-def lane_material(kind: str, raised: bool) -> str:
-    """The name of the material of a lane; of a plugin's kind that of a sidewalk if it is raised."""
-    return _LANES.get(kind, "sidewalk" if raised else "asphalt")
+def lane_material(lane: Lane) -> str:
+    """The name of the material of a lane."""
+    return _LANES[lane_look(lane)]
 
 
 def painted(kind: str, color: str) -> Material:

@@ -7,21 +7,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from roadlang.api import CURB_HEIGHT, PAINT_HEIGHT
-from roadlang.geometry import Floats
+from roadlang.geometry import (
+    LINE_WIDTH,
+    PARKING_LINE_WIDTH,
+    DashPattern,
+    Floats,
+    border_lines,
+    parking_lines,
+)
+from roadlang_standard.lane_looks import LaneLook, lane_look
 
 from ..surfaces.built import is_loop
 from ..surfaces.road_surface import RoadSurface
 from .materials import lane_material
 from .meshes import Faces, strip
 
-_LINE = 0.14
-"""Width of a painted line, meters."""
-_INSET = 0.25
-"""Of a line along the edge of the road, or beside a curb, from there."""
-_APART = 0.13
-"""Of each line of a double one from the middle."""
-_DASH, _PERIOD = 3.0, 9.0
-"""Painted meters of a broken line, and from one to the next."""
 _UP = np.array([0.0, 0.0, 1.0])
 
 
@@ -30,7 +30,7 @@ def lane_parts(surface: RoadSurface) -> Iterator[tuple[int, str, Faces]]:
     for place, lane in enumerate(surface.section.lanes):
         lift = lane_height(surface, place) * _UP
         left, right = surface.borders[place] + lift, surface.borders[place + 1] + lift
-        material = lane_material(lane.kind, lane.raised)
+        material = lane_material(lane)
         part = strip(material, left, right, normals_up(surface), surface.stations)
         if part is not None:
             yield lane.id, lane.kind, part
@@ -72,20 +72,23 @@ def embankment_parts(surface: RoadSurface, ground: float) -> Iterator[Faces | No
 
 
 def marking_parts(surface: RoadSurface) -> Iterator[Faces | None]:
-    """The painted lines along the borders of lanes."""
-    for place, marking in enumerate(surface.section.markings):
-        shift, height = _inward(surface, place, marking)
-        line = surface.borders[place] + (height + PAINT_HEIGHT) * _UP
-        spread = (_APART, -_APART) if marking == "double" else (0.0,)
-        for away in spread if marking in ("solid", "broken", "double") else ():
-            left, right = (
-                line + np.column_stack(((shift + away + side) * surface.left, 0.0 * surface.slope))
-                for side in (_LINE / 2, -_LINE / 2)
-            )
-            if marking == "broken":
-                yield from _dashes(surface, left, right)
-            else:
-                yield strip("paint", left, right, normals_up(surface))
+    """The painted lines along the borders of lanes, and across parking strips; curbs are faces."""
+    for mark in border_lines(surface.section.lanes, surface.section.markings):
+        if mark.is_curb:
+            continue
+        height = _paint_height(surface, mark.border, mark.inset)
+        line = surface.borders[mark.border] + height * _UP
+        left, right = (
+            line + np.column_stack(((mark.shift + side) * surface.left, 0.0 * surface.slope))
+            for side in (LINE_WIDTH / 2, -LINE_WIDTH / 2)
+        )
+        if mark.is_broken:
+            yield from _dashes(surface, left, right)
+        else:
+            yield strip("paint", left, right, normals_up(surface))
+    for place, lane in enumerate(surface.section.lanes):
+        if lane_look(lane) == LaneLook.PARKING:
+            yield from _parking_lines(surface, place)
 
 
 def normals_up(surface: RoadSurface) -> Floats:
@@ -95,22 +98,32 @@ def normals_up(surface: RoadSurface) -> Floats:
     return np.asarray(up / np.linalg.norm(up, axis=1)[:, None])
 
 
-def _inward(surface: RoadSurface, place: int, marking: str) -> tuple[float, float]:
-    """How far to the left of its border a line is painted, and how high."""
-    left, right = lane_height(surface, place - 1), lane_height(surface, place)
-    at_left = place == 0 or left > right
-    at_right = place == len(surface.section.lanes) or right > left
-    if at_left == at_right or (marking == "broken" and left == right):
-        return 0.0, max(left, right)
-    return (-_INSET, right) if at_left else (_INSET, left)
+def _parking_lines(surface: RoadSurface, place: int) -> Iterator[Faces | None]:
+    """The lines across a strip for parked cars."""
+    s = surface.stations
+    half = PARKING_LINE_WIDTH / 2
+    for station in parking_lines(float(s[0]), float(s[-1])):
+        at = np.clip([station - half, station + half], s[0], s[-1])
+        left, right = (
+            np.column_stack([np.interp(at, s, column) for column in border.T]) + PAINT_HEIGHT * _UP
+            for border in surface.borders[place : place + 2]
+        )
+        yield strip("paint", left, right, np.tile(_UP, (2, 1)))
+
+
+def _paint_height(surface: RoadSurface, border: int, inset: int) -> float:
+    """Of the lane that a line lies on; on a border, of the higher one."""
+    left, right = lane_height(surface, border - 1), lane_height(surface, border)
+    height = max(left, right) if inset == 0 else left if inset > 0 else right
+    return height + PAINT_HEIGHT
 
 
 def _dashes(surface: RoadSurface, left: Floats, right: Floats) -> Iterator[Faces | None]:
     s = surface.stations
-    first = np.ceil(s[0] / _PERIOD) * _PERIOD
-    for start in np.arange(first, s[-1] - 0.5, _PERIOD):
-        stop = min(start + _DASH, s[-1])
-        at = np.concatenate(([start], s[(s > start + 0.01) & (s < stop - 0.01)], [stop]))
+    start, end = float(s[0]), float(s[-1])
+    pattern = DashPattern.between(start, end, (0.0, surface.road.length))
+    for low, high in pattern.dashes(start, end):
+        at = np.concatenate(([low], s[(s > low + 0.01) & (s < high - 0.01)], [high]))
         one, other = (
             np.column_stack([np.interp(at, s, column) for column in line.T])
             for line in (left, right)

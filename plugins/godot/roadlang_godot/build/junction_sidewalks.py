@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from roadlang.api import CURB_HEIGHT, CurbCorner, beside_curb, junction_curbs
 from roadlang.geometry import CrossSection, Floats, Lane
+from roadlang_standard.lane_looks import LaneLook
 
 from ..net.scene_part import ScenePart
 from .frame import SceneOrigin
-from .lane_strips import BorderLine, LaneStrip, Surface
+from .lane_strips import LaneStrip, StripLine
 from .road_mesh import strip_part
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ LOWERED = 0.03
 _RAMP = 1.5
 """Meters from there to the height of the sidewalks of the roads."""
 _MOST_POINTS = 40
-_LOOK = LaneStrip(0, 1, Surface.SIDEWALK, BorderLine.CURB, BorderLine.NONE, raised=True)
+_LOOK = LaneStrip(0, 1, LaneLook.SIDEWALK, StripLine.CURB, StripLine.NONE, raised=True)
 
 
 def sidewalk_parts(

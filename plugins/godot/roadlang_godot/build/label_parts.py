@@ -7,11 +7,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from roadlang_standard.lane_looks import LaneLook
 from roadlang_standard.semantic_classes import SemanticClass, class_of_category
 
 from ..net.protocol import Message
 from ..net.scene_part import BULK_BODY, Key, ScenePart
-from .lane_strips import Surface
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
@@ -30,8 +30,8 @@ _PART_CLASSES = {
     Message.SIGNALS: SemanticClass.TRAFFIC_LIGHT,
 }
 _SURFACE_CLASSES = {
-    Surface.SIDEWALK: SemanticClass.SIDEWALK,
-    Surface.GRASS: SemanticClass.TERRAIN,
+    LaneLook.SIDEWALK: SemanticClass.SIDEWALK,
+    LaneLook.GRASS: SemanticClass.TERRAIN,
 }
 _SURFACE_BYTE = 1
 """Of the body of a SEGMENT."""
@@ -91,7 +91,7 @@ def _scenery() -> dict[int, tuple[int, int, int]]:
 def _label(part: ScenePart, numbered: Mapping[Key, Instance | None]) -> tuple[int, int, int] | None:
     """Class, whether its copies are numbered one by one, and the number of the first."""
     if part.kind == Message.SEGMENT:
-        surface = Surface(part.body[_SURFACE_BYTE] & 15)
+        surface = LaneLook(part.body[_SURFACE_BYTE] & 15)
         return _SURFACE_CLASSES.get(surface, SemanticClass.ROAD), 0, 0
     if part.key in numbered:
         found = numbered[part.key]

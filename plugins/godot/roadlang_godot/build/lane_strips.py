@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from roadlang.api import geometry
+from roadlang_standard.lane_looks import LaneLook, lane_look
 
 from .surface_table import surface_number
 
@@ -20,46 +21,18 @@ _LOOKS_EQUAL = 0.01
 """Meters."""
 
 
-class Surface(IntEnum):
-    """What a strip is made of (`build/looks.gd`)."""
-
-    MARKED = 0
-    PLAIN = 1
-    BUS = 2
-    BIKE = 3
-    PARKING = 4
-    SIDEWALK = 5
-    GRASS = 6
-
-
-class BorderLine(IntEnum):
-    """The line along a border of a strip (`build/shaders/road.gdshader`)."""
+class StripLine(IntEnum):
+    """What is seen in a strip of the line along one of its borders
+    (`build/shaders/road.gdshader`): half of one that lies on the border, all of one inside."""
 
     NONE = 0
     SOLID = 1
     BROKEN = 2
     DOUBLE = 3
     CURB = 4
-    EDGE = 5
-    """Solid, a little inside the edge of the road."""
-
-
-_SURFACES = {
-    "bus": Surface.BUS,
-    "bike": Surface.BIKE,
-    "parking": Surface.PARKING,
-    "shoulder": Surface.PLAIN,
-    "sidewalk": Surface.SIDEWALK,
-    "median": Surface.SIDEWALK,
-    "grass": Surface.GRASS,
-}
-_LINES = {
-    "none": BorderLine.NONE,
-    "solid": BorderLine.SOLID,
-    "broken": BorderLine.BROKEN,
-    "double": BorderLine.DOUBLE,
-    "curb": BorderLine.CURB,
-}
+    INSIDE_SOLID = 5
+    INSIDE_BROKEN = 6
+    INSIDE_DOUBLE = 7
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +44,9 @@ class LaneStrip:
 
     first: int
     last: int
-    surface: Surface
-    left: BorderLine
-    right: BorderLine
+    surface: LaneLook
+    left: StripLine
+    right: StripLine
     raised: bool
     material: int = 0
     """number in the table of surfaces, for tires and looks"""
@@ -90,6 +63,9 @@ def lane_strips(
     """The strips of a road from left to right. `surfaces`: of its lanes, where any is said; raised
     lanes are always paved."""
     lanes, markings = section.lanes, section.markings
+    lines: list[list[geometry.BorderLine]] = [[] for _ in markings]
+    for line in geometry.border_lines(lanes, markings):
+        lines[line.border].append(line)
     materials = [surface_number(name) for name in surfaces] or [0] * len(lanes)
     first = 0
     for place in range(1, len(lanes) + 1):
@@ -100,33 +76,35 @@ def lane_strips(
         yield LaneStrip(
             first,
             place,
-            surface_of(kind),
-            _line(markings, first, kind.raised),
-            _line(markings, place, kind.raised),
+            lane_look(kind),
+            _line(lines[first], -1, kind.raised),
+            _line(lines[place], 1, kind.raised),
             kind.raised,
             0 if kind.raised else materials[first],
         )
         first = place
 
 
-def surface_of(lane: geometry.Lane) -> Surface:
-    """Of a kind that a plugin brings: as a sidewalk if it is raised, else as a roadway."""
-    default = Surface.SIDEWALK if lane.raised else Surface.MARKED
-    return _SURFACES.get(lane.kind, default if lane.drivable or lane.raised else Surface.PLAIN)
-
-
 def _go_on(lane: geometry.Lane, other: geometry.Lane, marking: str) -> bool:
     """Whether two neighbors are drawn as one strip of equal lanes."""
-    both_marked = surface_of(lane) == surface_of(other) == Surface.MARKED
+    both_marked = lane_look(lane) == lane_look(other) == LaneLook.ROADWAY
     if not both_marked or marking != "broken":
         return False
     apart = np.abs(lane.width.widths - other.width.at(lane.width.stations))
     return bool((apart < _LOOKS_EQUAL).all())
 
 
-def _line(markings: tuple[str, ...], place: int, raised: bool) -> BorderLine:
-    line = _LINES[markings[place]]
-    if place in (0, len(markings) - 1) and line == BorderLine.SOLID:
-        return BorderLine.EDGE
-    # The curb lies on the raised side.
-    return BorderLine.NONE if line == BorderLine.CURB and not raised else line
+def _line(lines: Sequence[geometry.BorderLine], side: int, raised: bool) -> StripLine:
+    """What a strip on the left (1) or right (-1) of a border shows of its lines."""
+    if not lines:
+        return StripLine.NONE
+    line = lines[0]
+    if line.is_curb:  # it lies on the raised side
+        return StripLine.CURB if raised else StripLine.NONE
+    if line.inset == -side:
+        return StripLine.NONE
+    if line.apart:
+        return StripLine.INSIDE_DOUBLE if line.inset else StripLine.DOUBLE
+    if line.is_broken:
+        return StripLine.INSIDE_BROKEN if line.inset else StripLine.BROKEN
+    return StripLine.INSIDE_SOLID if line.inset else StripLine.SOLID

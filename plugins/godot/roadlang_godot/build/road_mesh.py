@@ -12,11 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roadlang.api import CURB_HEIGHT
-from roadlang.geometry import Floats
+from roadlang.geometry import DashPattern, Floats
 
 from ..net.protocol import Message
 from ..net.scene_part import BULK_BODY, ScenePart
-from .dash_pattern import UNCUT, DashPattern, dashes_between
 from .frame import SceneOrigin
 from .lane_strips import LaneStrip, lane_strips
 from .line import RoadSamples
@@ -35,6 +34,7 @@ COARSEST, FINEST = 2.5, 0.2
 SHORTEST = 0.05
 """Meters of a stretch with a surface of its own, at least."""
 
+_UNCUT = DashPattern()
 SEGMENT_HEAD = struct.Struct("<BBBBBHff")
 _MOST = (BULK_BODY - SEGMENT_HEAD.size) // 24
 
@@ -68,7 +68,7 @@ def segments(
     strips: Sequence[LaneStrip],
     first_id: int,
     frame: SceneOrigin,
-    dashes: DashPattern = UNCUT,
+    dashes: DashPattern = _UNCUT,
 ) -> list[ScenePart]:
     """The piece of a road with these stations: a thing for each strip of lanes."""
     edges = line.beside(s, line.cross_section.border_offsets(s))
@@ -90,7 +90,7 @@ def strip_part(
     s: Floats,
     look: LaneStrip,
     id: int,
-    dashes: DashPattern = UNCUT,
+    dashes: DashPattern = _UNCUT,
 ) -> ScenePart:
     """A segment of (n, 2, 3) left and right edge points in engine coordinates."""
     first, second = dashes.at(float(s[0])), dashes.at(float(s[1]))
@@ -112,8 +112,7 @@ def road_parts(
     begin = float(line.s[0]) if start is None else start
     finish = float(line.s[-1]) if end is None else end
     parts: list[ScenePart] = []
-    is_cut = begin > line.s[0] + 0.1 or finish < line.s[-1] - 0.1
-    dashes = dashes_between(begin, finish) if is_cut else UNCUT
+    dashes = DashPattern.between(begin, finish, (float(line.s[0]), float(line.s[-1])))
     for low, high, surfaces in _stretches(line, begin, finish):
         strips = tuple(lane_strips(line.cross_section, surfaces))
         for s in stations(line, low, high):

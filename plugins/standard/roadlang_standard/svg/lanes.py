@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 _LOOPS_SEEN_FROM = 0.35
 """Pixels"""
-_PARKED = 5.5
 _NARROWEST_STALL = 4.0
 
 
@@ -28,7 +27,7 @@ def bands(ribbon: Ribbon, inset: float, *, inner: bool) -> Iterator[str]:
     """
     first, last = ribbon.drivable
     for place, lane in enumerate(ribbon.lanes):
-        color = palette.lane_color(lane.kind, raised=lane.raised)
+        color = palette.lane_color(lane)
         if inner != (first <= place < last) or (lane.drivable and color == palette.SURFACE):
             continue
         left, right = ribbon.borders[:, place], ribbon.borders[:, place + 1]
@@ -59,7 +58,7 @@ def covers(ribbon: Ribbon, inset: float) -> Iterator[str]:
 def lane_lines(ribbon: Ribbon, lane: float, pixels_per_meter: float) -> Iterator[str]:
     """The lines at the borders of lanes, `lane` pixels wide on average, and parking spaces; none
     where lanes are too narrow to see lines."""
-    for stroke in geometry.lane_strokes(ribbon.markings, lane, pixels_per_meter):
+    for stroke in geometry.lane_strokes(ribbon.lanes, ribbon.markings, lane, pixels_per_meter):
         line = ribbon.beside(ribbon.borders[:, stroke.border] + stroke.shift)
         color = palette.CURB if stroke.is_curb else palette.MARKING
         dashes = stroke.dashes and " ".join(f"{part:.2f}" for part in stroke.dashes)
@@ -74,12 +73,9 @@ def _stalls(ribbon: Ribbon, place: int, thin: float, pixels_per_meter: float) ->
     """Lines across a parking strip, a car apart."""
     import numpy as np
 
-    length = float(ribbon.stations[-1] - ribbon.stations[0])
-    if _PARKED * pixels_per_meter < _NARROWEST_STALL or length < _PARKED:
+    if geometry.PARKING_SPACE * pixels_per_meter < _NARROWEST_STALL:
         return
-    count = int(length / _PARKED)
-    first = (length - count * _PARKED) / 2.0
-    at = ribbon.stations[0] + first + _PARKED * np.arange(count + 1)
+    at = geometry.parking_lines(float(ribbon.stations[0]), float(ribbon.stations[-1]))
     ends = [
         np.stack([np.interp(at, ribbon.stations, line[:, axis]) for axis in (0, 1)], axis=-1)
         for line in (ribbon.beside(ribbon.borders[:, place + side]) for side in (0, 1))

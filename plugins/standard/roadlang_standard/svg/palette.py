@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from roadlang.api import FIGURE_COLORS
+
+if TYPE_CHECKING:
+    from roadlang.api import geometry
 
 GROUND = FIGURE_COLORS.ground
 GROUND_EDGE = "#d9d5c9"
@@ -50,9 +55,10 @@ TIGHT = "#b35c00"
 FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
 
 
-def lane_color(kind: str, *, raised: bool) -> str:
-    """The color of a kind of lane; of one that a plugin brings by whether it is raised."""
-    return LANES.get(kind, RAISED if raised else SURFACE)
+def lane_color(lane: geometry.Lane) -> str:
+    """The color of its kind; of one that a plugin brings as in figures of drives, which know no
+    kinds."""
+    return LANES.get(lane.kind) or FIGURE_COLORS.of_lane(drivable=lane.drivable, raised=lane.raised)
 
 
 def violation_color(index: int) -> str:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from roadlang.api import surface_stretches
+from roadlang.api import geometry, surface_stretches
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import Scene, SceneRoad, SurfaceStretch, geometry
+    from roadlang.api import Scene, SceneRoad, SurfaceStretch
     from roadlang.geometry import Floats
 
     from .viewport import Viewport
@@ -73,8 +73,9 @@ class Ribbon:
     @property
     def drivable(self) -> tuple[int, int]:
         """The borders, by their places from the left, between which the drivable lanes lie."""
-        places = [place for place, lane in enumerate(self.lanes) if lane.drivable]
-        return (places[0], places[-1] + 1) if places else (0, len(self.lanes))
+        import numpy as np
+
+        return geometry.drivable_borders(np.array([lane.drivable for lane in self.lanes]))
 
     def part(self, start: float, end: float, by_reference: bool = False) -> Ribbon:
         """From arc length `start` to `end` (of the root road's if `by_reference`)."""
