@@ -104,7 +104,7 @@ def test_on_a_closed_road_nobody_leaves() -> None:
     agent ego is car on ring at 0m { drive with lane_follow { speed: 36km/h } }
     agent other is car on ring at 60m { drive with lane_follow { speed: 36km/h } }
     """
-    ((one,)) = testing.sample(text, 1).run("builtin", duration=50.0, control_step=0.1)
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=20.0, control_step=0.1)
     assert one.trace.agents["ego"].progress[-1] == 1.0
     assert all((agent.present == 1.0).all() for agent in one.trace.agents.values())
 

@@ -8,6 +8,7 @@ import pytest
 from roadlang import testing
 from roadlang.ir.trace import AgentTrace, Trace
 from roadlang_standard.ways_around import swing
+from tests.simulation.routed_scenes import CONTROL_STEP
 
 STREET = """
 road street {
@@ -20,7 +21,7 @@ PARKED = "object parked is parked_car on street at 120m { lane: -1 }\n"
 
 
 def driven(text: str, seconds: float = 60.0) -> Trace:
-    (drive,) = testing.sample(text).run("builtin", duration=seconds)
+    (drive,) = testing.sample(text).run("builtin", duration=seconds, control_step=CONTROL_STEP)
     assert not drive.trace.events, "nobody touches anything"
     return drive.trace
 
@@ -148,7 +149,7 @@ BROKEN = "agent broken is car on street at 120m { lane: -1, start_speed: 0m/s, d
 
 @pytest.mark.parametrize("at", ["10m", "100m"])
 def test_it_goes_around_a_car_that_stands_and_waits_for_nothing(at: str) -> None:
-    trace = driven(STREET + agent("ego", at, "lane: -1, drive with traffic") + BROKEN)
+    trace = driven(STREET + agent("ego", at, "lane: -1, drive with traffic") + BROKEN, 40.0)
     assert arrived(trace.agents["ego"])
     assert farthest_left(trace.agents["ego"]) > 0.0
     assert trace.agents["broken"].speed.max() == 0.0
@@ -194,7 +195,7 @@ def test_it_stays_behind_a_car_that_waits_at_a_light(first: str, offset: int) ->
 def test_it_goes_around_a_car_that_breaks_down_before_it() -> None:
     drives = "drive with lane_follow { speed: 8m/s }, drive with brake { when: time > 8s }"
     lead = agent("lead", "30m", f"lane: -1, {drives}")
-    trace = driven(STREET + agent("ego", "10m", "lane: -1, drive with traffic") + lead)
+    trace = driven(STREET + agent("ego", "10m", "lane: -1, drive with traffic") + lead, 45.0)
     assert arrived(trace.agents["ego"])
     assert not arrived(trace.agents["lead"])
 
