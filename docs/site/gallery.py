@@ -37,17 +37,17 @@ class Figure:
 
 
 FIGURES = (
-    Figure("hairpin", "A bend read from an aerial photo and bent further, under three formulas"),
+    Figure("hairpin", "A bend from an aerial photo, perturbed under three requirements"),
     Figure("hairpin", "Nine of its variants", 9, "contact-sheet.svg"),
-    Figure("street", "A street with what stands beside it"),
-    Figure("network", "A network perturbed as a whole: junctions stay joined"),
+    Figure("street", "A street with trees and other objects"),
+    Figure("network", "A network perturbed as a whole: junctions stay connected"),
     Figure("drawn_town", "A drawing with colors as a legend"),
     Figure("typed_town", "A map typed as text"),
     Figure("traffic", "Traffic on a street"),
     Figure("signals", "Traffic at a crossing with signals"),
     Figure("two_versions", "Two versions of one road, compared by formulas"),
-    Figure("composed", "Perturbations one after the other"),
-    Figure("sweep", "A sweep over a parameter", 6, "contact-sheet.svg"),
+    Figure("composed", "Several perturbations in turn"),
+    Figure("sweep", "A parameter sweep", 6, "contact-sheet.svg"),
 )
 
 
@@ -123,12 +123,12 @@ PICTURES = (
     GodotPicture(
         "tiles", "godot_tiles", "--view free --road tiles --at 3", "A map of pixels, built of tiles"
     ),
-    GodotPicture("hairpin", "hairpin", "--view free --at 16", "A bend read from an aerial photo"),
+    GodotPicture("hairpin", "hairpin", "--view free --at 16", "A bend from an aerial photo"),
 )
 
 
 def render_pictures() -> Iterator[Path]:
-    """Draw all pictures by Godot anew; give their paths."""
+    """Render all pictures with Godot again; give their paths."""
     KEPT.mkdir(parents=True, exist_ok=True)
     for picture in PICTURES:
         command = shlex.split(picture.command)[1:-1]
@@ -140,7 +140,7 @@ def render_pictures() -> Iterator[Path]:
 
 def _godot_section(folder: Path) -> Iterator[str]:
     """Lines of the page; the pictures are copied to the folder."""
-    yield from ("## Drawn by Godot", "")
+    yield from ("## Rendered by Godot", "")
     for picture in PICTURES:
         copy = f"gallery/{picture.path.name}"
         shutil.copyfile(picture.path, folder / copy)
