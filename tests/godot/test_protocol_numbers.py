@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from roadlang.simulation.surroundings import leaders
+from roadlang.simulation.surroundings import road_gaps
 from roadlang_godot.engines import engine as engines
 from roadlang_godot.net import protocol
 from roadlang_godot.net.link_websocket import WebSocketLink
@@ -28,4 +28,6 @@ def test_constants_of_the_protocol() -> None:
 def test_how_far_beside_its_line_a_vehicle_is_in_the_way() -> None:
     text = (engines.project() / "agents" / "signals.gd").read_text(encoding="utf-8")
     there = {name: float(value) for name, value in _CONSTANT.findall(text) if "(" not in value}
-    assert there == {name: getattr(leaders, name) for name in ("SAME_LANE", "MARGIN", "CLEARANCE")}
+    assert there == {
+        name: getattr(road_gaps, name) for name in ("SAME_LANE", "MARGIN", "CLEARANCE")
+    }

@@ -29,6 +29,9 @@ from .vehicles.poses import Poses
 AN_AGENT = "add one, such as `agent ego is car on main at 5m { drive with pure_pursuit }`"
 BLOCK_AGENTS = 3072
 """Agents that are driven side by side: their columns fit into the caches of a processor."""
+ALONE = 768
+"""The same of agents that are alone in their scenes, where their steps are repeated in a compiled
+loop: so few that their memory is used again for the next."""
 LEFT_OUT = 0.25
 """Share of the scenes of a block that are over when it is made smaller."""
 
@@ -78,9 +81,11 @@ def simulate_scenes(
 
 def _blocks(scenes: Sequence[Scene]) -> Iterator[tuple[int, int]]:
     start = most = 0
+    alone = compiled.is_installed() and all(len(scene.agents) == 1 for scene in scenes)
+    agents = min(ALONE, BLOCK_AGENTS) if alone else BLOCK_AGENTS
     for number, scene in enumerate(scenes):
         wider = max(most, len(scene.agents))
-        if number > start and (number + 1 - start) * wider > BLOCK_AGENTS:
+        if number > start and (number + 1 - start) * wider > agents:
             yield start, number
             start, wider = number, len(scene.agents)
         most = wider

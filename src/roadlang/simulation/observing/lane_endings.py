@@ -11,7 +11,8 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene import SceneRoad
 from ..lanes.road_lanes import LanesHere
 from ..state.world import World
-from ..surroundings.leaders import SAME_LANE, Leaders
+from ..surroundings.leaders import Leaders
+from ..surroundings.road_gaps import SAME_LANE
 from ..traffic.rules import COURTEOUS
 
 PULL_OUT, STOPPING = 8.0, 2.5

@@ -88,7 +88,7 @@ class View:
             curvature: Floats = along.line_frames(track)[3]
         else:
             cell, _ = track.cell(along)
-            curvature = track.lines.seen_curvature.take(cell)
+            curvature = track.lines.seen_curvature[cell]  # `take` would copy all cells
         speed = world.motion.speed[rows]
         _, _, bend, moving = world.followed.ahead(rows, distances, speed, along)
         return curvature if moving is None else np.where(moving, curvature + bend, curvature)

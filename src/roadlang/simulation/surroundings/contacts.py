@@ -16,6 +16,7 @@ from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
 from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .close_pairs import close_pairs
 from .levels import ground_heights, standing_heights
 from .outlines import Outlines
 
@@ -116,11 +117,7 @@ class ContactDetector:
         first, second = self._pairs
         if not len(first):
             return []
-        off_x = poses.x.take(first) - poses.x.take(second)
-        off_y = poses.y.take(first) - poses.y.take(second)
-        around = self._radius + shift[2]
-        distance = around.take(first) + around.take(second)
-        close = np.flatnonzero(off_x * off_x + off_y * off_y <= distance * distance)
+        close = close_pairs(self._pairs, poses.x, poses.y, self._radius + shift[2])
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]
             close = close[world.present[first[close]] & world.present[second[close]]]

@@ -19,13 +19,13 @@ def repeated() -> Any:
 @cache
 def _register() -> None:
     """Make the functions that the loop calls known to numba."""
-    from numba.extending import overload, register_jitable
+    from numba.extending import overload
 
-    for part in (
+    loops = (
         interpreting.compute, interpreting.frame, interpreting.move, interpreting.finite,
         interpreting.call, interpreting.once, interpreting.repeated,
-    ):  # fmt: skip
-        register_jitable(**compiled.OPTIONS)(part)
+    )  # fmt: skip
+    compiled.register((), loops)
     called = _called_by_address()
     overload(interpreting.call_loop, jit_options=compiled.OPTIONS)(
         lambda address, arguments, count, strides, data: (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cache
 from types import ModuleType
 from typing import Any
@@ -164,25 +164,34 @@ def _digest(*more: ModuleType) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
+def register(formulas: Iterable[Callable[..., Any]], loops: Iterable[Callable[..., Any]]) -> None:
+    """Make functions known to numba: formulas are put in where they are called."""
+    from numba.extending import register_jitable
+
+    for formula in formulas:
+        # A call that is left in the loop over agents keeps it from computing several at once.
+        register_jitable(forceinline=True, **OPTIONS)(formula)
+    for loop in loops:
+        register_jitable(**OPTIONS)(loop)
+
+
 @cache
 def _register_formulas() -> None:
     """Make the functions that loops call known to numba."""
     from numba.extending import overload, register_jitable
 
-    for formula in (
-        dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
-        dynamics.accelerated, dynamics.walked, dynamics.displaced, dynamics.turned, dynamics.driven,
-        dynamics.moved, lines.on_arc, kernels.place_on_line, kernels.drive, kernels.drive_abreast,
-        kernels.turn_abreast,
-    ):  # fmt: skip
-        # A call that is left in the loop over agents keeps it from computing several at once.
-        register_jitable(forceinline=True, **OPTIONS)(formula)
-    for loop in (
-        kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
-        kernels.nearest_sample,
-        kernels.widest, kernels.move_abreast,
-    ):  # fmt: skip
-        register_jitable(**OPTIONS)(loop)
+    register(
+        (
+            dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
+            dynamics.accelerated, dynamics.walked, dynamics.displaced, dynamics.turned,
+            dynamics.driven, dynamics.moved, lines.on_arc, kernels.place_on_line, kernels.drive,
+            kernels.drive_abreast, kernels.turn_abreast,
+        ),
+        (
+            kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
+            kernels.nearest_sample, kernels.widest, kernels.move_abreast,
+        ),
+    )  # fmt: skip
     register_jitable(inline="always", **OPTIONS)(kernels.fill)
     # Of numbers, and with NaN only where both are NaN.
     overload(dynamics.least, jit_options=OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)

@@ -1,0 +1,70 @@
+"""Gaps and contacts of agents on one road, in compiled loops: the same bits as with numpy."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.surroundings.close_pairs import close_pairs
+from roadlang.simulation.surroundings.leaders import Pairing
+from roadlang.simulation.surroundings.road_gaps import gaps_on_roads
+from roadlang.simulation.vehicles import compiled
+
+from .test_same_bytes import records
+
+pytest.importorskip("numba")
+
+QUEUE = """
+road main { draw with segments { pieces: [straight(160m)] }, width: 8m, lanes: 2 }
+agent cars is choice(car, truck, motorcycle) on main at random { count: 6, lane: -1 }
+agent others is car on main at random { count: 3, lane: 1 }
+"""
+LOOP = """
+road main {
+  draw with waypoints { points: [(0m, 0m), (60m, -5m), (80m, 50m), (10m, 60m)] }
+  closed: true, width: 8m
+}
+agent cars is car on main at random { count: 7 }
+"""
+
+
+def both(monkeypatch: pytest.MonkeyPatch, measure: Any) -> tuple[Any, Any]:
+    """With numba and without."""
+    monkeypatch.setattr(compiled, "is_loaded", lambda: True)
+    fast = measure()
+    monkeypatch.setattr(compiled, "is_loaded", lambda: False)
+    return fast, measure()
+
+
+@pytest.mark.parametrize("text", [QUEUE, LOOP], ids=["queue", "loop"])
+@pytest.mark.parametrize("straying", [0.0, 0.5], ids=["straight", "straying"])
+def test_compiled_gaps_are_the_same(
+    text: str, straying: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    world = world_of(records(text, 12), {}, 0.02, 0.1)
+    random = np.random.default_rng(1)
+    count = len(world.present)
+    world.motion.speed = random.uniform(0.0, 20.0, count)
+    world.motion.offset = world.motion.offset + random.normal(0.0, 1.0, count)
+    world.motion.sine = straying * random.uniform(-0.4, 0.4, count)
+    world.present = world.present & (random.uniform(size=count) > 0.1)
+    pairs = Pairing.of(world).on_road
+    fast, plain = both(monkeypatch, lambda: gaps_on_roads(world, pairs))
+    assert fast.tobytes() == plain.tobytes()
+    assert 0.05 < np.isfinite(fast).mean() < 0.7
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(2, 40))
+def test_compiled_pairs_that_are_close_are_the_same(seed: int, agents: int) -> None:
+    random = np.random.default_rng(seed)
+    x, y = random.uniform(0.0, 30.0, (2, agents)).round(1)
+    around = random.uniform(1.0, 4.0, agents).round(1)
+    first, second = np.triu_indices(agents, 1)
+    with pytest.MonkeyPatch.context() as patch:
+        fast, plain = both(patch, lambda: close_pairs((first, second), x, y, around))
+    assert fast.tolist() == plain.tolist()
