@@ -170,6 +170,12 @@ def _imports(text: str, package: str) -> tuple[Import, ...]:
     return tuple(_imports_below(_parsed(text), package, late=False))
 
 
+@cache
+def house() -> House:
+    """The house, read once in each process."""
+    return House.read()
+
+
 def forget_trees() -> None:
     """Drop what was parsed."""
     for remembered in (_parsed, _nodes, _imports):

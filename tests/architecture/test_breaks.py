@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tests.architecture import rules
-from tests.architecture.house import House
+from tests.architecture.house import house
 from tests.architecture.rules import Rule
 
-HOUSE = House.read()
+HOUSE = house()
 KIND = "plugins/standard/roadlang_standard/perturb_sine.py"
 BREAKS: tuple[tuple[Rule, str, str], ...] = (
     (rules.rooms_import_downward, "geometry/curve.py", "from ..diagnostics import Code"),

@@ -6,9 +6,9 @@ import ast
 from collections import defaultdict
 from dataclasses import replace
 
-from tests.architecture.house import House, SourceFile
+from tests.architecture.house import House, SourceFile, house
 
-HOUSE = House.read()
+HOUSE = house()
 TWICE = {
     "Scene": "roadlang.Scene is what Python users get; its `record` is the roadlang.api.Scene that"
     " plugins get and files hold",

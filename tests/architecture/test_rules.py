@@ -7,11 +7,11 @@ import re
 
 import pytest
 
-from tests.architecture.house import ROOT, House
+from tests.architecture.house import ROOT, house
 from tests.architecture.rules import RULES, Rule
 from tests.architecture.shipped_kinds import DEFAULT_KINDS, WORDS, shipped_kinds
 
-HOUSE = House.read()
+HOUSE = house()
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)

@@ -39,7 +39,7 @@ SECONDS = 0.6
 
 
 def driven(engine: Engine, attempts: int = 1) -> tuple[Trace, Mapping[str, SensorRecord]]:
-    """The beginning of the drive, with what its sensors measured: as often as after lost engines."""
+    """The drive begins, with what its sensors measured: as often as after lost engines."""
     loaded = roadlang.loads(TEXT)
     scene = loaded.sample(1)[0].record
     controllers = python_controllers(scene, loaded.registry)

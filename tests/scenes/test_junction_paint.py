@@ -166,6 +166,20 @@ def test_the_priority_road_keeps_its_lines_through_the_mouth_of_a_t(
         assert west < dash.points[:, 0].min() < dash.points[:, 0].max() < east
 
 
+def test_the_line_beside_a_bike_lane_goes_on_where_it_was(sample: Sample) -> None:
+    """On the border itself: only at the edge of a road is a line painted inside it."""
+    lanes = "left: [drive(3.5m), bike(1.5m)]\nright: [drive(3.5m), bike(1.5m)]\n"
+    scene, junction = crossing(sample, lanes + "control with yield")
+    edges = painted(scene, junction, "edge_line")
+    major = [arm for arm in junction.arms if arm.road not in junction.control.minor]
+    face = np.array([junction.area[major[0].left], junction.area[major[0].right]])
+    axis = int(np.ptp(face[:, 1]) > np.ptp(face[:, 0]))
+    away = np.abs(
+        np.concatenate([dash.points for dash in edges])[:, axis] - face.mean(axis=0)[axis]
+    )
+    assert away == pytest.approx(3.5, abs=1e-6)
+
+
 @pytest.mark.parametrize(
     ("control", "lane", "edge"),
     [

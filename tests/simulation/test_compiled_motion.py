@@ -30,7 +30,7 @@ def motion() -> tuple[object, ...]:
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="reads the instructions of x86-64")
 def test_square_roots_and_divisions_are_those_of_several_agents_at_once() -> None:
     compiled._register_formulas()
-    loop = numba.njit(nogil=True, **compiled._OPTIONS)(kernels.advanced)
+    loop = numba.njit(nogil=True, **compiled.OPTIONS)(kernels.advanced)
     loop(*motion())
     (assembly,) = loop.inspect_asm().values()
     assert "sqrtpd" in assembly
