@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from roadlang import DiagnosticError, Falsification, Scene
-from roadlang.cli.falsify import _print
+from roadlang.cli.falsify import _note_figures, _print
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.falsification.evaluator import Evaluator, Proposal
 from roadlang.falsification.outcome import Outcome
@@ -103,6 +103,30 @@ def test_each_failure_replays_exactly(search: Falsification, tmp_path: Path) -> 
         assert drive.verdicts["in_lane"].robustness == failure.robustness["in_lane"]
         assert drive.verdicts["in_lane"].satisfied is False
         assert drive.to_json() == failure.drive.to_json()
+
+
+def test_the_worst_failures_alone_are_drawn_where_few_figures_are_wanted(
+    search: Falsification, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert len(search.failures) > 2
+
+    def drawn() -> list[str]:
+        return sorted(file.name for file in (tmp_path / "failures").glob("*.svg"))
+
+    search.write(tmp_path)
+    assert len(drawn()) == len(search.failures)
+    every = {file.name: file.read_bytes() for file in (tmp_path / "failures").iterdir()}
+    search.write(tmp_path, figures=2)
+    assert drawn() == ["0001.svg", "0002.svg"]
+    few = {file.name: file.read_bytes() for file in (tmp_path / "failures").iterdir()}
+    assert few == {name: text for name, text in every.items() if name in few}
+    assert len(every) - len(few) == len(search.failures) - 2
+    _note_figures(search, tmp_path, 2)
+    assert "failures/0003.json" in capsys.readouterr().err
+    _note_figures(search, tmp_path, len(search.failures))
+    assert not capsys.readouterr().err
+    with pytest.raises(ValueError, match="`figures` must be at least 0"):
+        search.write(tmp_path, figures=-1)
 
 
 def test_failures_are_ranked_by_how_badly_they_fail(search: Falsification) -> None:

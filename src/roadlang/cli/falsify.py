@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 _SHOWN = 10
 """Failures that are listed on the terminal."""
+_FIGURES = 25
+"""Failures that are drawn: of hundreds, figures take a fifth as long as the search."""
 
 
 @click.command("falsify")
@@ -49,6 +51,13 @@ _SHOWN = 10
 @shared_options.jobs
 @shared_options.cluster
 @shared_options.settings
+@click.option(
+    "--figures",
+    type=click.IntRange(min=0),
+    default=_FIGURES,
+    show_default=True,
+    help="Draw this many failures, from the worst on.",
+)
 @click.option("--resume", is_flag=True, help="Continue from the journal in DIR.")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON.")
 def command(
@@ -65,17 +74,18 @@ def command(
     """Search the scenes of FILE that satisfy every `require` for some that violate an `expect`.
 
     DIR/failures has the distinct failures as scenes, worst first, which `roadlang run` drives
-    again, with their traces and figures; DIR/failing.csv and safe.csv have a row for every scene
-    that was driven, summary.json the failure rate and what was covered. Finished work is kept in
-    DIR/journal.jsonl: `--resume` continues after an interruption, or with more evaluations. Options
-    override those of the file's `falsify`. The exit code is 4 if there is a failure, 3 if no
-    scene satisfies the requirements.
+    again, with their traces, and figures of the worst; DIR/failing.csv and safe.csv have a row for
+    every scene that was driven, summary.json the failure rate and what was covered. Finished work
+    is kept in DIR/journal.jsonl: `--resume` continues after an interruption, or with more
+    evaluations. Options override those of the file's `falsify`. The exit code is 4 if there is a
+    failure, 3 if no scene satisfies the requirements.
     """
     from ..session.cluster import cluster as workers_of
     from ..session.loading import load
     from .progress import ProgressBar
 
     target = Path(folder).absolute()  # before a plugin can change the current folder
+    figures: int = options.pop("figures")
     loaded = load(file).with_params(parse_overrides(settings))
     _ = loaded.scenario  # raises what is wrong with the file, with its warnings
     report(loaded.check())
@@ -89,8 +99,9 @@ def command(
             progress=progress,
             **options,
         )
-    search.write(target)
+    search.write(target, figures)
     _print(search, target, as_json)
+    _note_figures(search, target, figures)
     click.get_current_context().exit(_exit_code(search))
 
 
@@ -103,11 +114,10 @@ def _exit_code(search: Falsification) -> int:
 def _print(search: Falsification, target: Path, as_json: bool) -> None:
     from ..diagnostics import Code, diagnose
     from ..search.rejection_report import as_text
+    from ..session.falsification_files import summary
 
     report(search.diagnostics)
     if as_json:
-        from ..session.falsification_files import summary
-
         click.echo(json.dumps(summary(search), indent=2))
         return
     for failure in search.failures[:_SHOWN]:
@@ -135,6 +145,15 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
             f"of scenes drawn at random {rate.low:.2%} to {rate.high:.2%} fail"
             f" (95 % confidence, {rate.failures} of {rate.scenes})"
         )
+
+
+def _note_figures(search: Falsification, target: Path, figures: int) -> None:
+    from ..session.falsification_files import FAILURES
+
+    if figures < len(search.failures):
+        other = shown(target / FAILURES / f"{figures + 1:04d}.json")
+        drawn = f"the worst {figures} failures are drawn" if figures else "no failure is drawn"
+        note(f"{drawn}: `roadlang run {other} -o DIR` draws another, `--figures N` more of them")
 
 
 def _line(failure: Failure) -> str:

@@ -215,9 +215,8 @@ class Falsification:
     def _driven(self, scenes: Sequence[Scene]) -> DriveSet:
         from .drives import drive
 
-        drives = self.drives
-        places = self.loaded.places
-        return drive(scenes, self.loaded.registry, drives.engine, drives.options, places)
+        loaded, drives = self.loaded, self.drives
+        return drive(scenes, loaded.registry, drives.engine, drives.options, loaded.places)
 
     @property
     def driven(self) -> tuple[Outcome, ...]:
@@ -260,11 +259,12 @@ class Falsification:
         pandas."""
         return frame_of(self.to_dict(), "evaluation")
 
-    def write(self, folder: str | Path) -> None:
-        """Write failures, tables and the summary; see the guide. Raises `DiagnosticError` RL460."""
+    def write(self, folder: str | Path, figures: int | None = None) -> None:
+        """Write failures, tables, summary; see the guide. `figures`: how many failures, from the
+        worst on, are drawn; all by default. Raises `DiagnosticError` RL460."""
         from .falsification_files import write_falsification
 
-        write_falsification(self, arguments.path("folder", folder))
+        write_falsification(self, arguments.path("folder", folder), figures)
 
 
 def falsified(

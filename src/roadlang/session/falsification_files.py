@@ -1,6 +1,7 @@
 """The files of a search for failures.
 
-failures/0001.json ...   the distinct failures as scenes, worst first, with trace and figure
+failures/0001.json ...   the distinct failures as scenes, worst first, with traces
+failures/0001.svg ...    figures of the first of them, or of all
 failures/index.json      what each violates, when and where
 safe/0001.json ...       some scenes in which nothing is violated, in the same way
 failing.csv, safe.csv    every scene that was driven
@@ -16,6 +17,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..diagnostics import arguments
 from ..files.writing import write_all, write_set
 from ..ir.results_record import RESULTS_FILE
 from ..version import __version__
@@ -34,14 +36,18 @@ SUMMARY_SCHEMA = "roadlang.falsification/1"
 SHRUNK, SHRUNK_FIGURE, EXPLANATION = ".shrunk.json", ".shrunk.svg", ".explanation.json"
 FINDINGS = (SHRUNK, SHRUNK_FIGURE, EXPLANATION)
 """What `roadlang shrink` and `roadlang explain` find, in place of the `.json` of the failure."""
-_ENDINGS = (".json", ".trace.csv", ".trace.json", ".svg")
+_FIGURE = ".svg"
+_ENDINGS = (".json", ".trace.csv", ".trace.json", _FIGURE)
 
 
-def write_falsification(search: Falsification, folder: Path) -> None:
+def write_falsification(search: Falsification, folder: Path, figures: int | None = None) -> None:
     """Write all files, each set of them whole or not at all; those of an earlier search that are
-    not written again are removed."""
+    not written again are removed. `figures`: how many failures have one, all where it is None."""
+    drawn = len(search.failures)
+    if figures is not None:
+        drawn = arguments.whole_number("figures", figures, least=0)
     folder = folder.absolute()
-    _write_failures(search, folder / FAILURES)
+    _write_failures(search, folder / FAILURES, drawn)
     _write_safe(search, folder / SAFE)
     failing = [outcome for outcome in search.driven if outcome.is_failure]
     safe = [outcome for outcome in search.driven if not outcome.is_failure]
@@ -75,10 +81,10 @@ def summary(search: Falsification) -> dict[str, Any]:
     }
 
 
-def _write_failures(search: Falsification, folder: Path) -> None:
+def _write_failures(search: Falsification, folder: Path, drawn: int) -> None:
     contents: dict[str, str | bytes] = {}
     for failure in search.failures:
-        contents |= _drive_files(failure.rank, failure.drive)
+        contents |= _drive_files(failure.rank, failure.drive, failure.rank <= drawn)
     records = [_record(failure) for failure in search.failures]
     axes = list(search.evaluator.task.axes)
     contents[INDEX] = _json({"schema": INDEX_SCHEMA, "axes": axes, "failures": records})
@@ -97,9 +103,14 @@ def _write_safe(search: Falsification, folder: Path) -> None:
     write_set(folder, contents, INDEX, _files_of)
 
 
-def _drive_files(number: int, drive: Drive) -> dict[str, str]:
-    contents = drive.scene.to_json(), drive.to_csv(), drive.to_json(), drive.svg()
-    return {f"{number:04d}{end}": text for end, text in zip(_ENDINGS, contents, strict=True)}
+def _drive_files(number: int, drive: Drive, is_drawn: bool = True) -> dict[str, str]:
+    contents = {
+        ".json": drive.scene.to_json(),
+        ".trace.csv": drive.to_csv(),
+        ".trace.json": drive.to_json(),
+        **({_FIGURE: drive.svg()} if is_drawn else {}),
+    }
+    return {f"{number:04d}{end}": text for end, text in contents.items()}
 
 
 def _record(failure: Failure) -> dict[str, Any]:
