@@ -46,7 +46,6 @@ if TYPE_CHECKING:
     from .dash_pattern import DashPattern as DashPattern
     from .discrete_frechet import frechet as frechet
     from .displacement import DisplacedBatch as DisplacedBatch
-    from .displacement import MovedBatch as MovedBatch
     from .displacement import displace as displace
     from .displacement import sample as sample
     from .displacement import undisplaced as undisplaced
@@ -89,6 +88,7 @@ if TYPE_CHECKING:
     from .map_junctions import MapControl as MapControl
     from .map_junctions import MapJunction as MapJunction
     from .map_junctions import MapTurn as MapTurn
+    from .moved_batch import MovedBatch as MovedBatch
     from .network import Edge as Edge
     from .network import Node as Node
     from .network import RoadNetwork as RoadNetwork
@@ -139,7 +139,7 @@ _HOMES = {
     "CurveFrame": "frame",
     "CurveBatch": "batch",
     "DisplacedBatch": "displacement",
-    "MovedBatch": "displacement",
+    "MovedBatch": "moved_batch",
     "displace": "displacement",
     "blocks": "row_blocks",
     "sample": "displacement",

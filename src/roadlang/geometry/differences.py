@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
-from .arrays import Floats
+from .arrays import Floats, Integers
 from .errors import GeometryError
+
+Stencil = tuple[float, tuple[Integers, Floats, Integers, Floats]]
+"""A factor for the difference of the two neighbors; of the first and of the last station which
+values count there, and their weights."""
 
 
 def station_gaps(stations: Floats, period: float | None) -> Floats:
@@ -23,12 +27,16 @@ def derivative(
 ) -> Floats:
     """The first or second derivative of `values` (..., S) along `stations` (S,); see
     `Differences`."""
-    return _differences(stations.tobytes(), period).derivative(values, order)
+    return differences_on(stations, period).derivative(values, order)
+
+
+def differences_on(stations: Floats, period: float | None = None) -> Differences:
+    """Those along `stations` (S,): kept, as batch after batch is differentiated on the same."""
+    return _differences(stations.tobytes(), period)
 
 
 @lru_cache(maxsize=64)
 def _differences(stations: bytes, period: float | None) -> Differences:
-    """Kept, as batch after batch is differentiated on the same stations."""
     return Differences(np.frombuffer(stations), period)
 
 
@@ -48,11 +56,24 @@ class Differences:
         if not (self._gaps > 0.0).all():
             raise GeometryError("stations must increase, and end before the period")
         self._is_even = are_even(self._gaps)
+        self._is_periodic = period is not None
         self._ends = {
             (end, order): _at_end(end, stations, self._gaps, order, period is not None)
             for end in (0, -1)
             for order in (1, 2)
         }
+
+    @cached_property
+    def stencil(self) -> Stencil | None:
+        """The first derivative in numbers, for compiled loops; None on uneven stations."""
+        if not self._is_even:
+            return None
+        count = len(self._gaps) + (not self._is_periodic)
+        first, last = (self._ends[end, 1] for end in (0, -1))
+        places = (np.array([index % count for index, _ in each]) for each in (first, last))
+        weights = (np.array([weight for _, weight in each]) for each in (first, last))
+        ends = [array for pair in zip(places, weights, strict=True) for array in pair]
+        return 0.5 / float(self._gaps[0]), (ends[0], ends[1], ends[2], ends[3])
 
     def derivative(self, values: Floats, order: int = 1, out: Floats | None = None) -> Floats:
         """(..., S) of `values` (..., S), the first or the second; in `out` where there is one."""

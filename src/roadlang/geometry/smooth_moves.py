@@ -58,8 +58,7 @@ def surely_smooth(
     `gaps` (n,) of the stations.
     """
     found = np.zeros(len(curvature), dtype=bool)
-    least = LEAST_ADVANCE * float(gaps.max()) * (1.0 + _DOUBT)
-    most = (1.0 - _DOUBT) * QUARTER_TURN
+    least, most = limits(gaps)
     longest = np.broadcast_to(base.longest, found.shape)
     for rows in blocks(curvature):
         own = steps.part(rows)
@@ -73,6 +72,13 @@ def surely_smooth(
         is_bent = bend * steps.longest[rows] >= most
         found[rows] = (advance > least * longest[rows]) & (onward > 0.0) & ~is_bent
     return found
+
+
+def limits(gaps: Floats) -> tuple[float, float]:
+    """The least advance of a line that is certain not to fold, for each meter of the longest step
+    that it follows, meters; and the greatest turn over its longest step, radians. `gaps` (n,) of
+    the stations."""
+    return LEAST_ADVANCE * float(gaps.max()) * (1.0 + _DOUBT), (1.0 - _DOUBT) * QUARTER_TURN
 
 
 def _products(a: tuple[Floats, Floats], b: tuple[Floats, Floats]) -> Floats:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Callable, Iterable
 from functools import cache
 from types import ModuleType
@@ -10,18 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry import compiling
 from ...geometry.arrays import Floats, Integers
+from ...geometry.compiling import OPTIONS as OPTIONS
+from ...geometry.compiling import is_installed as is_installed
 from ..lines import lines
 from . import kernels
 from . import vehicle_dynamics as dynamics
 from .bodies import Bodies
 from .motion import Motion, Track
-
-
-@cache
-def is_installed() -> bool:
-    """Whether there is a numba (`pip install roadlang[fast]`)."""
-    return importlib.util.find_spec("numba") is not None
 
 
 def advance(
@@ -126,42 +122,16 @@ def corridors_kernel() -> Any:
     return compile_loop(kernels.gaps_in_corridors)
 
 
-OPTIONS: Any = {"error_model": "numpy"}  # never `fastmath`: it changes bits
-
-
 def compile_loop(loop: Callable[..., Any], *more: ModuleType) -> Any:
     """Takes half a second the first time, and more where it has to compile: once, and anew when
     the formulas change. `more`: modules beside those here, of what the loop calls."""
-    import numba
-
     _register_formulas()
-    keyed = _keyed(loop, _digest(*more))
-    try:
-        return numba.njit(cache=True, nogil=True, **OPTIONS)(keyed)
-    except RuntimeError:  # neither the installation nor a folder of the user can be written
-        return numba.njit(nogil=True, **OPTIONS)(keyed)
-
-
-def _keyed(loop: Callable[..., Any], digest: str) -> Callable[..., Any]:
-    """The loop as a function that holds a digest: numba's cache looks at the file of a function
-    and at what the function holds, but not at the files of those that it calls."""
-
-    def keyed(*arguments: Any) -> Any:
-        if digest:
-            return loop(*arguments)
-        return None
-
-    keyed.__name__ = keyed.__qualname__ = loop.__name__
-    return keyed
+    return compiling.compiled(loop, _digest(*more))
 
 
 def _digest(*more: ModuleType) -> str:
     """Of the text of everything that is compiled."""
-    import hashlib
-    import inspect
-
-    text = "".join(inspect.getsource(module) for module in (kernels, dynamics, lines, *more))
-    return hashlib.sha256(text.encode()).hexdigest()
+    return compiling.digest_of(kernels, dynamics, lines, *more)
 
 
 def register(formulas: Iterable[Callable[..., Any]], loops: Iterable[Callable[..., Any]]) -> None:
