@@ -94,5 +94,8 @@ class BendModel:
     def _joined(self, embedded: Floats, others: Floats) -> Floats:
         import numpy as np
 
-        bends = (embedded - self._center) * self._scale
-        return np.concatenate([bends, others * _OTHERS**0.5], axis=1)
+        joined = np.empty((len(embedded), embedded.shape[1] + others.shape[1]))
+        bends = np.subtract(embedded, self._center, out=joined[:, : embedded.shape[1]])
+        bends *= self._scale
+        np.multiply(others, _OTHERS**0.5, out=joined[:, embedded.shape[1] :])
+        return joined

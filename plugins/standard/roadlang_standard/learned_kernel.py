@@ -28,7 +28,9 @@ class Kernel:
 
     def __init__(self, mean: float) -> None:
         self._mean = mean
-        self._known = self.weights = self._factor = _none()
+        self.weights = _none()
+        self._singles: tuple[Singles, Singles, Singles] | None = None
+        """of the last fit what predictions take: points, weights and the factor of the kernel"""
         self._variance = 0.0
         """of the values, as the process has it that the kernel stands for"""
 
@@ -39,14 +41,14 @@ class Kernel:
         import numpy as np
         from scipy.linalg import cho_factor, cho_solve
 
-        self._known = points
         apart = np.sqrt(3.0 * squares_apart(points, points))
         decay = np.exp(-apart)
         kernel = (1.0 + apart) * decay
         kernel[np.diag_indices(len(kernel))] += _NOISE
         factor = cho_factor(kernel, lower=True, overwrite_a=True, check_finite=False)
         self.weights = cho_solve(factor, values - self._mean, check_finite=False)
-        self._factor = factor[0]
+        known, weights = points.astype(np.float32), self.weights.astype(np.float32)
+        self._singles = known, weights, factor[0].astype(np.float32)
         self._variance = float((values - self._mean) @ self.weights) / len(values)
         return np.asarray(decay)
 
@@ -64,18 +66,19 @@ class Kernel:
         import numpy as np
         from scipy.linalg import solve_triangular
 
-        apart = squares_apart(points, self._known.astype(np.float32))
+        assert self._singles is not None
+        known, weights, factor = self._singles
+        apart = squares_apart(points, known)
         apart *= 3.0
         np.sqrt(apart, out=apart)
         kernel = np.exp(-apart)
         apart += 1.0
         kernel *= apart
-        found = self._mean + (kernel @ self.weights.astype(np.float32)).astype(np.float64)
+        found = self._mean + (kernel @ weights).astype(np.float64)
         if not optimism:
             return np.asarray(found)
-        factor = self._factor.astype(np.float32)
-        known = solve_triangular(factor, kernel.T, lower=True, check_finite=False)
-        unknown = np.maximum(1.0 - np.einsum("ij,ij->j", known, known), 0.0)
+        solved = solve_triangular(factor, kernel.T, lower=True, check_finite=False)
+        unknown = np.maximum(1.0 - np.einsum("ij,ij->j", solved, solved), 0.0)
         return np.asarray(found - optimism * np.sqrt(max(self._variance, 0.0) * unknown))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from . import compiling, row_loops
 from .arrays import Booleans, Floats, Integers, read_only
 
-LOADING = 4_000_000
+LOADING = 1_000_000
 """Numbers of rows for which numpy takes about as long as it takes to load the compiled loops."""
 _worked = [0]
 """Numbers of this process: they decide which of two ways is used, which are the same to the last

@@ -17,7 +17,7 @@ from .displaced_curvature import SLOWEST
 from .moved_batch import heading_of_rows, moved_along_normal
 from .smooth_moves import limits
 
-_AT_ONCE = 32
+_AT_ONCE = 48
 """Rows that are moved together: all that is known of them fits into a cache."""
 
 
