@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -146,3 +148,30 @@ def _runs(process: int) -> bool:
         ["ps", "-o", "stat=", "-p", str(process)], capture_output=True, text=True, check=False
     ).stdout
     return bool(state.strip()) and not state.startswith("Z")
+
+
+class Interrupting:
+    """A state whose copy in a worker is made while Ctrl-C arrives, before the first job."""
+
+    def __reduce__(self) -> tuple[Callable[[], str], tuple[()]]:
+        return _interrupted_copy, ()
+
+
+def _interrupted_copy() -> str:
+    os.kill(os.getpid(), signal.SIGINT)
+    return "copied"
+
+
+def interrupted(state: Any, job: int) -> tuple[Any, int]:
+    """Ctrl-C arrives again during the job, and in a program that is started for it."""
+    os.kill(os.getpid(), signal.SIGINT)
+    program = [sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGINT)"]
+    return state, subprocess.run(program, stderr=subprocess.DEVNULL).returncode
+
+
+def test_interruptions_are_for_whoever_hands_out_the_work() -> None:
+    with WorkerPool(Interrupting(), Workers(2)) as pool:
+        found = list(pool.map(interrupted, range(8)))
+    assert found == [("copied", -signal.SIGINT)] * 8
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())

@@ -8,8 +8,9 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
 from functools import partial
+from multiprocessing import resource_tracker
 from typing import Any
 
 from ..plugins.termination import Terminated, end_on_sigterm
@@ -34,10 +35,8 @@ class WorkerProcesses:
         done, deaths = 0, 0
         while done < len(jobs):
             try:
-                submit: Callable[..., Any] = self._started().submit
-                for result in results_in_order(
-                    partial(submit, _run, work), jobs[done:], self._count
-                ):
+                submit = partial(_submit, self._started(), work)
+                for result in results_in_order(submit, jobs[done:], self._count):
                     done += 1
                     deaths = 0
                     yield result
@@ -69,6 +68,21 @@ class WorkerProcesses:
         return self._executor
 
 
+def _submit(
+    executor: ProcessPoolExecutor, work: Callable[[Any, Any], Any], job: Any
+) -> Future[Any]:
+    """Hand out a job. A process that is started for it does not hear Ctrl-C, which goes to all
+    processes of a terminal: whoever hands out the work ends it."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        return executor.submit(_run, work, job)
+    resource_tracker.ensure_running()  # where it has to be started it lets signals through
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        return executor.submit(_run, work, job)
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 _CLEANING = 10.0
 """Seconds that a worker whose parent was killed may take to end the programs that it started."""
 _process_state: list[Any] = []
@@ -81,6 +95,10 @@ _is_idle = threading.Event()
 
 
 def _start(state: Any) -> None:
+    # Not ignored: programs that are started from here would not hear it either.
+    signal.signal(signal.SIGINT, lambda number, frame: None)
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     _process_state.append(state)
     _is_idle.set()
     end_on_sigterm(_is_idle.is_set)
