@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 
+from roadlang.ir.picture import Picture
+from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.picture_kind import picture_kind
 from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
 from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
@@ -69,3 +72,40 @@ def test_kinds_of_drawings_are_told_apart(seed: int) -> None:
     assert picture_kind(draw_filled("suburb", seed).image).name == "filled drawing"
     mask = draw_filled("grid", seed, ground=(0, 0, 0), road=(255, 255, 255)).image
     assert picture_kind(mask).name == "mask"
+
+
+def _plan() -> tuple[np.ndarray, np.ndarray]:
+    """A drawn plan (h, w, 3) and the axis (n, 2) of its road: wide, between two lines with open
+    ends, with a dash-dotted axis, dimensions, a frame and a title block."""
+    x = np.linspace(60, 840, 200)
+    axis = np.column_stack([x, 260 - 90 * np.tanh((x - 450) / 160)])
+    along = np.gradient(axis, axis=0)
+    left = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
+    image = np.full((560, 900, 3), 255, np.uint8)
+    for side in (30, -30):
+        _lined(image, axis + side * left, (0, 0, 0), 3)
+    for start in range(0, 190, 12):
+        _lined(image, axis[start : start + 7], (0, 0, 255), 1)
+    cv2.rectangle(image, (15, 15), (885, 545), (0, 0, 0), 2)
+    cv2.rectangle(image, (640, 440), (885, 545), (0, 0, 0), 2)
+    cv2.line(image, (60, 500), (560, 500), (0, 0, 0), 1)
+    for tick in (60, 310, 560):
+        cv2.line(image, (tick, 490), (tick, 510), (0, 0, 0), 1)
+    for text, place in (("125.00 m", (140, 494)), ("140.00 m", (400, 494)), ("PLAN", (680, 500))):
+        cv2.putText(image, text, place, cv2.FONT_HERSHEY_SIMPLEX, 0.6, (0, 0, 0), 1, cv2.LINE_AA)
+    return image, axis
+
+
+def _lined(image: np.ndarray, line: np.ndarray, color: tuple[int, int, int], pen: int) -> None:
+    points = np.round((line + 0.5) * 16 - 8).astype(np.int32)
+    cv2.polylines(image, [points], False, color, pen, cv2.LINE_AA, 4)
+
+
+def test_a_plan_with_dimensions_and_a_title_block_is_one_road(distance_to: Any) -> None:
+    image, axis = _plan()
+    found = Auto().extract(Picture(image, 1.0))
+    assert found.remarks[0] == "read as an edge-line drawing"
+    (road,) = found.network.edges
+    points = Picture(image, 1.0).to_pixels(road.curve.at(np.linspace(0, road.length, 200)))
+    assert distance_to(points, axis).max() < 2.0
+    assert abs(float(np.median(road.width.at(np.linspace(0, road.length, 50)))) - 60) < 3

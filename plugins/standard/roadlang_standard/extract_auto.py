@@ -87,7 +87,7 @@ class Auto(Extractor):
             if on_paper is not None:
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = roads_of_map(picture.pixels, width) if seen.drawn else None
-            if rendered is not None:
+            if rendered is not None and not seen.is_plan:
                 return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
             if seen.named(MAP):
                 drawn = extraction(picture, roads_of_drawing(picture.pixels, width=width))

@@ -13,13 +13,15 @@ from roadlang.geometry import Booleans
 
 from .dashed_roads import with_dashes_joined
 from .found_network import FoundNetwork
+from .long_lines import long_lines
 from .mask_parts import parts_of, window_around
 from .masks import roads_of_surface, without_specks
+from .objects_on_roads import with_objects
 from .open_edges import with_closed_ends
 from .road_markings import with_markings_filled
 from .road_regions import PaperParts, RoadRegion, road_regions
 from .skeleton import skeleton
-from .tones import Image, Layer, away_from, layer, tones
+from .tones import Image, Layer, away_from, layer, tones, without_other_colors
 
 _BOLD, _THIN, _SOME = 3.5, 0.6, 0.03
 """Beside edge lines of at least so many pixels, thin lines have less than this share of their
@@ -49,7 +51,16 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
         layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
     ]
     best = most_like_roads([*layers, ink] if len(others) != 1 else layers)
-    best = with_dashes_joined(with_markings_filled(best, image))
+    for i, one in enumerate(layers):
+        if one is best:
+            best = without_other_colors(
+                one, image, others[i], np.vstack([paper, *_rest(others, i)])
+            )
+    best = with_markings_filled(best, image)
+    covered = with_objects(best, ink >= 0.5)
+    if covered is not best:  # lines that ended at an object lie within the road now
+        best = with_markings_filled(covered, image)
+    best = with_dashes_joined(best)
     return roads_of_surface(best, "filled road", width=width)
 
 
@@ -115,6 +126,12 @@ def has_edge_lines(ink: Booleans) -> bool:
     return bool(_between(ink)[0])
 
 
+def has_long_edge_lines(ink: Booleans) -> bool:
+    """Whether there are roads between the long lines (h, w), but for names and a frame."""
+    long = long_lines(ink)
+    return long is not None and bool(_between_all(long, _pen_width(ink)))
+
+
 def _between(ink: Booleans) -> tuple[list[RoadRegion], Booleans]:
     """The regions between edge lines, and the ink (h, w) that these are of."""
     pen = _pen_width(ink)
@@ -124,7 +141,10 @@ def _between(ink: Booleans) -> tuple[list[RoadRegion], Booleans]:
     if ribbons:
         return ribbons, ink
     bold = _without_thin_lines(ink, pen)
-    return ([], ink) if bold is None else _between(bold)
+    if bold is not None:
+        return _between(bold)
+    long = long_lines(ink)
+    return ([], ink) if long is None else (_between_all(long, pen), long)
 
 
 def _between_all(ink: Booleans, pen: float) -> list[RoadRegion]:

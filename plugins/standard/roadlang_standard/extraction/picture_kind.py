@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .drawing import has_edge_lines
+from .drawing import has_edge_lines, has_long_edge_lines
 from .exact_colors import has_exact_colors, is_shaded
 from .nodata import nodata
 from .tones import Image, away_from, flatness, thinned, tones
@@ -53,6 +53,14 @@ class PictureKind:
     def drawn(self) -> bool:
         """Whether it is anything but a photo."""
         return self.unless_edges != PHOTO
+
+    @property
+    def is_plan(self) -> bool:
+        """Whether it has few colors, and its long lines are edges of roads: a plan with dimensions
+        looks like a map in black and white else."""
+        if self.unless_edges != FILLED or self.marked is None:
+            return False
+        return has_long_edge_lines(self.marked)
 
     def named(self, name: str) -> bool:
         """Whether this is its name; no edge lines are sought where another one is plain."""

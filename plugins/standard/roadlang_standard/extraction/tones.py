@@ -14,6 +14,8 @@ Image = NDArray[np.uint8]
 Layer = NDArray[np.float32]
 
 _BINS = 5
+_STRANGE = 50.0
+"""Gray levels by which a color is off all mixtures of two tones that are no tone of its own."""
 
 
 @dataclass(frozen=True)
@@ -104,4 +106,25 @@ def layer(image: Image, color: NDArray[np.float64], others: NDArray[np.float64])
         axis = (color - other).astype(np.float32)
         along = ((pixels - other.astype(np.float32)) @ axis) / max(float(axis @ axis), 1e-6)
         result = np.minimum(result, np.clip(along, 0, 1))
+    return result
+
+
+def without_other_colors(
+    surface: Layer, image: Image, color: NDArray[np.float64], others: NDArray[np.float64]
+) -> Layer:
+    """The surface (h, w), 0..1, without what is of `color` by its lightness alone, such as an arrow
+    whose color is too rare for a tone: no mixture of `color` with one of the `others` (k, 3)."""
+    there = np.flatnonzero(surface >= 0.5)
+    pixels = image.reshape(-1, 3)[there].astype(np.float32)
+    off = np.full(len(there), np.inf, np.float32)
+    for other in others:
+        axis = (color - other).astype(np.float32)
+        along = (pixels - other.astype(np.float32)) @ axis / max(float(axis @ axis), 1e-6)
+        mixed = other.astype(np.float32) + np.clip(along, 0, 1)[:, None] * axis
+        off = np.minimum(off, np.abs(pixels - mixed).max(axis=1))
+    strange = there[off > _STRANGE]
+    if not len(strange):
+        return surface
+    result = surface.copy()
+    result.ravel()[strange] = 0
     return result

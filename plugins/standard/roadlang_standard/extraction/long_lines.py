@@ -1,0 +1,36 @@
+"""The long lines of a plan: without its frame, and without what is written or dashed in it."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+_LONG = 0.2
+"""A part that hangs together is long if it reaches over more than this share of the picture's
+shorter side: letters, dashes and arrows do not."""
+_AROUND, _RIM, _MOSTLY = 0.85, 0.06, 0.6
+"""A frame, and what is joined to it, reaches over so much of both sides; so near the border, in
+shorter sides, are more than so many of its pixels."""
+
+
+def long_lines(ink: Booleans) -> Booleans | None:
+    """The long lines of the ink (h, w); None where these are all of it, or where there are none."""
+    seen = ink.view(np.uint8)
+    _, parts, stats, _ = cv2.connectedComponentsWithStats(seen, connectivity=8)
+    sizes = stats[:, [cv2.CC_STAT_HEIGHT, cv2.CC_STAT_WIDTH]]
+    kept = sizes.max(axis=1) > _LONG * min(ink.shape)
+    kept[0] = False
+    for key in np.flatnonzero(kept & (sizes > _AROUND * np.array(ink.shape)).all(axis=1)):
+        kept[key] = not _is_frame(parts == key)
+    if not kept.any() or kept[1:].all():
+        return None
+    return np.asarray(kept[parts])
+
+
+def _is_frame(part: Booleans) -> bool:
+    """Whether most of a part (h, w) lies along the border of the picture."""
+    margin = int(np.ceil(_RIM * min(part.shape)))
+    inner = part[margin:-margin, margin:-margin]
+    return bool(np.count_nonzero(inner) < (1 - _MOSTLY) * np.count_nonzero(part))

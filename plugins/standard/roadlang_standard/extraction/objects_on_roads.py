@@ -1,0 +1,39 @@
+"""What stands on a drawn road in a color of its own, such as a car: there is road beneath it."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+from .mask_parts import parts_of
+from .tones import Layer
+
+_BESIDE = 0.5
+"""More than this share of what is around it is road."""
+_NARROW = 0.6
+"""It is at most so many widths of the road thick: an island may be as wide as the road is."""
+_USUAL = 0.7
+"""Quantile of the distances from edge to middle that is half the usual width."""
+
+
+def with_objects(surface: Layer, marked: Booleans) -> Layer:
+    """The surface (h, w), 0..1, with the parts of what is `marked` (h, w) that stand on it."""
+    mask = surface >= 0.5
+    count, parts = parts_of(marked & ~mask, 8)
+    if count == 1 or not mask.any():
+        return surface
+    inner = cv2.distanceTransform(mask.view(np.uint8), cv2.DIST_L2, 5)
+    ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & mask]
+    widest = _NARROW * (2 * float(np.quantile(ridge, _USUAL)) - 1)
+    rim = cv2.dilate(parts.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.int32)
+    rim[parts > 0] = 0
+    around = np.bincount(rim.ravel(), minlength=count)
+    road = np.bincount(rim[mask], minlength=count)
+    thick = np.zeros(count, np.float32)
+    depth = cv2.distanceTransform((parts > 0).view(np.uint8), cv2.DIST_L2, 5)
+    np.maximum.at(thick, parts.ravel(), depth.ravel())
+    stands = (road > _BESIDE * around) & (2 * thick - 1 < widest)
+    stands[0] = False
+    return np.where(stands[parts], np.float32(1), surface) if stands.any() else surface
