@@ -54,3 +54,9 @@ def test_islands_and_what_stands_beside_a_road_are_no_part_of_it() -> None:
     assert with_objects(road, marked) is road
     marked[85:100, 20:50], road[85:100, 20:50] = True, 0
     assert with_objects(road, marked)[85:100, 20:50].all()
+
+
+def test_the_soft_edge_of_a_road_is_no_object_on_it() -> None:
+    road, marked = np.zeros((100, 300), np.float32), np.zeros((100, 300), bool)
+    road[3:23], marked[:23] = 1, True
+    assert with_objects(road, marked) is road

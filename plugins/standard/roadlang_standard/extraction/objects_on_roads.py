@@ -12,8 +12,9 @@ from .tones import Layer
 
 _BESIDE = 0.5
 """More than this share of what is around it is road."""
-_NARROW = 0.6
-"""It is at most so many widths of the road thick: an island may be as wide as the road is."""
+_THIN, _LEAST, _NARROW = 0.25, 4.0, 0.6
+"""It is at least so many widths of the road thick, and so many pixels: soft edges are thinner; and
+at most so many widths: an island may be as wide as the road is."""
 _USUAL = 0.7
 """Quantile of the distances from edge to middle that is half the usual width."""
 
@@ -21,19 +22,24 @@ _USUAL = 0.7
 def with_objects(surface: Layer, marked: Booleans) -> Layer:
     """The surface (h, w), 0..1, with the parts of what is `marked` (h, w) that stand on it."""
     mask = surface >= 0.5
-    count, parts = parts_of(marked & ~mask, 8)
+    rest = (marked & ~mask).view(np.uint8)
+    rest = cv2.morphologyEx(rest, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    count, parts = parts_of(rest > 0, 8)
     if count == 1 or not mask.any():
         return surface
     inner = cv2.distanceTransform(mask.view(np.uint8), cv2.DIST_L2, 5)
     ridge = inner[(inner >= cv2.dilate(inner, np.ones((3, 3)))) & mask]
-    widest = _NARROW * (2 * float(np.quantile(ridge, _USUAL)) - 1)
+    usual = 2 * float(np.quantile(ridge, _USUAL)) - 1
     rim = cv2.dilate(parts.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.int32)
     rim[parts > 0] = 0
     around = np.bincount(rim.ravel(), minlength=count)
     road = np.bincount(rim[mask], minlength=count)
     thick = np.zeros(count, np.float32)
-    depth = cv2.distanceTransform((parts > 0).view(np.uint8), cv2.DIST_L2, 5)
-    np.maximum.at(thick, parts.ravel(), depth.ravel())
-    stands = (road > _BESIDE * around) & (2 * thick - 1 < widest)
+    depth = cv2.distanceTransform(rest, cv2.DIST_L2, 5)
+    there = np.flatnonzero(rest)
+    np.maximum.at(thick, parts.ravel()[there], depth.ravel()[there])
+    thick = 2 * thick - 1
+    stands = (road > _BESIDE * around) & (thick < _NARROW * usual)
+    stands &= thick >= max(_LEAST, _THIN * usual)
     stands[0] = False
     return np.where(stands[parts], np.float32(1), surface) if stands.any() else surface
