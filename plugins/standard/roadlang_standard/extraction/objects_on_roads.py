@@ -35,7 +35,8 @@ def with_objects(surface: Layer, marked: Booleans) -> Layer:
     around = np.bincount(rim.ravel(), minlength=count)
     road = np.bincount(rim[mask], minlength=count)
     thick = np.zeros(count, np.float32)
-    depth = cv2.distanceTransform(rest, cv2.DIST_L2, 5)
+    within = cv2.copyMakeBorder(rest, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
+    depth = cv2.distanceTransform(within, cv2.DIST_L2, 5)[1:-1, 1:-1]
     there = np.flatnonzero(rest)
     np.maximum.at(thick, parts.ravel()[there], depth.ravel()[there])
     thick = 2 * thick - 1
