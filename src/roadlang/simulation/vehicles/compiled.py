@@ -155,11 +155,11 @@ def _register_formulas() -> None:
             dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
             dynamics.accelerated, dynamics.walked, dynamics.displaced, dynamics.turned,
             dynamics.driven, dynamics.moved, lines.on_arc, kernels.place_on_line, kernels.drive,
-            kernels.drive_abreast, kernels.turn_abreast,
+            kernels.drive_abreast, kernels.turn_abreast, kernels.move_abreast,
         ),
         (
             kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
-            kernels.nearest_sample, kernels.widest, kernels.move_abreast,
+            kernels.nearest_sample, kernels.widest,
         ),
     )  # fmt: skip
     register_jitable(inline="always", **OPTIONS)(kernels.fill)
