@@ -62,15 +62,16 @@ func _add_lines(material: ShaderMaterial) -> void:
 	var dash := Vector2(size.call("DASH"), size.call("DASH_PERIOD"))
 	for side: int in [0, 1]:
 		var line := _border_line(material, side)
-		var away := 0.0
 		if line == 0 or line == int(size.call("CURB_LINE")):
 			continue
-		if line == int(size.call("EDGE")):
-			away = size.call("EDGE_INSET")
-		elif line == int(size.call("DOUBLE")):
-			away = size.call("DOUBLE_APART")
-		var is_broken := line == int(size.call("BROKEN"))
-		_add_line(side, away, width, dash if is_broken else Vector2.ZERO)
+		var is_inside := line >= int(size.call("INSIDE_SOLID"))
+		var inset: float = size.call("EDGE_INSET") if is_inside else 0.0
+		var is_broken := line == int(size.call("BROKEN")) or line == int(size.call("INSIDE_BROKEN"))
+		var is_double := line == int(size.call("DOUBLE")) or line == int(size.call("INSIDE_DOUBLE"))
+		var apart: float = size.call("DOUBLE_APART") if is_double else 0.0
+		_add_line(side, inset + apart, width, dash if is_broken else Vector2.ZERO)
+		if is_double and is_inside:
+			_add_line(side, inset - apart, width, Vector2.ZERO)
 	if material.get_shader_parameter("marked") == true:
 		for lane in range(1, _lanes):
 			_add_line(float(lane) / _lanes, 0.0, width, dash)

@@ -149,6 +149,15 @@ def test_the_shader_of_roads_paints_by_the_numbers_of_the_rule() -> None:
     assert {name: found[name] for name in expected} == expected
 
 
+def test_the_exporter_asks_the_shader_for_numbers_that_it_has() -> None:
+    """By name; it would take a missing one for 0."""
+    folder = engines.project()
+    text = (folder / "export/lane_paint.gd").read_text()
+    asked = set(re.findall(r'(?:size\.call|shader, )\(?"(\w+)"', text))
+    assert {"LINE", "CURB", "INSIDE_SOLID"} <= asked
+    assert asked <= set(constants(folder / "build/shaders/road.gdshader"))
+
+
 def test_lanes_have_the_colors_of_their_looks_in_the_engine() -> None:
     looks = (engines.project() / "build/looks.gd").read_text()
     rows = re.findall(r"\[Color\(([\d., ]+)\), ([\d.]+), (true|false)\]", looks)
