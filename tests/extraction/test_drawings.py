@@ -96,6 +96,24 @@ def _plan() -> tuple[np.ndarray, np.ndarray]:
     return image, axis
 
 
+def test_the_paper_within_a_frame_is_no_road() -> None:
+    """A road with open ends divides it into a long part, about as wide everywhere."""
+    x = np.linspace(40, 960, 200)
+    axis = np.column_stack([x, 350 - 110 * np.tanh((x - 500) / 200)])
+    along = np.gradient(axis, axis=0)
+    left = np.column_stack([-along[:, 1], along[:, 0]]) / np.hypot(*along.T)[:, None]
+    image = np.full((700, 1000, 3), 255, np.uint8)
+    for side in (36, -36):
+        _lined(image, axis + side * left, (40, 40, 40), 2)
+    cv2.rectangle(image, (12, 12), (988, 688), (40, 40, 40), 2)
+    cv2.line(image, (60, 600), (500, 600), (40, 40, 40), 1)
+    cv2.putText(image, "Profile A-A", (60, 640), cv2.FONT_HERSHEY_SIMPLEX, 0.8, (40, 40, 40), 1, 16)
+    found = roads_by_contour(image, ContourSteps())
+    (road,) = found.roads
+    assert found.method == "edge lines"
+    assert abs(float(np.median(road.widths)) - 72) < 4
+
+
 def _lined(image: np.ndarray, line: np.ndarray, color: tuple[int, int, int], pen: int) -> None:
     points = np.round((line + 0.5) * 16 - 8).astype(np.int32)
     cv2.polylines(image, [points], False, color, pen, cv2.LINE_AA, 4)

@@ -25,6 +25,9 @@ _LONG, _PIECE = 12.0, 1.2
 """Least length over width of a road, and of a piece of one."""
 _ALIKE = (0.6, 1.6)
 """Widths of the pieces, in widths of the main road."""
+_WIDEST, _LONGEST = 0.2, 1.5
+"""A road is not wider than the first share of the picture's shorter side and longer than so many
+times the sum of both sides: a ring that is as large as the picture is not so long."""
 _USUAL = 0.9
 """Quantile of the distances from edge to middle that is half the usual width."""
 
@@ -65,6 +68,15 @@ class _Region:
         widest = 2 * float(self.half_widths[-1])
         return self.rim <= _LEAVING * width and widest <= _UNEVEN * width
 
+    def fills(self, shape: tuple[int, ...]) -> bool:
+        """Whether it would be too wide for its length in a picture (h, w): it is all of the paper
+        within a frame."""
+        widest, longest = _WIDEST * min(shape), _LONGEST * sum(shape)
+        if self.area < widest * longest:
+            return False
+        width = self.width()
+        return width > widest and self.area > longest * width
+
     def elongation(self, width: float) -> float:
         """Length over width, if it is usually so wide."""
         return float(self.area) / max(width, 1.0) ** 2
@@ -101,7 +113,11 @@ def road_regions(ink: Booleans, parts: PaperParts | None = None) -> list[RoadReg
     likely = []
     for region in _regions(ink, labels, np.bincount(labels.ravel(), minlength=parts.count)):
         least, most = region.width_between()
-        if region.is_even(most) and region.elongation(least) > _PIECE:
+        if (
+            region.is_even(most)
+            and region.elongation(least) > _PIECE
+            and not region.fills(ink.shape)
+        ):
             likely.append((region, least))
     if not any(region.elongation(least) > _LONG for region, least in likely):
         return []
