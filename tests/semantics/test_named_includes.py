@@ -55,3 +55,12 @@ def test_an_example_means_the_same_under_a_name(name: str, tmp_path: Path) -> No
     for each in (name, "street"):  # which one of them includes
         (tmp_path / f"{each}.rl").write_text((EXAMPLES / f"{each}.rl").read_text())
     same_under_a_name(tmp_path / f"{name}.rl")
+
+
+def test_nothing_is_left_out_without_a_word(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("roadlang.semantics.lower.actors.place_of", lambda *given: None)
+    (tmp_path / "part.rl").write_text(ROAD)
+    with pytest.raises(AssertionError, match="nothing says why ego is left out"):
+        roadlang.load(tmp_path / "part.rl").scenario  # noqa: B018

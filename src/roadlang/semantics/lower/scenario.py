@@ -13,6 +13,9 @@ from .evaluation_order import evaluation_order
 from .named_values import named_signals
 from .statements import STATEMENTS
 
+_NAMED_VALUES = ("param", "let")
+"""Statements that may name a signal or a formula, which is in no scenario by itself"""
+
 
 def lower(checker: Checker) -> ir.Scenario:
     """The scenario; where errors were reported it lacks what they concern."""
@@ -25,6 +28,7 @@ def lower(checker: Checker) -> ir.Scenario:
     }
     unnamed = _unnamed(checker)
     order = evaluation_order(checker)
+    _refuse_lost(checker, lowered)
     groups: dict[str, list[Any]] = {}
     for name in order:
         spec = STATEMENTS[program.declarations[name].role]
@@ -40,6 +44,16 @@ def lower(checker: Checker) -> ir.Scenario:
         inputs=tuple(ir.Input(path) for path in dict.fromkeys(program.inputs)),
         **{field: tuple(found) for field, found in groups.items()} | unnamed,
     )
+
+
+def _refuse_lost(checker: Checker, lowered: dict[str, Any]) -> None:
+    """A bug, not a scenario without it, where a declaration is left out and nothing says why."""
+    if not checker.has_errors:
+        roles = {name: checker.program.declarations[name].role for name in lowered}
+        lost = [
+            n for n, found in lowered.items() if found is None and roles[n] not in _NAMED_VALUES
+        ]
+        assert not lost, f"nothing says why {', '.join(lost)} is left out"
 
 
 def _lower_statement(checker: Checker, declaration: PlacedStatement) -> Any:
