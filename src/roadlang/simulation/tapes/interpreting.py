@@ -48,7 +48,7 @@ def repeated(
                 r[k, j] = state[k, i]
             for k in range(columns.shape[0]):
                 r[given + k, j] = columns[k, i]
-        for time in range(times):
+        for time in range(whole):
             if not once(r, rows, text, where, dt, samples, (each * time, begin, used)):
                 whole = min(whole, time)
                 break

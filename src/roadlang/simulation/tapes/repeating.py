@@ -31,6 +31,8 @@ class Repetition:
     period: int
     """steps"""
     sampled: int
+    is_over: bool = False
+    """whether it did not come to its end once: then every step is made by itself"""
 
     @classmethod
     def of(
@@ -53,7 +55,7 @@ class Repetition:
     def drive(self, world: World, recorder: Recorder, last: int) -> bool:
         """Go on by some periods, to the step `last` at most. The last sample is left to be
         recorded. False where it cannot go on like this now."""
-        if world.tick % self.period:
+        if self.is_over or world.tick % self.period:
             return False
         seconds = self.period * world.dt
         times = min((last - world.tick) // self.period, max(1, round(AT_ONCE / seconds)))
@@ -61,6 +63,7 @@ class Repetition:
             return False
         went_on, out, samples = self._repeated(world, times)
         if went_on < times:  # a number is infinite: go on until there, where it is said what is
+            self.is_over = True
             if not went_on:
                 return False
             _, out, samples = self._repeated(world, went_on)
