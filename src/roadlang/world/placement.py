@@ -14,7 +14,7 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import counts, is_group, most_copies
 from .named_roads import name_of_road
-from .placement_order import can_be_placed_again
+from .placement_order import can_be_placed_again, placement_order
 from .placement_without_overlap import Arrangement
 from .positions import starts_of
 from .relative_lanes import may_be_missing
@@ -149,9 +149,17 @@ def _no_place(actor: ScenarioActor, candidates: CandidateBatch) -> Integers:
 def room_among_others(actor: ScenarioActor, candidates: CandidateBatch) -> Floats:
     """(V,) 0 where every copy found a place clear of what was placed before; else below zero, the
     meters that it lacks."""
+    if candidates.record is None and _is_in_nobodys_way(actor, candidates):
+        return np.full(candidates.count, -0.0)  # wherever it is: that need not be found
     found = _arrangement(candidates).placed(actor)
     missing = np.where(found["present"].astype(bool), found["missing"], 0.0)
     return np.asarray(-missing.max(axis=1, initial=0.0))
+
+
+def _is_in_nobodys_way(actor: ScenarioActor, candidates: CandidateBatch) -> bool:
+    """Whether it is one alone, placed first and once and for all."""
+    is_first = placement_order(candidates.scenario)[0].name == actor.name
+    return is_first and not is_group(actor) and not can_be_placed_again(actor, candidates)
 
 
 def placed_tries(actor: ScenarioActor, candidates: CandidateBatch) -> Integers:
