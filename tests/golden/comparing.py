@@ -14,11 +14,14 @@ _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 NUMBERS, FIGURE = 1e-9, 0.011
 """Least differences that count: of numbers, and of figures, which have two decimals."""
 _RELATIVE = 1e-7
+_SIZE, _OF_SIZES = re.compile(r"\bbytes\"?: "), 1e-3
+"""Sizes of files: the last digits of numbers, some of them zeros, vary from processor to processor."""
 _SHOWN = 12
 
 
 def same(line: str, stored: str, absolute: float = NUMBERS) -> bool:
-    """Whether two lines say the same: words exactly, numbers to 1e-7 of the largest."""
+    """Whether two lines say the same: words exactly, numbers to 1e-7 of the largest, sizes of
+    files to a thousandth."""
     if line == stored:
         return True
     if _NUMBER.sub("#", line) != _NUMBER.sub("#", stored):
@@ -28,7 +31,8 @@ def same(line: str, stored: str, absolute: float = NUMBERS) -> bool:
         for a, b in zip(_NUMBER.findall(line), _NUMBER.findall(stored), strict=True)
     ]
     largest = max(max(abs(a), abs(b)) for a, b in pairs)
-    return all(abs(a - b) <= max(absolute, _RELATIVE * largest) for a, b in pairs)
+    relative = _OF_SIZES if _SIZE.search(line) else _RELATIVE
+    return all(abs(a - b) <= max(absolute, relative * largest) for a, b in pairs)
 
 
 def differences(
