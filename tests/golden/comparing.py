@@ -15,7 +15,7 @@ NUMBERS, FIGURE = 1e-9, 0.011
 """Least differences that count: of numbers, and of figures, which have two decimals."""
 _RELATIVE = 1e-7
 _SIZE, _OF_SIZES = re.compile(r"\bbytes\"?: "), 1e-3
-"""Sizes of files: the last digits of numbers, some of them zeros, vary from processor to processor."""
+"""Sizes of files: the last digits of numbers, some of them zeros, depend on the processor."""
 _SHOWN = 12
 
 
