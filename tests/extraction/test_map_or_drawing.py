@@ -69,3 +69,19 @@ def test_edge_lines_are_found_beside_thinner_dimension_lines() -> None:
     cv2.putText(image, "120 m", (330, 340), cv2.FONT_HERSHEY_SIMPLEX, 0.7, (0, 0, 0), 1)
     (road,) = Auto().extract(Picture(image, 1.0)).network.edges
     assert road.width.at(road.length / 2) == pytest.approx(50, abs=2)
+
+
+@pytest.mark.parametrize("land", [(255, 255, 255), (90, 170, 110)])
+@pytest.mark.parametrize(("width", "line"), [(22, 3), (22, 5), (40, 5)])
+def test_a_wide_road_with_a_yellow_middle_line_is_one_road(
+    land: tuple[int, int, int], width: int, line: int
+) -> None:
+    """The line is as long as the road, and its color differs from all else."""
+    x = np.arange(-10, 720, 10)
+    course = np.stack([x, 250 + 120 * np.sin(x / 110)], axis=1).round().astype(np.int32)
+    image = cv2.polylines(picture(land), [course], False, (90, 90, 90), width, cv2.LINE_AA)
+    image = cv2.polylines(image, [course], False, (0, 215, 255), line, cv2.LINE_AA)
+    found = Auto().extract(Picture(image, 1.0))
+    assert found.remarks[0] != "read as a rendered map"
+    (road,) = found.network.edges
+    assert road.length == pytest.approx(np.hypot(*np.diff(course, axis=0).T).sum(), rel=0.05)

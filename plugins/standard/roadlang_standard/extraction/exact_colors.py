@@ -34,9 +34,9 @@ so many pixels a side, and all of them on more than the other share."""
 _LAND, _PURE = 0.5, 5
 """Or it has one exactly on more than this share, which is off black and white by so much."""
 _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
-"""Of 4 x 4 blocks, the most frequent color has a tenth of the area of at least 12 (paper has
-another color in a shadow), and is the same in each, within so many gray levels (pixels within 7):
-paper is never lit so evenly."""
+"""Of 4 x 4 blocks, one of the two most frequent colors has a tenth of the area of at least 12
+(paper has another color in a shadow), and is the same in each, within so many gray levels (pixels
+within 7): paper is never lit so evenly."""
 _STILL, _STILLS = 1, 0.03
 """What varies by no more gray levels within 3 x 3 pixels is still; JPEG leaves it so far from edges
 of a map, on more than this share of it."""
@@ -65,8 +65,9 @@ def has_exact_colors(image: Image) -> bool:
     colors = flat_colors(small)[:_COLORS]
     if len(colors) >= _SEVERAL:
         share, off = _near(small, colors)
-        seems_exact = share > _MOST and off <= _MAP_OFF and _is_even(small, colors[0])
-        if seems_exact and flatness(image) > _LEAST_FLAT:
+        # Where the sea or a park has the most frequent color, the next one is the land's.
+        is_even = any(_is_even(small, color) for color in colors[:2])
+        if share > _MOST and off <= _MAP_OFF and is_even and flatness(image) > _LEAST_FLAT:
             return True
     return len(found) >= _PARTS and _has_few_still_colors(part)
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .map_tones import MapTone
+from .map_lines import THIN
+from .map_tones import MapTone, map_tone
 from .road_markings import with_markings_filled
 
 LETTERED = 0.003
@@ -28,6 +29,9 @@ _MARKED = 0.02
 """Share of the roads of a drawing that is painted on them."""
 _MOSTLY = 0.5
 """So much of lines within roads is painted on these."""
+_WHOLE, _TIMES, _ENCLOSED = 0.35, 3.0, 0.6
+"""Drawn roads with all that is painted on them keep their width on this share of their surface, are
+so many times as wide as a line on them, and are around so much of it."""
 _GRAY = np.array([0.114, 0.587, 0.299])
 
 
@@ -63,13 +67,27 @@ def _names_nothing(road: MapTone, letters: Booleans) -> bool:
 
 
 def _are_markings(land: MapTone, roads: Sequence[MapTone]) -> bool:
-    """Whether most of what was taken for roads is painted on what is neither that nor land."""
+    """Whether most of what was taken for roads, or one color of it, is painted on a wide road."""
+    drawn = ~land.mask
+    whole = map_tone(land.color, drawn)
+    if whole.steady < _WHOLE:
+        return False
     lines = np.logical_or.reduce([road.mask for road in roads])
-    rest = ~(land.mask | lines)
-    filled = with_markings_filled(rest.astype(np.float32)) >= 0.5
-    return bool((filled & lines).sum() > _MOSTLY * lines.sum())
+    filled = with_markings_filled((drawn & ~lines).astype(np.float32)) >= 0.5
+    if (filled & lines).sum() > _MOSTLY * lines.sum():
+        return True
+    return any(_TIMES * road.width <= whole.width and _within(road, drawn) for road in roads)
+
+
+def _within(line: MapTone, drawn: Booleans) -> bool:
+    """Whether all that is drawn (h, w) goes on at both sides of most of a line."""
+    lines = line.mask.astype(np.uint8)
+    near, far = (cv2.dilate(lines, np.ones((side, side), np.uint8)) > 0 for side in (5, 9))
+    return bool(drawn[far & ~near].mean() > _ENCLOSED)
 
 
 def _is_marked(road: MapTone) -> bool:
+    if road.width < THIN:
+        return False
     filled = with_markings_filled(road.mask.astype(np.float32)) >= 0.5
     return bool(filled.sum() - road.mask.sum() > _MARKED * road.mask.sum())

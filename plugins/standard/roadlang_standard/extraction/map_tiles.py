@@ -18,13 +18,14 @@ from .map_or_drawing import FEW, LETTERED, is_drawing
 from .map_tones import (
     LOSSY,
     MapTone,
+    color_masks,
     flat_colors,
     map_tones,
     tolerance_of,
     with_contrast,
     without_jpeg_noise,
 )
-from .map_water import without_water
+from .map_water import masks_without_water, without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
 from .shared_colors import with_streets_alone
@@ -49,6 +50,10 @@ _NEAR = 4
 _STROKE = 3
 """Strokes of letters are up to twice as thick, in pixels: what of a road is between them is part of
 it, though thinner than a road."""
+_HALO = 0.6
+"""A part of the roads of which more is about letters is an outline of letters, ..."""
+_ON_STREET, _EXTENT = 0.2, 40
+"""unless streets that reach over so many pixels are so much of what is around the word."""
 _ON_LETTERS = 0.6
 """A tone that lies so much about letters is their outline."""
 
@@ -92,7 +97,10 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     if is_drawing(chosen.tones, chosen.roads, letters, len(shown)):
         return None
     is_plain = plain is image and not thin
-    seen = chosen.tones if is_plain else without_water(map_tones(image, shown, tolerance, thin))
+    if is_plain:
+        seen = [tone.mask for tone in chosen.tones]
+    else:
+        seen = masks_without_water(shown, color_masks(image, shown, tolerance.near, thin))
     mask, others = _masks(seen, chosen, letters if thin else None)
     widest = max(_wide(tone) for tone in chosen.roads)
     surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
@@ -125,24 +133,24 @@ def _thin_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | Non
 
 
 def _masks(
-    seen: list[MapTone], chosen: _Roads, letters: Booleans | None
+    seen: list[Booleans], chosen: _Roads, letters: Booleans | None
 ) -> tuple[Booleans, list[Booleans]]:
-    """Where (h, w) the roads are, and where each of the other colors is, as `seen`.
+    """Where (h, w) the roads are, and where each of the other colors is, as `seen` (h, w).
 
     Thin roads and what is beside them are also as they are without letters, but not on these.
     """
-    mask, others = np.zeros(seen[0].mask.shape, bool), []
+    mask, others = np.zeros(seen[0].shape, bool), []
     for one, plain in zip(seen, chosen.tones, strict=True):
-        same = (road for road in chosen.roads if np.array_equal(road.color, one.color))
+        same = (road for road in chosen.roads if np.array_equal(road.color, plain.color))
         road = next(same, None)
         if road is None:
-            others.append(one.mask if letters is None else one.mask | (plain.mask & ~letters))
+            others.append(one if letters is None else one | (plain.mask & ~letters))
         elif letters is None:
-            streets = parts_touching(one.mask, road.mask) if road.shared else one.mask
+            streets = parts_touching(one, road.mask) if road.shared else one
             mask |= streets
-            others.append(one.mask & ~streets)
+            others.append(one & ~streets)
         else:
-            mask |= parts_touching(one.mask, road.mask) | (road.mask & ~letters)
+            mask |= parts_touching(one, road.mask) | (road.mask & ~letters)
     if letters is not None:
         near = _grown(mask | letters, _NEAR)
         mask |= short_parts(chosen.tones, chosen.roads, near) & ~letters
@@ -158,6 +166,7 @@ def _uncovered(
     """The surface with what letters and casings cover, and how likely roads are hidden, 0..1."""
     width, typical, widest = widths
     area = np.zeros(mask.shape, bool)
+    mask = _without_halos(mask, letters)
     for other in others:
         if (other & letters).sum() < _ON_LETTERS * other.sum():
             area |= _opened(other)
@@ -169,6 +178,26 @@ def _uncovered(
     covered = _grown(surface, width) | _opened(~surface & ~area) | letters
     hidden = np.where(surface, _ROAD, np.where(area | ~covered, _LAND, _UNKNOWN))
     return surface, hidden.astype(np.float32)
+
+
+def _without_halos(mask: Booleans, letters: Booleans) -> Booleans:
+    """Without parts about letters (h, w) on land: their outlines have the color of streets, but a
+    name on a street has that at both ends."""
+    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    areas = np.bincount(parts[mask], minlength=count)
+    halos = np.bincount(parts[mask & letters], minlength=count) > _HALO * areas
+    if not halos.any():
+        return mask
+    extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+    streets = mask & ~halos[parts] & (extents >= _EXTENT)[parts]
+    names, words = cv2.connectedComponents(letters.astype(np.uint8), connectivity=8)
+    # Of the words, the greater number where two rims meet: there are few such pixels.
+    rim = cv2.dilate(words.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.intp)
+    rim[letters] = 0
+    street, around = (np.bincount(rim[where], minlength=names) for where in (streets, rim > 0))
+    on_street = street > _ON_STREET * around
+    on_street[0] = False
+    return np.asarray(mask & (~halos[parts] | on_street[words]))
 
 
 def _opened(mask: Booleans) -> Booleans:

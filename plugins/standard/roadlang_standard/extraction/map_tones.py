@@ -94,7 +94,7 @@ class MapTone:
     @property
     def is_gray(self) -> bool:
         """Whether it is black, gray or white."""
-        return float(np.ptp(self.color)) < _GRAY * 255
+        return is_gray(self.color)
 
     @property
     def typical_width(self) -> float:
@@ -102,6 +102,11 @@ class MapTone:
         pixels."""
         mean = float(self.mask.sum()) / max(1.0, self.length)
         return mean if mean > _MIXED * self.width else self.width
+
+
+def is_gray(color: NDArray[np.float64]) -> bool:
+    """Whether a color (3,) is black, gray or white."""
+    return float(np.ptp(color)) < _GRAY * 255
 
 
 def tolerance_of(image: Image) -> Tolerance:
@@ -193,6 +198,14 @@ def map_tones(
 def _tones_of(
     image: Image, colors: list[NDArray[np.float64]], near: int, smooth: bool = False
 ) -> list[MapTone]:
+    masks = color_masks(image, colors, near, smooth)
+    return [map_tone(color, mask) for color, mask in zip(colors, masks, strict=True)]
+
+
+def color_masks(
+    image: Image, colors: list[NDArray[np.float64]], near: int, smooth: bool = False
+) -> list[Booleans]:
+    """Where (h, w) each of the `colors` of a map (h, w, 3) is, `near` as in `Tolerance`."""
     label = np.full(image.shape[:2], -1, np.int16)
     best = np.full(image.shape[:2], near + 1, np.int16)
     for index, color in enumerate(colors):
@@ -201,7 +214,7 @@ def _tones_of(
         best[closer], label[closer] = away[closer], index
     if smooth:
         label = with_thin_lines(image, label, colors)
-    return [map_tone(color, label == index) for index, color in enumerate(colors)]
+    return [label == index for index in range(len(colors))]
 
 
 def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
@@ -246,18 +259,27 @@ class _Parts:
 
 def _parts(mask: Booleans, inner: Layer, thin: Booleans) -> _Parts:
     _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
-    order = np.argsort(labels[thin], kind="stable")
-    part, width = labels[thin][order], (2 * inner[thin] - 1)[order]
-    starts = np.flatnonzero(np.diff(part)) + 1
-    pieces = np.split(width, starts) if len(width) else []
-    usual = np.array([np.median(piece) for piece in pieces])
-    near = [
-        np.mean((piece > 0.6 * middle) & (piece < 1.6 * middle))
-        for piece, middle in zip(pieces, usual, strict=True)
-    ]
-    return _Parts(
-        np.array([float(len(piece)) for piece in pieces]),
-        usual,
-        np.array([np.quantile(piece, 0.9) for piece in pieces]),
-        np.array(near),
-    )
+    part, width = labels[thin], (2 * inner[thin] - 1).astype(np.float64)
+    order = np.lexsort((width, part))
+    part, width = part[order], width[order]
+    starts = np.flatnonzero(np.r_[True, np.diff(part) > 0]) if len(part) else np.zeros(0, np.intp)
+    counts = np.diff(np.r_[starts, len(part)])
+    usual = _quantiles(width, starts, counts, 0.5)
+    middle = np.repeat(usual, counts)
+    near = (width > 0.6 * middle) & (width < 1.6 * middle)
+    even = np.add.reduceat(near.astype(np.float64), starts) if len(starts) else np.zeros(0)
+    wide = _quantiles(width, starts, counts, 0.9)
+    return _Parts(counts.astype(np.float64), usual, wide, even / np.maximum(counts, 1))
+
+
+def _quantiles(
+    values: NDArray[np.float64],
+    starts: NDArray[np.intp],
+    counts: NDArray[np.intp],
+    share: float,
+) -> NDArray[np.float64]:
+    """The quantile (n,) of each of n runs of ascending values, between two of them by lines."""
+    place = starts + share * (counts - 1)
+    low = np.floor(place).astype(np.intp)
+    high = np.minimum(low + 1, starts + counts - 1)
+    return np.asarray(values[low] + (place - low) * (values[high] - values[low]))

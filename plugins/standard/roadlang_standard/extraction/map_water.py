@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .map_tones import MapTone, map_tone
+from .map_tones import MapTone, is_gray, map_tone
 from .skeleton import skeleton
 
 _WIDE, _UNEVEN_WIDE, _BEYOND = 1.9, 1.4, 1.3
@@ -42,18 +43,28 @@ class _Width:
 
 
 def without_water(tones: list[MapTone]) -> list[MapTone]:
-    """The tones of a map, the grays darker than its land without what looks like water among roads.
+    """The tones of a map, without water as in `masks_without_water`."""
+    dry = masks_without_water([tone.color for tone in tones], [tone.mask for tone in tones])
+    return [
+        tone if mask is tone.mask else map_tone(tone.color, mask)
+        for tone, mask in zip(tones, dry, strict=True)
+    ]
+
+
+def masks_without_water(colors: list[NDArray[np.float64]], masks: list[Booleans]) -> list[Booleans]:
+    """Where (h, w) the colors of a map are, the grays darker than its land without what looks like
+    water among roads.
 
     Water is nowhere lighter than the land. A colored tone is kept whole: without its wide part,
     the remnants of a park between streets would look like roads.
     """
-    land = max(tones, key=lambda tone: float(tone.mask.sum()))
-    dried = []
-    for tone in tones:
-        dark = tone.is_gray and tone.color.mean() < land.color.mean()
-        water = _water(tone.mask) if dark else None
-        dried.append(tone if water is None else map_tone(tone.color, tone.mask & ~water))
-    return dried
+    land = colors[int(np.argmax([np.count_nonzero(mask) for mask in masks]))]
+    dry = []
+    for color, mask in zip(colors, masks, strict=True):
+        dark = is_gray(color) and color.mean() < land.mean()
+        water = _water(mask) if dark else None
+        dry.append(mask if water is None else np.asarray(mask & ~water))
+    return dry
 
 
 def _water(mask: Booleans) -> Booleans | None:

@@ -12,7 +12,7 @@ from scipy.ndimage import find_objects, sum_labels
 from roadlang.geometry import Booleans
 
 from .mask_parts import parts_of
-from .tones import Image, Layer
+from .tones import Image, Layer, away_from
 
 _THIN = 5.0
 """A marking has at least so many times its thickness of road around it, ..."""
@@ -21,16 +21,20 @@ _SHORT = 2.5
 _LINE = 6.0
 """unless it is so many times as thin."""
 _COLORED = 3.0
-"""How many times as thin a marking is that has a color where road and ground have none."""
+"""How many times as thin a marking is whose color neither road nor ground has."""
 _ENCLOSED = 0.6
 """Share of what is around such a marking that is road."""
 _LARGEST = 0.02
 """No part that is more of the picture is a marking."""
 _BESIDE, _BESIDE_COLORED = 1.5, 0.75
 """A marking has at least so many times its thickness of road on one of its sides."""
-_CHROMA = 60
+_PAINTED = 60
+"""Gray levels by which a painted color differs from road, from ground, and from what is between, as
+their edges are."""
 _FEWEST, _MOST_COLORED = 20, 0.05
-"""Pixels, and share of the picture: where more has a color, road and ground may have one too."""
+"""Pixels, and share of the picture, that have such a color: what is more is no paint."""
+_SAMPLED = 3
+"""Every so many rows and columns are looked at for the colors of road and ground."""
 
 
 def with_markings_filled(surface: Layer, image: Image | None = None) -> Layer:
@@ -40,7 +44,7 @@ def with_markings_filled(surface: Layer, image: Image | None = None) -> Layer:
     """
     mask = (surface >= 0.5).astype(np.uint8)
     filled = _plain_gaps(mask)
-    colored = None if image is None else _colored(image)
+    colored = None if image is None else _colored(image, mask)
     if colored is not None:
         filled = filled | _colored_gaps(mask, colored)
     if not filled.any():
@@ -50,19 +54,28 @@ def with_markings_filled(surface: Layer, image: Image | None = None) -> Layer:
     return np.asarray(np.where(around, np.maximum(surface, road > 2), surface), np.float32)
 
 
-def _colored(image: Image) -> Booleans | None:
-    """(h, w) the pixels with a color, of a picture in which few have one."""
-    channels = cv2.split(image)
-    chroma = cv2.subtract(cv2.max(cv2.max(*channels[:2]), channels[2]),
-                          cv2.min(cv2.min(*channels[:2]), channels[2]))  # fmt: skip
-    found = chroma > _CHROMA
+def _colored(image: Image, mask: NDArray[np.uint8]) -> Booleans | None:
+    """(h, w) the pixels of neither road's nor ground's color, if few have one of their own."""
+    seen, road = image[::_SAMPLED, ::_SAMPLED], mask[::_SAMPLED, ::_SAMPLED] > 0
+    if road.all() or not road.any():
+        return None
+    ground = np.median(seen[~road], axis=0)
+    axis = np.median(seen[road], axis=0) - ground
+    found = (mask == 0) & (away_from(image, ground) > _PAINTED)
+    differs = image[found] - ground
+    share = np.clip(differs @ axis / max(float(axis @ axis), 1.0), 0, 1)
+    found[found] = np.abs(differs - share[:, None] * axis).max(axis=1, initial=0) > _PAINTED
     count = int(np.count_nonzero(found))
-    return found if _FEWEST <= count <= _MOST_COLORED * found.size else None
+    if not _FEWEST <= count <= _MOST_COLORED * found.size:
+        return None
+    # The pixels between paint and road are mixtures of both.
+    near = cv2.dilate(found.view(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    return np.asarray(near & (mask == 0))
 
 
 def _plain_gaps(mask: NDArray[np.uint8]) -> Booleans:
     """(h, w) thin parts that are no road, and are short or as thin as lines."""
-    gaps = _gaps(mask, mask == 0, _BESIDE)
+    gaps = _gaps(mask, mask == 0, _BESIDE, _LARGEST)
     length = gaps.areas[gaps.keys] / gaps.thickness
     is_marking = (gaps.thinner > _THIN) & (length < _SHORT * gaps.width) | (gaps.thinner > _LINE)
     return gaps.union(gaps.keys[is_marking])
@@ -70,7 +83,7 @@ def _plain_gaps(mask: NDArray[np.uint8]) -> Booleans:
 
 def _colored_gaps(mask: NDArray[np.uint8], colored: Booleans) -> Booleans:
     """(h, w) thin parts within roads that have a color, however long."""
-    gaps = _gaps(mask, (mask == 0) & colored, _BESIDE_COLORED)
+    gaps = _gaps(mask, colored, _BESIDE_COLORED, _MOST_COLORED)
     if not len(gaps.keys):
         return np.zeros(mask.shape, bool)
     # The smaller label where two meet: there are few such pixels.
@@ -104,11 +117,13 @@ class _Gaps:
         return _union(self.labels, self.areas, keys)
 
 
-def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float) -> _Gaps:
-    """The small parts of the `gaps` (h, w) of a road (h, w), which is at least so many times as
+def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float, largest: float) -> _Gaps:
+    """The parts of the `gaps` (h, w) of a road (h, w) that are less than a share of the picture.
+
+    The road is at least so many times as
     wide beside them as they are thick: else the blocks of a town, which are one wide road once all
     of them are filled, would be lines upon it."""
-    labels, areas, keys = _small_parts(gaps)
+    labels, areas, keys = _small_parts(gaps, largest)
     none = np.zeros(0)
     if not len(keys):
         return _Gaps(labels, areas, keys, none, none)
@@ -170,12 +185,12 @@ def _most(
 
 
 def _small_parts(
-    gaps: Booleans,
+    gaps: Booleans, largest: float
 ) -> tuple[NDArray[np.int32], NDArray[np.int64], NDArray[np.int64]]:
     """The labels (h, w) of parts, their areas, and the labels of small ones."""
     count, labels = parts_of(gaps)
     areas = np.bincount(labels.ravel(), minlength=count)
-    keys = np.flatnonzero(areas < _LARGEST * gaps.size)
+    keys = np.flatnonzero(areas < largest * gaps.size)
     return labels, areas, keys[keys > 0]
 
 

@@ -40,7 +40,11 @@ _AREAS = 0.25
 """A tone that is so many times as wide as a road on more than this share of its surface is an
 area."""
 _CASING, _BESIDE = 3.0, 0.5
-"""Casings are at most so wide, in pixels, and lie beside a wider road with more than this share."""
+"""Casings are at most so wide, in pixels, and more than this share of them is beside a wider road,
+..."""
+_HALF, _LINED = 0.6, 0.6
+"""or they are at most so many times as wide as the road and line more than this share of its edge:
+at high resolution outlines of houses have the color, too."""
 _MANY = 0.3
 """Thin lines are streets where they are at least so long as the main roads: railways are not."""
 _HAIR = 1.2
@@ -61,6 +65,9 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     ]
     ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons)]
     sure = [tone for tone in ribbons if tone.steady >= _STEADY]
+    # Hair lines are even, such as tracks in a yard: no street is one where others are wider.
+    wider = [tone for tone in sure if tone.width > _HAIR and tone.steady_length >= _LEAST * side]
+    sure = wider or sure
     if not sure:
         return []
     # Squares: what is far less even than any roads may still be long in all.
@@ -76,7 +83,11 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         and not _is_area(tone, _AREA * max(main.width, tone.width))
         and not _is_water(tone, main, land)
     ]
-    return [main, *_joined(main, others)]
+    taken = _joined(main, others)
+    # A river between a few streets may be longer and more even than they are.
+    if _has_water_hue(main) and sum(tone.steady_length for tone in taken) >= _LEAST * side:
+        return taken
+    return [main, *taken]
 
 
 def _is_steady(tone: MapTone) -> bool:
@@ -115,14 +126,30 @@ def _is_warm(tone: MapTone) -> bool:
 
 def _is_casing(tone: MapTone, ribbons: list[MapTone]) -> bool:
     """Whether a tone is thin lines along the edges of wider roads: streets meet them at ends."""
-    if tone.width > _CASING:
-        return False
-    kernel = np.ones((2 * _EDGE + 1, 2 * _EDGE + 1), np.uint8)
     return any(
-        cv2.dilate(other.mask.astype(np.uint8), kernel)[tone.mask].mean() > _BESIDE
+        _lies_along(tone, other) or _lines(tone, other)
         for other in ribbons
         if other.width > tone.width + 1
     )
+
+
+def _lies_along(tone: MapTone, other: MapTone) -> bool:
+    if tone.width > _CASING:
+        return False
+    return bool(_grown(other.mask, _EDGE)[tone.mask].mean() > _BESIDE)
+
+
+def _lines(tone: MapTone, other: MapTone) -> bool:
+    if tone.width > _HALF * other.width or other.steady_length < _MANY * tone.steady_length:
+        return False
+    edge = _grown(other.mask, 1) & ~other.mask
+    return bool(_grown(tone.mask, 2)[edge].mean() > _LINED)
+
+
+def _grown(mask: Booleans, reach: int) -> Booleans:
+    """A mask (h, w) with the pixels within so many columns and rows of it."""
+    kernel = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
+    return np.asarray(cv2.dilate(mask.astype(np.uint8), kernel) > 0)
 
 
 def _is_plain(tone: MapTone) -> bool:
@@ -141,14 +168,22 @@ def _is_area(tone: MapTone, width: float) -> bool:
 
 def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
     """Whether a ribbon is a river rather than a road of another class than `main`."""
-    blue, green, red = tone.color / 255
-    hue, _, _ = colorsys.rgb_to_hsv(red, green, blue)
     if tone.is_gray:
         return False
-    if _WATER_HUES[0] <= hue <= _WATER_HUES[1] and tone.width > _WIDE * main.width:
+    if _has_water_hue(tone) and tone.width > _WIDE * main.width:
         return True
     directions = [float(np.sign(one.color.mean() - land.color.mean())) for one in (tone, main)]
-    return _WATER_HUES[0] <= hue <= _BLUISH and directions[0] != directions[1]
+    return _WATER_HUES[0] <= _hue(tone) <= _BLUISH and directions[0] != directions[1]
+
+
+def _has_water_hue(tone: MapTone) -> bool:
+    return not tone.is_gray and _WATER_HUES[0] <= _hue(tone) <= _WATER_HUES[1]
+
+
+def _hue(tone: MapTone) -> float:
+    """Hue of a tone, 0..1."""
+    blue, green, red = tone.color / 255
+    return colorsys.rgb_to_hsv(red, green, blue)[0]
 
 
 def _joined(main: MapTone, others: list[MapTone]) -> list[MapTone]:

@@ -1,0 +1,88 @@
+"""Colors of a map that are no streets, however even: casings, tracks in a yard, rivers; and the
+outlines of names."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roadlang_standard.extraction.exact_colors import has_exact_colors
+from roadlang_standard.extraction.map_tiles import _without_halos
+from roadlang_standard.extraction.map_tones import MapTone, map_tone
+from roadlang_standard.extraction.road_tones import road_tones
+
+SIDE = 400
+STREETS = (((-9, 100), (409, 120)), ((-9, 300), (409, 280)), ((120, -9), (150, 409)))
+
+
+def lines(width: int, *ends: tuple[tuple[int, int], tuple[int, int]]) -> np.ndarray:
+    """(h, w) where straight lines of a width are."""
+    canvas = np.zeros((SIDE, SIDE), np.uint8)
+    for start, end in ends:
+        cv2.line(canvas, start, end, 1, width)
+    return canvas > 0
+
+
+def houses(count: int) -> np.ndarray:
+    """(h, w) the outlines of rows of houses."""
+    canvas = np.zeros((SIDE, SIDE), np.uint8)
+    for x in range(180, 180 + 36 * count, 36):
+        for y in (20, 150, 200, 330):
+            cv2.rectangle(canvas, (x, y), (x + 26, y + 36), 1, 3)
+    return canvas > 0
+
+
+def tones(**masks: np.ndarray) -> list[MapTone]:
+    """Tones of land and what lies on it, by the hex digits of their red, green and blue."""
+    land = ~np.logical_or.reduce([*masks.values()])
+    found = [map_tone(np.full(3, 240.0), land)]
+    for name, mask in masks.items():
+        red, green, blue = bytes.fromhex(name[1:])
+        found.append(map_tone(np.array([blue, green, red], float), mask))
+    return found
+
+
+def test_casings_are_no_streets_where_houses_have_their_color_too() -> None:
+    street = lines(11, *STREETS)
+    casing = (lines(15, *STREETS) & ~street) | houses(2)
+    (found,) = road_tones(tones(xffffff=street, xdbdbdb=casing), SIDE)
+    assert found.color[0] == 255
+
+
+def test_tracks_in_a_yard_are_no_streets() -> None:
+    """They are one pixel wide, longer in all than the streets, and more even."""
+    street = lines(9, *STREETS[:2])
+    yard = lines(1, *(((20 * i, 130), (20 * i + 60, 270)) for i in range(1, 16))) & ~street
+    (found,) = road_tones(tones(xffffff=street, xbbbbbb=yard), SIDE)
+    assert found.color[0] == 255
+
+
+def test_a_river_is_no_street_even_where_it_is_longer_than_those() -> None:
+    streets = lines(6, *STREETS[:2]) | lines(16, ((250, -9), (260, 409)))
+    water = lines(6, *(((20 + 40 * i, 130), (10 + 40 * i, 270)) for i in range(10))) & ~streets
+    water |= lines(6, ((-9, 190), (409, 200))) & ~streets
+    found = road_tones(tones(xfefefe=streets, xaad3df=water), SIDE)
+    assert [tone.color[0] for tone in found] == [254]
+
+
+def test_outlines_of_a_name_on_land_are_no_street_but_what_is_within_one_on_a_street() -> None:
+    mask = lines(21, ((-9, 100), (409, 100)))
+    mask |= lines(3, ((60, 300), (75, 300)), ((85, 300), (100, 300)))
+    letters = lines(11, ((200, 100), (260, 100))) | lines(15, ((55, 300), (105, 300)))
+    mask[96:105, 200:260] = False
+    mask[98:103, 220:226] = True
+    kept = _without_halos(mask, letters)
+    assert not kept[280:].any()
+    assert np.array_equal(kept[:200], mask[:200])
+
+
+def test_a_map_with_the_sea_stored_as_jpeg_has_exact_colors() -> None:
+    """The sea is most of it, but not in all of its parts; houses are."""
+    rng = np.random.default_rng(3)
+    image = np.repeat(rng.integers(120, 250, (640, 640, 1)).astype(np.uint8), 3, axis=2)
+    image[:, :60] = (248, 244, 240)
+    image[330:] = (200, 232, 216)
+    for x in range(0, 640, 80):
+        image[:330, x : x + 30] = image[330:, x : x + 20] = (226, 234, 242)
+    stored = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, 80])[1]
+    assert has_exact_colors(np.asarray(cv2.imdecode(stored, cv2.IMREAD_COLOR)))
