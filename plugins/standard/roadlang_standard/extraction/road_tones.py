@@ -10,7 +10,7 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .map_tones import THINNEST, MapTone
+from .map_tones import EXACT, THINNEST, MapTone
 
 _STEADY, _SURE, _ALSO_STEADY = 0.35, 0.45, 0.25
 """Least share of its surface that keeps its width, of the tone with most road; what makes any tone
@@ -42,9 +42,9 @@ area."""
 _CASING, _BESIDE = 3.0, 0.5
 """Casings are at most so wide, in pixels, and more than this share of them is beside a wider road,
 ..."""
-_HALF, _LINED = 0.6, 0.6
-"""or they are at most so many times as wide as the road and line more than this share of its edge:
-at high resolution outlines of houses have the color, too."""
+_THICKEST, _HALF, _LINED = 5.0, 0.6, 0.6
+"""or they are at most so wide, in pixels and as a share of the road's width, and line more than the
+last share of its edge: at high resolution outlines of houses have the color, too."""
 _MANY = 0.3
 """Thin lines are streets where they are at least so long as the main roads: railways are not."""
 _HAIR = 1.2
@@ -63,11 +63,11 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         for tone in tones
         if tone is not land and tone.width <= _WIDEST * side and _is_steady(tone)
     ]
-    ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons)]
+    ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons, land)]
     sure = [tone for tone in ribbons if tone.steady >= _STEADY]
-    # Hair lines are even, such as tracks in a yard: no street is one where others are wider.
-    wider = [tone for tone in sure if tone.width > _HAIR and tone.steady_length >= _LEAST * side]
-    sure = wider or sure
+    # Hair lines are even, such as tracks in a yard: streets are longer in all where they are wider.
+    longest = max((tone.steady_length for tone in sure if tone.width > _HAIR), default=0.0)
+    sure = [tone for tone in sure if tone.width > _HAIR or tone.steady_length > longest]
     if not sure:
         return []
     # Squares: what is far less even than any roads may still be long in all.
@@ -124,10 +124,10 @@ def _is_warm(tone: MapTone) -> bool:
     )
 
 
-def _is_casing(tone: MapTone, ribbons: list[MapTone]) -> bool:
+def _is_casing(tone: MapTone, ribbons: list[MapTone], land: MapTone) -> bool:
     """Whether a tone is thin lines along the edges of wider roads: streets meet them at ends."""
     return any(
-        _lies_along(tone, other) or _lines(tone, other)
+        _lies_along(tone, other) or (_lines(tone, other) and not _is_between(tone, other, land))
         for other in ribbons
         if other.width > tone.width + 1
     )
@@ -140,10 +140,19 @@ def _lies_along(tone: MapTone, other: MapTone) -> bool:
 
 
 def _lines(tone: MapTone, other: MapTone) -> bool:
-    if tone.width > _HALF * other.width or other.steady_length < _MANY * tone.steady_length:
+    if tone.width > min(_THICKEST, _HALF * other.width):
+        return False
+    if other.steady_length < _MANY * tone.steady_length:
         return False
     edge = _grown(other.mask, 1) & ~other.mask
     return bool(_grown(tone.mask, 2)[edge].mean() > _LINED)
+
+
+def _is_between(tone: MapTone, other: MapTone, land: MapTone) -> bool:
+    """Whether a tone is a mixture of a road and the land, as the road's smoothed edge is."""
+    axis = land.color - other.color
+    share = float(np.clip((tone.color - other.color) @ axis / max(axis @ axis, 1.0), 0, 1))
+    return bool(np.abs(tone.color - other.color - share * axis).max() <= EXACT.near)
 
 
 def _grown(mask: Booleans, reach: int) -> Booleans:
