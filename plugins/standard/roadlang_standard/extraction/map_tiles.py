@@ -102,6 +102,8 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     else:
         seen = masks_without_water(shown, color_masks(image, shown, tolerance.near, thin))
     mask, others = _masks(seen, chosen, letters if thin else None)
+    if tolerance is LOSSY:
+        mask = _without_halos(mask, letters)
     widest = max(_wide(tone) for tone in chosen.roads)
     surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
     found = roads_of_surface(
@@ -166,7 +168,6 @@ def _uncovered(
     """The surface with what letters and casings cover, and how likely roads are hidden, 0..1."""
     width, typical, widest = widths
     area = np.zeros(mask.shape, bool)
-    mask = _without_halos(mask, letters)
     for other in others:
         if (other & letters).sum() < _ON_LETTERS * other.sum():
             area |= _opened(other)
