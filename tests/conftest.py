@@ -8,11 +8,6 @@ import os
 from collections.abc import Generator
 from pathlib import Path
 
-# OpenBLAS has kernels for each processor, whose last digits differ. What is stored in tests/golden
-# was computed with these; where extraction counts points, a last digit can become a whole one.
-# Before numpy is imported; other kinds of processors ignore it.
-os.environ.setdefault("OPENBLAS_CORETYPE", "Haswell")
-
 import pytest
 from hypothesis import HealthCheck, settings
 
