@@ -49,6 +49,14 @@ def test_casings_are_no_streets_where_houses_have_their_color_too() -> None:
     assert found.color[0] == 255
 
 
+def test_two_thin_streets_close_together_are_streets() -> None:
+    """What is between them is smoothed to a color between theirs and the land's."""
+    between = lines(11, *STREETS[:2])
+    streets = lines(23, *STREETS[:2]) & ~between
+    found = road_tones(tones(x969696=streets, xc3c3c3=between), SIDE)
+    assert 150 in [tone.color[0] for tone in found]
+
+
 def test_tracks_in_a_yard_are_no_streets() -> None:
     """They are one pixel wide and more even than the streets."""
     street = lines(11, *STREETS)

@@ -127,7 +127,12 @@ def _is_warm(tone: MapTone) -> bool:
 def _is_casing(tone: MapTone, ribbons: list[MapTone], land: MapTone) -> bool:
     """Whether a tone is thin lines along the edges of wider roads: streets meet them at ends."""
     return any(
-        _lies_along(tone, other) or (_lines(tone, other) and not _is_between(tone, other, land))
+        _lies_along(tone, other)
+        or (
+            _lines(tone, other)
+            and not _is_between(tone, other, land)
+            and not _is_between(other, tone, land)
+        )
         for other in ribbons
         if other.width > tone.width + 1
     )
@@ -149,7 +154,7 @@ def _lines(tone: MapTone, other: MapTone) -> bool:
 
 
 def _is_between(tone: MapTone, other: MapTone, land: MapTone) -> bool:
-    """Whether a tone is a mixture of a road and the land, as the road's smoothed edge is."""
+    """Whether a tone is a mixture of another one and the land, as a road's smoothed edge is."""
     axis = land.color - other.color
     share = float(np.clip((tone.color - other.color) @ axis / max(axis @ axis, 1.0), 0, 1))
     return bool(np.abs(tone.color - other.color - share * axis).max() <= EXACT.near)
