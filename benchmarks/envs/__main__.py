@@ -69,6 +69,8 @@ def main() -> None:
     if arguments.numpy:  # as on a machine without numba; users have no switch for it
         compiled.is_installed = lambda: False  # type: ignore[assignment]
     how = "numba" if compiled.is_installed() else "numpy"
+    if compiled.is_installed():  # or the first steps would be without it, until loading it pays
+        compiled.kernel()
     for cars in (1, 5, 20):
         found, ends = speed(cars, arguments.count, arguments.steps)
         print(

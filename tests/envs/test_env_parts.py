@@ -9,11 +9,18 @@ import numpy as np
 import pytest
 from gymnasium.spaces import Box, Dict
 
+import roadlang
 from roadlang.api import ReadingArray
 from roadlang.envs import SceneEnv
 from roadlang.envs.episode_rewards import reward_function
+from roadlang.envs.episodes import Episodes
 from roadlang.envs.observed import joined, observation_space, row_of
+from roadlang.envs.scene_pool import pool_of
+from roadlang.envs.settings import EnvSettings
 from roadlang.envs.spaces import checked_actions
+from roadlang.geometry.arrays import Floats
+from roadlang.simulation.vehicles.poses import Poses
+from tests.envs.scene_texts import FOLLOWED
 
 VECTOR: Any = SimpleNamespace(
     low=np.array([-1.0, 0.0], np.float32), high=np.array([1.0, 9.0], np.float32)
@@ -103,3 +110,22 @@ def test_the_reward_is_the_way_or_the_least_margin_or_what_a_function_says() -> 
 def test_rewards_that_are_none_are_refused(found: Any, fault: str) -> None:
     with pytest.raises(ValueError, match=fault):
         reward(lambda step: found, (), happened())
+
+
+def test_poses_of_who_begins_again_are_those_of_the_world() -> None:
+    settings = EnvSettings()
+    pool = pool_of(roadlang.loads(FOLLOWED), settings)
+    episodes = Episodes(pool, [0] * 6, settings)
+    every = np.arange(6)
+    for _ in range(5):
+        episodes.step(every, np.full((6, 2), 0.3))
+    before = episodes.places[0].copy()
+    episodes.restart(every[::2])
+    world = episodes._world
+    for now, expected in zip(episodes.places, (*_columns(world.poses), world.present), strict=True):
+        np.testing.assert_array_equal(now, expected)
+    assert (episodes.places[0] != before).any()
+
+
+def _columns(poses: Poses) -> tuple[Floats, ...]:
+    return poses.x, poses.y, poses.heading

@@ -11,9 +11,11 @@ import roadlang
 from roadlang import testing
 from roadlang.envs import SceneEnv, off_road
 from roadlang.envs.off_road import OffRoadCheck
+from roadlang.geometry.arrays import Booleans, Integers
 from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.signals.samples import Samples
+from roadlang.simulation.state.world import World
 from tests.simulation.crossing_traffic import before_junction, entries
 from tests.simulation.routed_scenes import CROSSING, car, network_scene, route
 
@@ -81,6 +83,23 @@ def test_who_is_in_the_middle_of_its_lane_needs_no_signal(where: str) -> None:
     world = world_of([scene], {}, 0.02, 0.1)
     everyone = np.arange(len(world.present))
     assert not OffRoadCheck(world).of(world, Samples(0), everyone).any()
+
+
+def test_only_who_is_near_a_border_is_looked_at_closely(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = world_of([on_roads(PLAIN)], {}, 0.02, 0.1)
+    everyone, looked_at = np.arange(len(world.present)), []
+    inside = OffRoadCheck._inside
+
+    def noted(self: OffRoadCheck, world: World, agents: Integers) -> Booleans:
+        looked_at.extend(agents.tolist())
+        return inside(self, world, agents)
+
+    monkeypatch.setattr(OffRoadCheck, "_inside", noted)
+    world.motion.offset[3] = 20.0
+    samples = Samples(0)
+    samples.add(world, world.poses)
+    assert OffRoadCheck(world).of(world, samples, everyone).tolist() == [i == 3 for i in everyone]
+    assert looked_at == [3]
 
 
 def test_a_corner_off_the_road_ends_an_episode() -> None:

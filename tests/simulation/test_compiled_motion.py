@@ -7,11 +7,18 @@ import platform
 import numpy as np
 import pytest
 
-from roadlang.simulation.vehicles import compiled, kernels
+from roadlang import testing
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.vehicles import compiled, kernels, poses
 
 numba = pytest.importorskip("numba")
 
 AGENTS = 40
+BENT = """
+road base { draw with segments { pieces: [straight(60m), arc(40m, 80deg), straight(60m)] } }
+road bent from base { perturb with sine { amplitude: 0m..3m, wavelength: 60m..90m } }
+agent ego is car on bent at 25m
+"""
 
 
 def motion() -> tuple[object, ...]:
@@ -24,6 +31,20 @@ def motion() -> tuple[object, ...]:
     walks = np.zeros(AGENTS, bool)
     after = np.empty((10, AGENTS))
     return (before, after), cars, walks, (column, column), (first, numbers), table, 2, 0.02
+
+
+def test_points_beside_lines_are_the_same_to_the_last_bit() -> None:
+    scenes = [scene.record for scene in testing.sample(BENT, 3)]
+    track = world_of(scenes, {}, 0.02, 0.1).track
+    draw = np.random.default_rng(4)
+    along = draw.uniform(-20.0, 200.0, (5, 3))  # beyond both ends too
+    for left in (draw.uniform(-3.0, 3.0, 3), draw.uniform(-3.0, 3.0, (5, 3))):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(compiled, "is_loaded", lambda: False)
+            expected = poses.points_beside(track, along, left)
+            patch.setattr(compiled, "is_loaded", lambda: True)
+            found = poses.points_beside(track, along, left)
+        np.testing.assert_array_equal(found, expected)
 
 
 @pytest.mark.slow

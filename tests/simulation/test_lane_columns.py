@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,8 +18,10 @@ from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.lanes.lane_columns import LANE_COLUMNS, OnRoad, corner_offsets
 from roadlang.simulation.signals.lane_reader import NEEDED, LaneReader
 
+from .crossing_traffic import before_junction, entries
 from .driven_roads import drive, driven
 from .followed_drives import followed
+from .routed_scenes import CROSSING, car, network_scene, route
 
 AVENUE = """
 road main {
@@ -174,3 +177,13 @@ def test_signals_are_red_outside_of_the_phases_of_a_connection() -> None:
     assert first == [False, False, False, False, True, True, True, False]
     assert control.light(3, 0.0) == "red"
     assert control.light(3, 12.0) == "green"
+
+
+def test_only_agents_on_routes_need_more_than_where_they_are_along_their_roads() -> None:
+    plain = world_of([testing.sample(on_avenue("car"), 1)[0].record], {}, 0.02, 0.1)
+    assert set(LaneReader(plain).needed(np.array([0]))) < set(NEEDED)
+    scene = network_scene(CROSSING, "lanes: 2")
+    road, lane = next(iter(entries(scene)))
+    way = route(scene, road, lane, before_junction(scene, road, lane, 40.0), ["left"])
+    routed = world_of([replace(scene, agents=(car(scene, "ego", way),))], {}, 0.02, 0.1)
+    assert LaneReader(routed).needed(np.array([0])) == NEEDED

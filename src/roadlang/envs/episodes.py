@@ -21,6 +21,7 @@ from ..simulation.signals.samples import Samples
 from ..simulation.state.world import World
 from ..simulation.surroundings.contacts import ContactDetector
 from ..simulation.vehicles import compiled
+from ..simulation.vehicles.poses import Poses
 from .margins import Margins
 from .observed import Observed
 from .off_road import OffRoadCheck
@@ -73,6 +74,7 @@ class Episodes:
         self._contacts.watch(world, poses, 0.0)
         self._poses = world.poses
         self._at_start = (world.halted.copy(), world.contacts.copy())
+        self._start = world.poses.take(slice(None))
         self._margins = [Margins(name, world, pool.registry) for name in pool.margins]
         self._before = np.zeros((len(scenes), 2))
         depth = max((margin.looks_back for margin in self._margins), default=0)
@@ -87,12 +89,18 @@ class Episodes:
         world.restart(agents)
         for column, first in zip((world.halted, world.contacts), self._at_start, strict=True):
             column[agents] = first[agents]
-        self._poses = world.poses
+        self._poses = self._restarted(agents)
         self._contacts.restart(agents, self._poses)
         if self._drivers is not None:
             self._drivers.restart(agents)
         self._samples.restart(agents, world, self._poses)
         self._before[rows] = 0.0
+
+    def _restarted(self, agents: Integers) -> Poses:
+        """Where all agents are, of whom some are at the start."""
+        if self._world.placing is not None:
+            return self._world.poses
+        return self._poses.put(agents, self._start)
 
     def observe(self, rows: Integers) -> Observed:
         """(R, F) what the driven agents of some scenes see, and what their sensors read."""

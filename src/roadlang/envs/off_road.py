@@ -11,6 +11,9 @@ from ..simulation.lanes.lane_columns import LaneSection
 from ..simulation.signals.samples import Samples
 from ..simulation.state.world import World
 
+_ROUNDING = 1e-6
+"""Meters."""
+
 
 class OffRoadCheck:
     """Of the agents of a world as it was built.
@@ -23,14 +26,25 @@ class OffRoadCheck:
         drivable: dict[int, float] = {}  # by the identity of roads, which many scenes share
         agents = range(len(world.present))
         self._half_width = np.array([_half_width(world, agent, drivable) for agent in agents])
+        self._room = _room(world, self._half_width)
 
     def of(self, world: World, samples: Samples, agents: Integers) -> Booleans:
         """(n,) whether some agents are outside the drivable area. `samples`: of the world now."""
         out = np.zeros(len(agents), dtype=bool)
-        unsure = np.flatnonzero(world.has_road[agents] & ~self._inside(world, agents))
+        near = np.flatnonzero(self._is_near(world)[agents])
+        if not len(near):
+            return out
+        unsure = near[~self._inside(world, agents[near])]
         if len(unsure):
             out[unsure] = samples.column("off_road", agents[unsure], 0)[-1] > 0.0
         return out
+
+    def _is_near(self, world: World) -> Booleans:
+        """(N,) who may reach beyond a border, wherever along its line it is: a rough look, to find
+        the few agents for whom it has to be worked out."""
+        motion, bodies = world.motion, world.bodies
+        side = np.abs(motion.offset) + 0.5 * bodies.length * np.abs(motion.sine)
+        return np.asarray(world.has_road & ~(side <= self._room))
 
     def _inside(self, world: World, agents: Integers) -> Booleans:
         """(n,) who is between the borders for certain: a corner that is `a` meters ahead and `m`
@@ -47,6 +61,18 @@ class OffRoadCheck:
         bends = curvature * side
         bulge = curvature * ahead * ahead / (2.0 * np.maximum(1.0 - bends, 0.5))
         return np.asarray((bends <= 0.5) & (side + bulge <= self._half_width[agents]))
+
+
+def _room(world: World, half_width: Floats) -> Floats:
+    """(N,) at how far beside its line the middle of an agent's front or rear is within the borders
+    for certain, in the sharpest bend of the line: `OffRoadCheck._inside` says of all that it is.
+    Below zero where a bend is too sharp to tell."""
+    bodies, lines = world.bodies, world.track.lines
+    curvature = lines.column(np.abs(lines.curvature)).max(axis=1)[world.track.row]
+    reach = 0.5 * (bodies.length + bodies.width)
+    bulge = curvature * reach * reach  # as much at most, in bends that wide
+    wide = curvature * half_width <= 0.5
+    return np.where(wide, half_width - 0.5 * bodies.width - bulge - _ROUNDING, -1.0)
 
 
 def _half_width(world: World, agent: int, drivable: dict[int, float]) -> float:

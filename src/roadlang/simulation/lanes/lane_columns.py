@@ -82,13 +82,25 @@ class LaneSection:
         """(C, R, T) how far points beside the curve are outside the drivable lanes, meters; below
         zero within. `offsets` (C, R, T): left of the curve."""
         borders = self._borders(on.station)
-        first, last = drivable_borders(np.array([lane.drivable for lane in self.section.lanes]))
+        first, last = self._outermost
         return np.asarray(np.maximum(offsets - borders[first], borders[last] - offsets))
+
+    @cached_property
+    def _outermost(self) -> tuple[int, int]:
+        """Between which borders one may drive."""
+        drivable = np.array([lane.drivable for lane in self.section.lanes])
+        first, last = drivable_borders(drivable)
+        return first, last
 
     def _borders(self, station: Floats) -> Floats:
         """(L + 1, R, T), or (L + 1, 1, 1) where they are the same all along."""
-        at = np.zeros((1, 1)) if self.is_constant else station
-        return np.asarray(self.section.border_offsets(at))
+        if self.is_constant:
+            return self._constant_borders
+        return np.asarray(self.section.border_offsets(station))
+
+    @cached_property
+    def _constant_borders(self) -> Floats:
+        return np.asarray(self.section.border_offsets(np.zeros((1, 1))))
 
 
 def corner_offsets(on: OnRoad, length: Floats, width: Floats) -> Floats:
@@ -99,16 +111,18 @@ def corner_offsets(on: OnRoad, length: Floats, width: Floats) -> Floats:
     tangent, `k` the curvature, `r = 1 - k m`.
     """
     cosine, sine = np.cos(on.error), np.sin(on.error)
-    found = []
-    for i, j in ((1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)):
-        ahead, left = 0.5 * i * length, 0.5 * j * width
-        along = ahead * cosine - left * sine
-        m = on.offset + ahead * sine + left * cosine
-        k_along = on.curvature * along
-        r = np.maximum(1.0 - on.curvature * m, 0.0)
-        root = r + np.sqrt(r * r + k_along * k_along)
-        found.append(m - k_along * along / np.where(root > 0.0, root, 1.0))
-    return np.array(found)
+    ahead, left = _HALF_AHEAD * length, _HALF_LEFT * width
+    along = ahead * cosine - left * sine
+    m = on.offset + ahead * sine + left * cosine
+    k_along = on.curvature * along
+    r = np.maximum(1.0 - on.curvature * m, 0.0)
+    root = r + np.sqrt(r * r + k_along * k_along)
+    return np.asarray(m - k_along * along / np.where(root > 0.0, root, 1.0))
+
+
+_HALF_AHEAD = np.array([0.5, -0.5, -0.5, 0.5])[:, None, None]
+_HALF_LEFT = np.array([0.5, 0.5, -0.5, -0.5])[:, None, None]
+"""(4, 1, 1) of the four corners, of the length and of the width."""
 
 
 def on_road(road: SceneRoad, station: Floats, x: Floats, y: Floats, heading: Floats) -> OnRoad:

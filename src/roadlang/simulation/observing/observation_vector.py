@@ -118,7 +118,7 @@ class ObservationVector:
         """(agents, 5, N)."""
         out = np.zeros((self.agents, len(_OTHER), len(seen.x)))
         x, y, heading, speed = (column.T for column in seen.nearest(self.agents))
-        if np.isnan(x).all():
+        if np.isnan(x[:1]).all():  # nearest first
             return out
         off_x, off_y = x - seen.x, y - seen.y
         near = off_x * off_x + off_y * off_y <= FARTHEST * FARTHEST  # False where it is NaN

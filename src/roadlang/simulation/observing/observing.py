@@ -18,7 +18,7 @@ from ..state.world import World
 from ..surroundings.leaders import Leaders, leaders
 from ..surroundings.neighbors import Nearby
 from ..tapes.traced import TracedColumn
-from ..vehicles.poses import Poses, line_frames
+from ..vehicles.poses import Poses, line_frames, points_beside
 from .lane_changes import zipper
 from .lane_endings import lets_in
 from .lanes_seen import LanesSeen
@@ -101,16 +101,8 @@ class View:
             distances = distances + self._lead(rows)
         track = world.track.of_rows(rows)
         along = track.wrapped(world.motion.along[rows] + distances)
-        cell, rest = track.cell(along)
-        found = track.lines.table.take(cell, axis=0)[:, :, :5]
-        x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
-        bend = curvature * rest
-        bulge = 0.5 * bend * (rest - track.spacing)
         left = world.followed.ahead(rows, distances, world.motion.speed[rows], along)[0]
-        # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
-        ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
-        across = bulge + left
-        return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
+        return points_beside(track, along, left)
 
     @property
     def replaced(self) -> Mapping[str, Floats]:

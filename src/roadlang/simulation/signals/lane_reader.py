@@ -18,6 +18,7 @@ from ..state.world import World
 
 NEEDED = ("along", "offset", "x", "y", "heading", "station", "cross_track_error")
 """What lanes are read of: arc lengths of the lines and offsets from them, and columns of traces."""
+_NEEDED_WITHOUT_ROUTES = ("along", "offset", "heading", "station")
 _ON_A_ROAD = -1
 _ALONE = -2
 _ROUNDING = 0.05
@@ -36,13 +37,18 @@ class LaneReader:
         self._known: dict[Any, int] = {}
         self._number = np.array([self._group(agent) for agent in range(len(world.present))])
 
+    def needed(self, agents: Integers) -> tuple[str, ...]:
+        """Those of `NEEDED` of which the lanes of some agents are read."""
+        has_alone = np.count_nonzero(self._number[agents] == _ALONE)
+        return NEEDED if has_alone else _NEEDED_WITHOUT_ROUTES
+
     def read(
         self,
         agents: Integers,
         columns: Mapping[str, Floats],
         names: Sequence[str] = LANE_COLUMNS,
     ) -> dict[str, Floats]:
-        """(n, T) some of `LANE_COLUMNS`, of some agents. `columns` (n, T): those of `NEEDED`.
+        """(n, T) some of `LANE_COLUMNS`, of some agents. `columns` (n, T): those `needed`.
 
         What has no road has no lane: NaN. On the connection of a junction an agent is in the lane
         from which it leads.
@@ -50,10 +56,14 @@ class LaneReader:
         shape = columns["along"].shape
         out = {name: np.full(shape, math.nan) for name in names}
         numbers = self._number[agents]
+        if len(numbers) and numbers[0] >= 0 and not np.count_nonzero(numbers != numbers[0]):
+            alike = self._plain(agents, columns, self._lanes[numbers[0]], names)
+            self._fill(out, slice(None), alike)
+            return out
         for number in np.unique(numbers):
             rows = np.flatnonzero(numbers == number)
-            part = {name: columns[name][rows] for name in NEEDED}
             if number >= 0:
+                part = {name: columns[name][rows] for name in _NEEDED_WITHOUT_ROUTES}
                 self._fill(out, rows, self._plain(agents[rows], part, self._lanes[number], names))
             elif number == _ALONE:
                 for row in rows:

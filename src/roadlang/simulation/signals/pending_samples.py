@@ -8,7 +8,7 @@ from ...geometry.arrays import Floats, Integers
 from ..lanes.lane_columns import LANE_COLUMNS
 from ..state.world import World
 from .conditions import unsupported
-from .lane_reader import NEEDED, LaneReader
+from .lane_reader import LaneReader
 from .recorded_columns import PLACES
 
 
@@ -64,5 +64,7 @@ class PendingSamples:
     def _lane_columns(self, agents: Integers, depth: int, name: str) -> Floats:
         if self._reader is None:
             self._reader = LaneReader(self._world)
-        known = {needed: self.column(needed, agents, depth).T for needed in NEEDED}
-        return self._reader.read(self._agents[agents], known, (name,))[name].T
+        rows = self._agents[agents]
+        needed = self._reader.needed(rows)
+        known = {column: self.column(column, agents, depth).T for column in needed}
+        return self._reader.read(rows, known, (name,))[name].T

@@ -16,7 +16,7 @@ from ..lanes.lane_columns import LANE_COLUMNS
 from ..state.world import World
 from ..vehicles.poses import Poses
 from .columns import COLUMNS
-from .lane_reader import NEEDED, LaneReader
+from .lane_reader import LaneReader
 
 _SIZES = ("length", "width")
 _RECORDED = tuple(
@@ -89,6 +89,8 @@ class Samples:
         now = self._present(name)[agents]
         if name in _SIZES:
             return now
+        if not depth or not self._past:
+            return np.asarray(now[None])
         before = list(self._past)[max(len(self._past) - depth, 0) :]
         found = np.stack([*(past[name][agents] for past in before), now])
         return np.unwrap(found, axis=0) if name == "heading" and len(found) > 1 else found
@@ -127,6 +129,8 @@ class Samples:
         if self._reader is None:
             self._reader = LaneReader(self._world)
             self._index = np.arange(len(self._world.present))
-        known = {name: self.column(name, agents, depth).T for name in NEEDED}
-        found = self._reader.read(self._index[agents], known, names)
+        rows = self._index[agents]
+        needed = self._reader.needed(rows)
+        known = {name: self.column(name, agents, depth).T for name in needed}
+        found = self._reader.read(rows, known, names)
         return {name: values.T for name, values in found.items()}

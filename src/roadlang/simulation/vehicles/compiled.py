@@ -44,6 +44,14 @@ def line_frames(track: Track, along: Floats) -> Floats:
     return out
 
 
+def points_beside(track: Track, along: Floats, left: Floats) -> tuple[Floats, Floats]:
+    """What `poses.points_beside` does, to the last bit."""
+    out, aside = np.empty((2, *along.shape)), np.empty(along.shape)
+    aside[:] = left
+    beside_kernel()(along, aside, track.first, track.places, track.lines.table, out)
+    return out[0], out[1]
+
+
 def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> Floats:
     """(N,) the values of the cells at arc lengths; those of an agent are `shift` after those that
     the table of its line has."""
@@ -111,6 +119,12 @@ def frames_kernel() -> Any:
 
 
 @cache
+def beside_kernel() -> Any:
+    """The compiled loop over places beside lines."""
+    return compile_loop(kernels.points_beside)
+
+
+@cache
 def lookup_kernel() -> Any:
     """The compiled loop over values of cells."""
     return compile_loop(kernels.looked_up)
@@ -158,8 +172,8 @@ def _register_formulas() -> None:
             kernels.drive_abreast, kernels.turn_abreast, kernels.move_abreast,
         ),
         (
-            kernels.advanced, kernels.framed, kernels.looked_up, kernels.gaps_in_corridors,
-            kernels.nearest_sample, kernels.widest,
+            kernels.advanced, kernels.framed, kernels.points_beside, kernels.looked_up,
+            kernels.gaps_in_corridors, kernels.nearest_sample, kernels.widest,
         ),
     )  # fmt: skip
     register_jitable(inline="always", **OPTIONS)(kernels.fill)

@@ -1,6 +1,6 @@
 """Loops over agents that numba compiles. Python never runs them; what they do to the last bit is
-said in numpy elsewhere: `motion.advance`, `poses.line_frames`, `BendSpeeds.at`,
-`corridors.nearest_in_corridor`."""
+said in numpy elsewhere: `motion.advance`, `poses.line_frames`, `poses.points_beside`,
+`BendSpeeds.at`, `corridors.nearest_in_corridor`."""
 
 from __future__ import annotations
 
@@ -135,6 +135,23 @@ def framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
         cell = table[first[i] + place]
         x, y, heading = lines.on_arc(cell, advance - place * spacing, spacing)
         out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = x, y, heading, cell[6], cell[7]
+
+
+def points_beside(
+    along: Any, left: Any, first: Any, numbers: Any, table: Any, out: Any
+) -> None:  # fmt: skip
+    """Fill `out`, (2, K, N), as `poses.points_beside`."""
+    for i in range(along.shape[1]):
+        last, origin, spacing, per_meter = numbers[:, i]
+        for k in range(along.shape[0]):
+            advance = along[k, i] - origin
+            place = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
+            cell, rest = table[first[i] + place], advance - place * spacing
+            bend = cell[4] * rest
+            ahead = rest - left[k, i] * (bend - 0.5 * cell[4] * spacing)
+            across = 0.5 * bend * (rest - spacing) + left[k, i]
+            out[0, k, i] = cell[0] + cell[2] * ahead - cell[3] * across
+            out[1, k, i] = cell[1] + cell[3] * ahead + cell[2] * across
 
 
 def looked_up(values: Any, shift: Any, along: Any, first: Any, numbers: Any, out: Any) -> None:

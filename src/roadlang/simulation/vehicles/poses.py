@@ -27,6 +27,14 @@ class Poses:
         """Those of some agents."""
         return Poses(self.x[rows], self.y[rows], self.heading[rows], self.road_width[rows])
 
+    def put(self, rows: Any, other: Poses) -> Poses:
+        """These, but some agents as in `other`."""
+        columns = [np.array(each) for each in (self.x, self.y, self.heading, self.road_width)]
+        others = (other.x, other.y, other.heading, other.road_width)
+        for column, there in zip(columns, others, strict=True):
+            column[rows] = there[rows]
+        return Poses(*columns)
+
 
 def poses_of(motion: Motion, track: Track) -> Poses:
     """Where agents in motion are."""
@@ -46,6 +54,21 @@ def line_frames(track: Track, along: Floats) -> Floats:
     if compiled.is_loaded():
         return compiled.line_frames(track, along)
     return frames_in(track, *track.cell(along))
+
+
+def points_beside(track: Track, along: Floats, left: Floats) -> tuple[Floats, Floats]:
+    """(K, N) x and y at arc lengths (K, N) of lines, `left` (N,) or (K, N) meters beside them."""
+    if compiled.is_loaded():
+        return compiled.points_beside(track, along, left)
+    cell, rest = track.cell(along)
+    found = track.lines.table.take(cell, axis=0)[:, :, :5]
+    x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
+    bend = curvature * rest
+    bulge = 0.5 * bend * (rest - track.spacing)
+    # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
+    ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
+    across = bulge + left
+    return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
 
 
 def line_widths(track: Track, along: Floats) -> Floats:
