@@ -9,7 +9,11 @@ import pytest
 
 from roadlang import testing
 from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.lines import lines
+from roadlang.simulation.observing.bend_speeds import planned
 from roadlang.simulation.vehicles import compiled, kernels, poses
+
+from .test_same_bytes import LOOP
 
 numba = pytest.importorskip("numba")
 
@@ -45,6 +49,30 @@ def test_points_beside_lines_are_the_same_to_the_last_bit() -> None:
             patch.setattr(compiled, "is_loaded", lambda: True)
             found = poses.points_beside(track, along, left)
         np.testing.assert_array_equal(found, expected)
+
+
+def test_tables_of_lines_are_the_same_to_the_last_bit() -> None:
+    draw = np.random.default_rng(5)
+    nodes = draw.uniform(-9.0, 9.0, (4, 20, 30))
+    spacing = draw.uniform(0.2, 3.0, 20)  # averaged over one to eight cells to each side
+    table = lines.line_table(nodes, spacing)
+    np.testing.assert_array_equal(compiled.line_table(nodes, spacing), table)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_plans_before_bends_are_the_same_to_the_last_bit(
+    closed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = BENT if not closed else LOOP
+    scenes = [scene.record for scene in testing.sample(text, 5)]
+    table = world_of(scenes, {}, 0.02, 0.1).track.lines
+    draw = np.random.default_rng(6)
+    row = np.array([4, 0, 0, 3])
+    limits = draw.uniform(1.0, 9.0, 4), np.array([0.0, 0.5, 3.0, 8.0])
+    monkeypatch.setattr(compiled, "is_loaded", lambda: False)
+    expected = planned(table, row, *limits)
+    monkeypatch.setattr(compiled, "is_loaded", lambda: True)
+    np.testing.assert_array_equal(planned(table, row, *limits), expected)
 
 
 @pytest.mark.slow

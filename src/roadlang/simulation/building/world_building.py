@@ -25,6 +25,7 @@ from ..state.line_heights import LineHeights
 from ..state.world import World
 from ..surroundings.crossed_junctions import crossings_of
 from ..surroundings.outlines import Outlines
+from ..vehicles import compiled
 from ..vehicles.bodies import Bodies, Body
 from ..vehicles.motion import Track
 from ..vehicles.verges import Verges
@@ -47,7 +48,8 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
         for place in range(slots):
             actor = scene.agents[place] if place < len(scene.agents) else None
             found.append(_slot(actor, scene, names, rows, (sources, routes)))
-    lines = Lines.of(sources, FASTEST * margin)
+    table_of = compiled.line_table if compiled.is_loaded() else None  # the same to the last bit
+    lines = Lines.of(sources, FASTEST * margin, table_of)
     table = RouteTable.of(routes, np.array([slot.route for slot in found], dtype=np.int64))
     over = {slot.line: (i // slots, routes[slot.route]) for i, slot in enumerate(found)}
     heights = LineHeights.of(scenes, lines, [over[row] for row in range(len(sources))])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -65,12 +65,11 @@ class LineSource:
 
 def road_line(road: SceneRoad, backward: bool) -> LineSource:
     """The center line of a road, in its direction or against it."""
-    count = len(road.stations)
     columns = (road.stations, road.x, road.y, road.heading)
     s, x, y, heading = (np.asarray(column, np.float64) for column in columns)
-    width: Floats | float = road.width[0]
-    if road.width.count(road.width[0]) < count:
-        width = np.asarray(road.width, np.float64)
+    widths = np.asarray(road.width, np.float64)
+    is_constant = not np.count_nonzero(widths != widths[0])
+    width: Floats | float = road.width[0] if is_constant else widths
     s = s - s[0]
     if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
         last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])
@@ -115,17 +114,20 @@ class Lines:
     """(L M, 8) of each cell, side by side in memory, in the order of `CELL`"""
 
     @classmethod
-    def of(cls, sources: Sequence[LineSource], margin: float) -> Lines:
-        """Tables of lines; closed ones go on for `margin` meters at both ends."""
+    def of(
+        cls, sources: Sequence[LineSource], margin: float, table_of: TableOf | None = None
+    ) -> Lines:
+        """Tables of lines; closed ones go on for `margin` meters at both ends. `table_of`: what
+        fills them, if it is not `line_table`."""
         counts = [source.count for source in sources]
         pads = [
             math.ceil(margin * count / source.length) if source.closed else 1
             for source, count in zip(sources, counts, strict=True)
         ]
         nodes = 1 + max(count + 2 * pad for count, pad in zip(counts, pads, strict=True))
-        x, y, heading, width = (np.empty((len(sources), nodes)) for _ in range(4))
+        columns = np.empty((4, len(sources), nodes))
         for row, (source, count, pad) in enumerate(zip(sources, counts, pads, strict=True)):
-            _fill((x[row], y[row], heading[row], width[row]), source, count, pad)
+            _fill(columns[:, row], source, count, pad)
         length = np.array([source.length for source in sources])
         spacing = length / np.array(counts)
         ends = [
@@ -135,7 +137,7 @@ class Lines:
             nodes, -np.array(pads) * spacing, spacing,
             np.array(counts) + 2 * np.array(pads) - 1, length,
             np.array([source.closed for source in sources], dtype=bool),
-            np.array(ends, dtype=float), _table(x, y, heading, width, spacing),
+            np.array(ends, dtype=float), (table_of or line_table)(columns, spacing),
         )  # fmt: skip
 
     @cached_property
@@ -173,8 +175,12 @@ class Lines:
         return values.reshape(-1, self.cells)
 
 
-def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> None:
-    """The nodes of one line: x, y, heading and width; what is left of the row is like the last."""
+TableOf = Callable[[Floats, Floats], Floats]
+"""Something that does what `line_table` does."""
+
+
+def _fill(row: Floats, source: LineSource, count: int, pad: int) -> None:
+    """The nodes (4, M) of one line: x, y, heading and width; what is left is like the last."""
     x, y, heading, width = row
     spacing = source.length / count
     s = np.arange(-pad, count + pad + 1) * spacing
@@ -198,12 +204,12 @@ def _fill(row: tuple[Floats, ...], source: LineSource, count: int, pad: int) -> 
         for end, step in ((0, -spacing), (used - 1, spacing)):
             x[end] += step * math.cos(heading[end])
             y[end] += step * math.sin(heading[end])
-    for column in row:
-        column[used:] = column[used - 1]
+    row[:, used:] = row[:, used - 1 : used]
 
 
-def _table(x: Floats, y: Floats, heading: Floats, width: Floats, spacing: Floats) -> Floats:
-    """(L M, 8) of arrays (L, M) at the nodes."""
+def line_table(nodes: Floats, spacing: Floats) -> Floats:
+    """(L M, 8) of x, y, heading and width (4, L, M) at the nodes, which are `spacing` (L,) apart."""
+    x, y, heading, width = nodes
     out = np.empty((*x.shape, len(CELL)))
     averaged = _averaged(heading, spacing)
     for first in range(0, len(x), _AT_ONCE):
@@ -221,10 +227,15 @@ def _table(x: Floats, y: Floats, heading: Floats, width: Floats, spacing: Floats
 def _averaged(heading: Floats, spacing: Floats) -> Floats:
     """(L, M) curvature at the nodes, over `AROUND` meters to each side."""
     out = np.zeros_like(heading)
-    half_window = np.maximum(np.round(AROUND / spacing), 1.0).astype(np.int64)
+    half_window = cells_around(spacing)
     for cells in np.unique(half_window):
         rows = np.flatnonzero(half_window == cells)
         wide = np.pad(heading[rows], ((0, 0), (cells, cells)), mode="edge")
         over = (2.0 * cells * spacing[rows])[:, None]
         out[rows] = (wide[:, 2 * cells :] - wide[:, : -2 * cells]) / over
     return out
+
+
+def cells_around(spacing: Floats) -> Integers:
+    """(L,) how many cells `AROUND` is, at least one."""
+    return np.maximum(np.round(AROUND / spacing), 1.0).astype(np.int64)

@@ -117,10 +117,13 @@ def planned(
 ) -> Floats:
     """(N, M) greatest speeds at the ends of the cells of the lines `row`, which are followed where
     they bend by `bend` more."""
+    gain = 2.0 * braking * lines.spacing[row]
+    if compiled.is_loaded() and bend is None and not np.count_nonzero(lines.closed[row]):
+        first = row * lines.cells
+        return compiled.planned(lines.table, first, (lateral, gain), lines.cells)
     curvature = lines.column(lines.seen_curvature)[row]
     curvature = curvature if bend is None else curvature + bend
     limits = squares_in_bends(curvature, lateral[:, None])
-    gain = 2.0 * braking * lines.spacing[row]
     square = squares_before(limits, gain)
     again = np.flatnonzero(lines.closed[row])
     if len(again):  # beyond the end of a closed line is its beginning

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...geometry import compiling
 from ...geometry.arrays import Floats, Integers
+from ...geometry.bend_speeds import STRAIGHT
 from ...geometry.compiling import OPTIONS as OPTIONS
 from ...geometry.compiling import is_installed as is_installed
 from ..lines import lines
@@ -57,6 +58,22 @@ def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> F
     the table of its line has."""
     out = np.empty(len(along))
     lookup_kernel()(values, shift, along, track.first, track.places, out)
+    return out
+
+
+def line_table(nodes: Floats, spacing: Floats) -> Floats:
+    """What `lines.line_table` does, to the last bit."""
+    out = np.empty((*nodes.shape[1:], len(lines.CELL)))
+    table_kernel()(nodes, spacing, lines.cells_around(spacing), out)
+    return out.reshape(-1, len(lines.CELL))
+
+
+def planned(table: Floats, first: Integers, squares: tuple[Floats, Floats], cells: int) -> Floats:
+    """(N, M) what `bend_speeds.planned` does for open lines, to the last bit. `first`: (N,) where
+    their tables begin; `squares`: lateral accelerations, and by how much squared speeds may grow
+    from one cell to the one before."""
+    out = np.empty((len(first), cells))
+    plans_kernel()(table, first, *squares, STRAIGHT, out)
     return out
 
 
@@ -125,6 +142,18 @@ def beside_kernel() -> Any:
 
 
 @cache
+def table_kernel() -> Any:
+    """The compiled loop over the cells of lines."""
+    return compile_loop(kernels.line_table)
+
+
+@cache
+def plans_kernel() -> Any:
+    """The compiled loop over cells before bends."""
+    return compile_loop(kernels.planned)
+
+
+@cache
 def lookup_kernel() -> Any:
     """The compiled loop over values of cells."""
     return compile_loop(kernels.looked_up)
@@ -173,7 +202,8 @@ def _register_formulas() -> None:
         ),
         (
             kernels.advanced, kernels.framed, kernels.points_beside, kernels.looked_up,
-            kernels.gaps_in_corridors, kernels.nearest_sample, kernels.widest,
+            kernels.line_table, kernels.planned, kernels.gaps_in_corridors,
+            kernels.nearest_sample, kernels.widest,
         ),
     )  # fmt: skip
     register_jitable(inline="always", **OPTIONS)(kernels.fill)
