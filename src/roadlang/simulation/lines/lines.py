@@ -208,7 +208,7 @@ def _fill(row: Floats, source: LineSource, count: int, pad: int) -> None:
 
 
 def line_table(nodes: Floats, spacing: Floats) -> Floats:
-    """(L M, 8) of x, y, heading and width (4, L, M) at the nodes, which are `spacing` (L,) apart."""
+    """(L M, 8) of x, y, heading and width (4, L, M) at nodes that are `spacing` (L,) apart."""
     x, y, heading, width = nodes
     out = np.empty((*x.shape, len(CELL)))
     averaged = _averaged(heading, spacing)
