@@ -1,13 +1,18 @@
-"""Colors of a map that are no streets, however even: casings, tracks in a yard, rivers; and the
-outlines of names."""
+"""Colors of a map that are no streets, however even: casings, tracks in a yard, rivers, plants; and
+the outlines of names."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import cv2
 import numpy as np
+import pytest
 
+from roadlang_standard.extraction import map_tiles
 from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_tiles import _without_halos
+from roadlang_standard.extraction.map_tiles import _without_halos, roads_of_map
 from roadlang_standard.extraction.map_tones import MapTone, map_tone
 from roadlang_standard.extraction.road_tones import road_tones
 
@@ -71,6 +76,59 @@ def test_a_river_is_no_street_even_where_it_is_longer_than_those() -> None:
     water |= lines(6, ((-9, 190), (409, 200))) & ~streets
     found = road_tones(tones(xfefefe=streets, xaad3df=water), SIDE)
     assert [tone.color[0] for tone in found] == [254]
+
+
+def test_strips_of_plants_are_no_streets_even_where_they_keep_their_width_better() -> None:
+    streets = lines(11, *STREETS) | lines(20, ((20, 110), (110, 115)), ((200, 290), (330, 285)))
+    hedge = lines(5, ((-9, 180), (409, 190)), ((-9, 220), (409, 230))) & ~lines(31, *STREETS)
+    found = road_tones(tones(xfefefe=streets, xaedb96=hedge), SIDE)
+    assert [tone.color[0] for tone in found] == [254]
+
+
+def test_of_plants_an_even_width_is_not_enough() -> None:
+    """The edges of roads in JPEG files are so uneven that their width alone must do; so are those
+    of woods, where trees are drawn on them."""
+    street = lines(11, *STREETS)
+    wide = lines(15, ((250, -9), (260, 409))) & ~street
+    for name, is_road in (("xadd19e", False), ("xffffff", True)):
+        found = tones(xfefefe=street, **{name: wide})
+        found[2] = replace(found[2], steady=0.02, even=0.7, spread=1.4, ribbons=1.0)
+        assert (len(road_tones(found, SIDE)) == 2) is is_road
+
+
+def test_main_roads_may_be_pale_yellow_and_uneven() -> None:
+    street = lines(11, *STREETS)
+    main = lines(15, ((250, -9), (260, 409))) & ~street
+    found = tones(xffffff=street, xf7fabf=main)
+    found[2] = replace(found[2], steady=0.13, even=0.6, spread=1.6, ribbons=1.0)
+    assert len(road_tones(found, SIDE)) == 2
+
+
+def test_what_names_hide_of_the_width_of_streets_is_known_with_their_smoothed_edges(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Streets that are found so are kept where they are not found without these edges."""
+    image = np.full((SIDE, SIDE, 3), (226, 234, 242), np.uint8)
+    image[:, 200:] = (200, 232, 216)
+    for x in range(5, SIDE, 40):
+        for y, color in ((20, (201, 208, 217)), (140, (209, 214, 255)), (340, (223, 223, 224))):
+            image[y : y + 40, x : x + 30] = color
+    for start, end in STREETS:
+        cv2.line(image, start, end, (255, 255, 255), 14, cv2.LINE_AA)
+    calls: list[list[MapTone]] = []
+    monkeypatch.setattr(map_tiles, "road_tones", _first_only(calls))
+    found = roads_of_map(image)
+    assert len(calls) == 2
+    assert found is not None
+    assert len(found.roads) >= 7
+
+
+def _first_only(calls: list[list[MapTone]]) -> Callable[[list[MapTone], int], list[MapTone]]:
+    def found(tones: list[MapTone], side: int) -> list[MapTone]:
+        calls.append(tones)
+        return road_tones(tones, side) if len(calls) == 1 else []
+
+    return found
 
 
 def test_outlines_of_a_name_on_land_are_no_street_but_what_is_within_one_on_a_street() -> None:

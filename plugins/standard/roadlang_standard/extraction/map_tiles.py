@@ -18,6 +18,7 @@ from .map_or_drawing import FEW, LETTERED, is_drawing
 from .map_tones import (
     LOSSY,
     MapTone,
+    Tolerance,
     color_masks,
     flat_colors,
     map_tones,
@@ -83,11 +84,7 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     colors = flat_colors(plain, tolerance)
     if len(colors) < _COLORS or (len(colors) == _COLORS and _differing(plain, image) < LETTERED):
         return None
-    chosen = None if tolerance is LOSSY else _thin_roads(plain, with_line_colors(plain, colors))
-    thin = chosen is not None
-    if chosen is None:
-        tones = without_water(map_tones(plain, colors, tolerance))
-        chosen = _Roads(tones, road_tones(with_streets_alone(tones), min(image.shape[:2])))
+    chosen, thin = _chosen(plain, colors, tolerance)
     if not chosen.roads:
         return None
     usual = chosen.width(lambda tone: tone.width)
@@ -126,12 +123,27 @@ def _differing(one: Image, other: Image) -> float:
     return float(cv2.absdiff(one, other).any(axis=2).mean()) if one is not other else 0.0
 
 
-def _thin_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
-    """The roads of a lossless map (h, w, 3) without letters; None if they are usually wide."""
+def _chosen(
+    plain: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance
+) -> tuple[_Roads, bool]:
+    """The roads of a map (h, w, 3) without letters, and whether its tones have smoothed edges."""
+    fine = None if tolerance is LOSSY else _fine_roads(plain, with_line_colors(plain, colors))
+    if fine is not None and fine.width(lambda tone: tone.width) < THIN:
+        return fine, True
+    tones = without_water(map_tones(plain, colors, tolerance))
+    chosen = _Roads(tones, road_tones(with_streets_alone(tones), min(plain.shape[:2])))
+    # Names on streets leave less of them even than what is known of their edges.
+    if fine is not None and not chosen.roads:
+        return fine, True
+    return chosen, False
+
+
+def _fine_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
+    """The roads of a lossless map (h, w, 3) without letters, with their smoothed edges."""
     tones = without_water(map_tones(plain, colors, smooth=True))
     streets = without_outlines(with_streets_alone(tones))
     found = _Roads(tones, road_tones(streets, min(plain.shape[:2])))
-    return found if found.roads and found.width(lambda tone: tone.width) < THIN else None
+    return found if found.roads else None
 
 
 def _masks(

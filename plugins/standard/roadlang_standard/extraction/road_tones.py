@@ -23,7 +23,7 @@ width, as a share of the shorter side."""
 _PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
 """The same of black, gray and white: wide and narrow roads have it where a map has one color for
 all."""
-_SATURATED, _WARM, _WARM_STEADY = 0.28, (70 / 360, 320 / 360), 0.15
+_SATURATED, _WARM, _WARM_STEADY = 0.22, (70 / 360, 320 / 360), 0.12
 """Main roads are often at least so saturated and of hues not between these; such tones may keep
 their width along less of their surface."""
 _ALSO_EVEN = 0.4
@@ -33,6 +33,8 @@ _LEAST = 0.5
 _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 220 / 360
 """Water is of these hues where it is also wide, or bluish up to the other one where it differs from
 the land in the other direction than roads do, darker or lighter."""
+_GREEN_HUES = 75 / 360, 160 / 360
+"""Of parks, woods and meadows."""
 _WIDE = 1.5
 """Water is wider than so many roads."""
 _AREA = 4.3
@@ -68,12 +70,15 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     # Hair lines are even, such as tracks in a yard: streets are longer in all where they are wider.
     longest = max((tone.steady_length for tone in sure if tone.width > _HAIR), default=0.0)
     sure = [tone for tone in sure if tone.width > _HAIR or tone.steady_length > longest]
+    sure = [tone for tone in sure if tone.steady_length >= _LEAST * side]
     if not sure:
         return []
-    # Squares: what is far less even than any roads may still be long in all.
-    main = max(sure, key=lambda tone: tone.steady_length * tone.steady**2)
-    if main.steady_length < _LEAST * side:
-        return []
+    # Squares: what is far less even than any roads may still be long in all. Strips of plants are
+    # as even as roads, but few maps have green roads, and these have nothing else.
+    main = max(
+        [tone for tone in sure if not _is_green(tone)] or sure,
+        key=lambda tone: tone.steady_length * (tone.steady * tone.even) ** 2,
+    )
     others = [
         tone
         for tone in ribbons
@@ -95,7 +100,8 @@ def _is_steady(tone: MapTone) -> bool:
     if tone.ribbons < _RIBBONS:
         return False
     if (
-        tone.even >= _RAGGED_EVEN
+        not _is_green(tone)
+        and tone.even >= _RAGGED_EVEN
         and tone.spread <= _RAGGED_SPREAD
         and tone.ribbons >= _RAGGED_RIBBONS
     ):
@@ -156,7 +162,7 @@ def _lines(tone: MapTone, other: MapTone) -> bool:
 def _is_between(tone: MapTone, other: MapTone, land: MapTone) -> bool:
     """Whether a tone is a mixture of another one and the land, as a road's smoothed edge is."""
     axis = land.color - other.color
-    share = float(np.clip((tone.color - other.color) @ axis / max(axis @ axis, 1.0), 0, 1))
+    share = float(np.clip((tone.color - other.color) @ axis / max(float(axis @ axis), 1.0), 0, 1))
     return bool(np.abs(tone.color - other.color - share * axis).max() <= EXACT.near)
 
 
@@ -192,6 +198,11 @@ def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
 
 def _has_water_hue(tone: MapTone) -> bool:
     return not tone.is_gray and _WATER_HUES[0] <= _hue(tone) <= _WATER_HUES[1]
+
+
+def _is_green(tone: MapTone) -> bool:
+    """Whether a tone has a hue of plants."""
+    return not tone.is_gray and _GREEN_HUES[0] <= _hue(tone) <= _GREEN_HUES[1]
 
 
 def _hue(tone: MapTone) -> float:
