@@ -84,7 +84,9 @@ def test_scenes_name_their_scene_file(failure: Path) -> None:
 
 def test_choices_shrink_to_their_first_item_and_integers_toward_zero() -> None:
     text = TEXT.replace("speed: 6m/s..15m/s", "speed: choice(14m/s, 6m/s, 15m/s)")
-    Path("bend.rl").write_text(text.replace("side: right", "side: right, count: integer(2, 4)"))
+    Path("bend.rl").write_text(
+        text.replace("side: right", "side: right, count: integer(2, 4), spacing: 9m")
+    )
     run(["falsify", "bend.rl", "-o", "out", "--seed", "4", "--evaluations", "20"])
     draws = [
         json.loads(path.read_text())["draws"] for path in Path("out/failures").glob("0*1.json")
