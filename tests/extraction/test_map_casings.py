@@ -104,6 +104,14 @@ def test_main_roads_may_be_pale_yellow_and_uneven() -> None:
     assert len(road_tones(found, SIDE)) == 2
 
 
+def test_thin_streets_that_jpeg_broke_keep_their_width_well() -> None:
+    street = lines(3, *STREETS)
+    for steady, is_road in ((0.95, True), (0.8, False)):
+        found = tones(xfffffd=street)
+        found[1] = replace(found[1], steady=steady, ribbons=0.65)
+        assert bool(road_tones(found, SIDE)) is is_road
+
+
 def test_what_names_hide_of_the_width_of_streets_is_known_with_their_smoothed_edges(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -150,5 +158,15 @@ def test_a_map_with_the_sea_stored_as_jpeg_has_exact_colors() -> None:
     image[330:] = (200, 232, 216)
     for x in range(0, 640, 80):
         image[:330, x : x + 30] = image[330:, x : x + 20] = (226, 234, 242)
+    stored = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, 80])[1]
+    assert has_exact_colors(np.asarray(cv2.imdecode(stored, cv2.IMREAD_COLOR)))
+
+
+def test_a_map_of_two_kinds_of_land_that_look_alike_stored_as_jpeg_has_exact_colors() -> None:
+    rng = np.random.default_rng(4)
+    image = np.repeat(rng.integers(120, 250, (640, 640, 1)).astype(np.uint8), 3, axis=2)
+    image[:, :200] = (236, 242, 245)
+    image[:300, 200:500] = (232, 238, 241)
+    image[400:600, 300:500] = (200, 232, 216)
     stored = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, 80])[1]
     assert has_exact_colors(np.asarray(cv2.imdecode(stored, cv2.IMREAD_COLOR)))

@@ -33,6 +33,10 @@ _SAME_SHARE, _SAME_IN_ALL, _WINDOW = 0.01, 0.4, 1024
 so many pixels a side, and all of them on more than the other share."""
 _LAND, _PURE = 0.5, 5
 """Or it has one exactly on more than this share, which is off black and white by so much."""
+_EACH, _ALL, _TINTED = 0.03, 0.3, 5
+"""Or some that are off black and white, each on more than the first share and all of them on more
+than the second, and no shades of one color, but so many gray levels off those: what is flat in a
+photo of paper has hardly a hundredth of one color."""
 _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
 """Of 4 x 4 blocks, one of the two most frequent colors has a tenth of the area of at least 12
 (paper has another color in a shadow), and is the same in each, within so many gray levels (pixels
@@ -98,15 +102,23 @@ def _middle(image: Image) -> Image:
 
 
 def _is_lossless(part: Image, colors: list[NDArray[np.float64]]) -> bool:
-    """Whether several colors are exactly the same on many pixels, as no camera sees them."""
+    """Whether several colors are exactly the same on many pixels, as no camera sees them. JPEG
+    keeps some of these far from edges."""
     shares = [float((away_from(part, color) == 0).mean()) for color in colors]
     if sum(share > _SAME_SHARE for share in shares) > _SEVERAL and sum(shares) > _SAME_IN_ALL:
         return True
     # Margins without data are pure black or white.
-    return any(
-        share > _LAND and color.min() >= _PURE and color.max() <= 255 - _PURE
+    tinted = [
+        (share, color)
         for share, color in zip(shares, colors, strict=True)
-    )
+        if color.min() >= _PURE and color.max() <= 255 - _PURE
+    ]
+    if any(share > _LAND for share, _ in tinted):
+        return True
+    frequent = [(share, color - color.mean()) for share, color in tinted if share > _EACH]
+    if sum(share for share, _ in frequent) <= _ALL:
+        return False
+    return float(np.ptp([tint for _, tint in frequent], axis=0).max()) > _TINTED
 
 
 def _near(

@@ -20,6 +20,8 @@ _RAGGED_EVEN, _RAGGED_SPREAD, _RAGGED_RIBBONS = 0.65, 1.5, 0.95
 _RIBBONS, MOST_SPREAD, _WIDEST = 0.7, 2.1, 0.12
 """Least share of a tone's surface in ribbons; most that wide parts exceed the usual width; and most
 width, as a share of the shorter side."""
+_VERY_STEADY, _FEW_RIBBONS = 0.9, 0.6
+"""Least share in ribbons of what keeps its width so well: JPEG breaks thin streets to pieces."""
 _PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
 """The same of black, gray and white: wide and narrow roads have it where a map has one color for
 all."""
@@ -97,7 +99,7 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
 
 def _is_steady(tone: MapTone) -> bool:
     """Whether a tone keeps its width along enough of it to be a road's."""
-    if tone.ribbons < _RIBBONS:
+    if tone.ribbons < (_RIBBONS if tone.steady < _VERY_STEADY else _FEW_RIBBONS):
         return False
     if (
         not _is_green(tone)
