@@ -244,9 +244,9 @@ def test_lines_between_lanes_are_drawn_as_they_are_marked() -> None:
 
 
 def test_edge_lines_are_drawn_inside_the_road_and_curbs_in_their_own_color() -> None:
-    """The road is from y = 18 to 98 pixels: a line 5 inside each edge, a curb on the edge."""
+    """The road is from y = 18 to 98 pixels: a line 2.5 inside each edge, a curb on the edge."""
     (solid,), (curb,) = marked("none", "solid"), marked("none", "curb")
-    assert solid.get("d") == "M24.0,23.0 876.0,23.0M24.0,93.0 876.0,93.0"
+    assert solid.get("d") == "M24.0,20.5 876.0,20.5M24.0,95.5 876.0,95.5"
     assert curb.get("d") == "M24.0,18.0 876.0,18.0M24.0,98.0 876.0,98.0"
     assert solid.get("stroke") != curb.get("stroke")
 

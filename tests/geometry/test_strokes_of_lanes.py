@@ -20,12 +20,17 @@ def drawn(*markings: str, lane: float = 40.0, scale: float = 10.0) -> list[LaneS
 
 
 def test_lines_at_the_edges_lie_inside_the_road_and_those_between_lanes_on_the_border() -> None:
-    """They are 0.035 of 40 pixels wide; at an edge they lie 0.09 of 40 pixels further inside."""
+    """They are 0.035 of 40 pixels wide; at an edge they lie 0.25 m inside, as in junctions."""
     left, middle, right = drawn("solid", "broken", "solid")
     assert [left.border, middle.border, right.border] == [0, 1, 2]
-    assert [left.shift, middle.shift, right.shift] == pytest.approx([-5.0, 0.0, 5.0])
+    assert [left.shift, middle.shift, right.shift] == pytest.approx([-2.5, 0.0, 2.5])
     assert middle.width == pytest.approx(1.4)
     assert [left.dashes, middle.dashes] == [None, (30.0, 60.0)]
+
+
+def test_where_a_road_is_drawn_small_the_lines_at_its_edges_are_clear_of_them() -> None:
+    shifts = [stroke.shift for stroke in drawn("solid", "none", "solid", lane=12.0, scale=3.0)]
+    assert shifts == pytest.approx([-1.5, 1.5])
 
 
 def test_a_double_line_is_one_to_each_side_of_the_border() -> None:

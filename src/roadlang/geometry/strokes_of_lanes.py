@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from .lane_paint import DASH, GAP, BorderLine, border_lines
+from .lane_paint import DASH, EDGE_INSET, GAP, BorderLine, border_lines
 from .lanes import Marking
 
 if TYPE_CHECKING:
@@ -19,8 +19,9 @@ _CURB, _THINNEST_CURB = 0.2, 0.7
 """The width of a curb in meters, and its least in pixels."""
 _SHARE_OF_LANE, _THINNEST, _WIDEST = 0.035, 0.5, 2.0
 """The width of a line as a share of its lane, and its limits in pixels."""
-_INSIDE_EDGE = 0.09
-"""Share of a lane that the line at the edge of a road lies inside."""
+_INSIDE_EDGE, _CLEAR_OF_EDGE = 0.09, 1.5
+"""Share of a lane that the line at the edge of a road lies inside, where it would touch the edge
+else: up to so many pixels."""
 _FROM_MIDDLE = 1.2
 """How far each line of a double one is from its middle, in widths of a line."""
 
@@ -55,13 +56,16 @@ def lane_strokes(
         if line.is_curb:
             yield LaneStroke(line.border, 0.0, curb, is_curb=True)
         else:
-            shift = _shift(line, lane, width)
+            shift = _shift(line, lane, width, pixels_per_meter)
             yield LaneStroke(line.border, shift, width, dashes if line.is_broken else None)
 
 
-def _shift(line: BorderLine, lane: float, width: float) -> float:
-    """Pixels: lines are wider than they are painted, where they would be too thin to see."""
-    return line.inset * (_INSIDE_EDGE * lane + width) + line.apart * _FROM_MIDDLE * width
+def _shift(line: BorderLine, lane: float, width: float, pixels_per_meter: float) -> float:
+    """Pixels: as far as on a road, where the line is continued through junctions, or as it takes to
+    see it. Lines are wider than they are painted, where they would be too thin to see."""
+    seen = min(_INSIDE_EDGE * lane + width, _CLEAR_OF_EDGE)
+    inset = max(EDGE_INSET * pixels_per_meter, seen)
+    return line.inset * inset + line.apart * _FROM_MIDDLE * width
 
 
 def are_lines_seen(lane: float) -> bool:
