@@ -137,10 +137,10 @@ def lines_of(drawn: list[Shape]) -> list[tuple[float, float]]:
 
 
 def test_edge_lines_are_painted_inside_the_road_and_the_middle_is_broken() -> None:
-    """Lanes of 40 px: lines of 1.4 px, those at the edges 3.6 + 1.4 px inside."""
+    """Lanes of 40 px: lines of 1.4 px, those at the edges 0.25 m inside."""
     drawn = of(lane_lines(straight_ribbon(), 40.0, 10.0), "path")
     assert [value for line in lines_of(drawn) for value in line] == near(
-        215, 1.4, 250, 1.4, 285, 1.4
+        212.5, 1.4, 250, 1.4, 287.5, 1.4
     )
     assert [line.get("stroke-dasharray") for line in drawn] == [None, "30.00 60.00", None]
 
