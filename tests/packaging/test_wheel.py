@@ -88,6 +88,7 @@ BY_IMPORT = {"cv2": "opencv-python-headless", "yaml": "pyyaml"}
 OPTIONAL = {
     "distributed": "the extra `dask`: searches and runs on a cluster",
     "gymnasium": "the extra `gym`: scenes as environments",
+    "llvmlite": "comes with numba: calls from compiled loops into numpy",
     "numba": "the extra `fast`: motion of the embedded engine, compiled",
     "onnxruntime": "the extra `onnx`: policy networks that drive",
     "pandas": "traces as data frames, for those who have it",
