@@ -24,7 +24,8 @@ def test_agents_that_overlap_are_not_driven(searcher: str) -> None:
     for outcome in search.driven:
         assert abs(outcome.draws["ego/at"] - outcome.draws["other/at"]) >= 5.0
     assert not search.failures
-    assert all(found.violation > 0.0 for found in search.outcomes if not found.is_valid)
+    invalid = [found for found in search.outcomes if not found.is_valid]
+    assert all(found.violation is not None and found.violation > 0.0 for found in invalid)
 
 
 def test_a_scene_without_room_is_worse_the_more_room_it_lacks() -> None:
@@ -32,7 +33,7 @@ def test_a_scene_without_room_is_worse_the_more_room_it_lacks() -> None:
     lacking = [
         (abs(found.point[0] - found.point[1]), found.violation)
         for found in search.outcomes
-        if not found.is_valid
+        if found.violation is not None and not found.is_valid
     ]
     assert len(lacking) > 5
     assert [violation for _, violation in sorted(lacking)] == sorted(
