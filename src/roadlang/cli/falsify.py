@@ -56,7 +56,7 @@ _FIGURES = 25
     type=click.IntRange(min=0),
     default=_FIGURES,
     show_default=True,
-    help="Draw this many failures, from the worst on.",
+    help="Number of failures to draw, worst first.",
 )
 @click.option("--resume", is_flag=True, help="Continue from the journal in DIR.")
 @click.option("--json", "as_json", is_flag=True, help="Print the summary as JSON.")
@@ -152,8 +152,8 @@ def _note_figures(search: Falsification, target: Path, figures: int) -> None:
 
     if figures < len(search.failures):
         other = shown(target / FAILURES / f"{figures + 1:04d}.json")
-        drawn = f"the worst {figures} failures are drawn" if figures else "no failure is drawn"
-        note(f"{drawn}: `roadlang run {other} -o DIR` draws another, `--figures N` more of them")
+        drawn = f"figures of the {figures} worst failures" if figures else "no figures"
+        note(f"{drawn}: `--figures N` draws more, `roadlang run {other} -o DIR` a single one")
 
 
 def _line(failure: Failure) -> str:

@@ -120,9 +120,8 @@ class _Gaps:
 def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float, largest: float) -> _Gaps:
     """The parts of the `gaps` (h, w) of a road (h, w) that are less than a share of the picture.
 
-    The road is at least so many times as
-    wide beside them as they are thick: else the blocks of a town, which are one wide road once all
-    of them are filled, would be lines upon it."""
+    The road is at least so many times as wide beside them as they are thick: else the blocks of a
+    town, which are one wide road once all of them are filled, would be lines upon it."""
     labels, areas, keys = _small_parts(gaps, largest)
     none = np.zeros(0)
     if not len(keys):

@@ -66,10 +66,10 @@ class Controller(Kind):
     foot"""
 
     is_elementwise: ClassVar[bool] = False
-    """whether `controls` computes each agent's controls with numpy's functions of numbers alone
-    (`np.sin`, `np.minimum`, `np.where`) and operators, of columns of the observations, and neither
-    looks at a number (`if`) nor remembers anything: then the embedded engine may write down what it
-    computes once, and repeat that for many steps without calling it, to the same bits"""
+    """whether `controls` is elementwise: numpy's functions (`np.sin`, `np.minimum`, `np.where`) and
+    operators on columns of the observations, without branches on their values (`if`) and without
+    state. The embedded engine may then trace it once and repeat the computation in compiled code
+    for many steps without calling it; the results are the same to the last bit"""
 
     lane_options: ClassVar[tuple[str, ...]] = ()
     """options that hold the id of a lane: one that the road does not have is an error (RL613)"""
