@@ -105,7 +105,7 @@ def test_other_outputs_are_refused_before_anything_is_driven(
     for file in ("bend.rl", "scene.json"):
         assert run(["run", file, "--emit", "svg"]) == 2
         printed = capsys.readouterr().err
-        assert "error[RL939]: `emit svg` writes no files of drives" in printed
+        assert "error[RL939]: `emit svg` writes no files for drives" in printed
         assert "those that do are `commonroad`" in printed
         Path("scene.json").write_text(testing.sample(TEXT)[0].to_json())
     assert run(["run", "bend.rl", "--emit", "svgg"]) == 2

@@ -197,4 +197,4 @@ def test_widths_that_disagree_are_said_to_a_tenth_of_a_millimeter() -> None:
     text = "road main { draw with segments { pieces: [straight(99m)] }, LANES }"
     (found,) = testing.check(text.replace("LANES", lanes))
     assert found.code == "RL246"
-    assert "`main` are 6.6667m wide together, and `width` is 9m" in found.message
+    assert "`main` add up to 6.6667m, but `width` is 9m" in found.message
