@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction import tone_shape
 from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.map_letters import letters_of_map
@@ -25,6 +27,7 @@ from roadlang_standard.extraction.map_tones import (
 )
 from roadlang_standard.extraction.map_water import without_water
 from roadlang_standard.extraction.road_tones import road_tones
+from roadlang_standard.extraction.tone_shape import ToneShape, _shape
 from tests.extraction.drawn_maps import (
     DARK,
     INK,
@@ -92,9 +95,20 @@ def test_a_wide_road_that_casings_part_from_the_others_is_no_water() -> None:
     mask = np.zeros((200, 300), bool)
     mask[60:66] = mask[140:146] = mask[:, 80:86] = mask[:, 220:226] = True
     mask[98:108], mask[96:98], mask[108:110] = True, False, False
-    land = MapTone(np.full(3, 255.0), ~mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
-    (_, roads) = without_water([land, map_tone(np.zeros(3), mask)])
+    (_, roads) = without_water([map_tone(np.full(3, 255.0), ~mask), map_tone(np.zeros(3), mask)])
     assert (roads.mask == mask).all()
+
+
+def test_the_land_is_never_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    measured: list[float] = []
+
+    def shape(mask: np.ndarray) -> ToneShape:
+        measured.append(float(mask.mean()))
+        return _shape(mask)
+
+    monkeypatch.setattr(tone_shape, "_shape", shape)
+    assert roads_of_map(drawn_map(LIGHT)) is not None
+    assert max(measured) < 0.5
 
 
 def test_buildings_are_no_roads_where_there_are_more_of_them_than_of_streets() -> None:
@@ -104,9 +118,8 @@ def test_buildings_are_no_roads_where_there_are_more_of_them_than_of_streets() -
     buildings[200:290:30, 20:280] = True
 
     def tone(gray: float, where: np.ndarray, length: float, ribbons: float, even: float) -> MapTone:
-        return MapTone(
-            np.full(3, gray), where, length, ribbons, 7.0, 1.2, even, 12.0, even, even * length
-        )
+        shape = ToneShape(length, ribbons, 7.0, 1.2, even, 12.0, even, even * length)
+        return MapTone(np.full(3, gray), where, SimpleNamespace(shape=shape))
 
     tones = [tone(14, land, 9000, 1.0, 0.4), tone(44, streets, 1500, 0.96, 0.9)]
     found = road_tones([*tones, tone(24, buildings, 3400, 0.74, 0.56)], 300)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -13,8 +13,6 @@ from roadlang.geometry import Booleans
 from .map_tones import EXACT, MapTone, frequent_colors, map_tone
 from .mixed_pixels import Labels
 from .tones import Image
-
-_Pixel = TypeVar("_Pixel", bound=np.generic)
 
 _STEP = 6
 """A line differs by more gray levels from both of its sides, and by no more along itself."""
@@ -45,21 +43,25 @@ def with_line_colors(image: Image, colors: list[NDArray[np.float64]]) -> list[ND
 
 def _ridges(image: Image) -> Booleans:
     """Where (h, w) a map is brighter or darker than at both sides, and as before and after."""
-    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.int16)
+    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    around = cv2.copyMakeBorder(gray, *(_REACH,) * 4, cv2.BORDER_REPLICATE)
     found = np.zeros(gray.shape, bool)
     for across, along in (((0, 1), (1, 0)), ((1, 0), (0, 1)), ((1, 1), (1, -1)), ((1, -1), (1, 1))):
-        sides = [_moved(gray, across, _REACH * sign) for sign in (1, -1)]
-        ends = [_moved(gray, along, sign) for sign in (1, -1)]
-        ridge = (gray - np.maximum(*sides) > _STEP) | (np.minimum(*sides) - gray > _STEP)
-        found |= ridge & (np.abs(ends[0] - gray) <= _STEP) & (np.abs(ends[1] - gray) <= _STEP)
+        one, other = (_moved(around, across, _REACH * sign) for sign in (1, -1))
+        before, after = (cv2.absdiff(_moved(around, along, sign), gray) for sign in (1, -1))
+        higher = cv2.subtract(gray, cv2.max(one, other))  # 0 where it is lower
+        ridge = cv2.max(higher, cv2.subtract(cv2.min(one, other), gray)) > _STEP
+        found |= ridge & (cv2.max(before, after) <= _STEP)
     return found
 
 
-def _moved(picture: NDArray[_Pixel], step: tuple[int, int], times: int) -> NDArray[_Pixel]:
-    """A picture (h, w) or (h, w, 3) moved by some steps, its rim repeated."""
-    rows = np.clip(np.arange(picture.shape[0]) + step[0] * times, 0, picture.shape[0] - 1)
-    columns = np.clip(np.arange(picture.shape[1]) + step[1] * times, 0, picture.shape[1] - 1)
-    return picture[rows[:, None], columns[None, :]]
+def _moved(around: Image, step: tuple[int, int], times: int) -> Image:
+    """The inner part of a picture with a rim of `_REACH` pixels, moved by some steps."""
+    rows, columns = (
+        slice(_REACH + side * times, size - _REACH + side * times)
+        for side, size in zip(step, around.shape, strict=True)
+    )
+    return np.ascontiguousarray(around[rows, columns])
 
 
 def without_outlines(tones: list[MapTone]) -> list[MapTone]:
@@ -73,7 +75,7 @@ def without_outlines(tones: list[MapTone]) -> list[MapTone]:
         labels[tone.mask] = index
     land = max(tones, key=lambda tone: float(tone.mask.sum()))
     return [
-        _streets(tone, labels) if 0 < tone.width < THIN and tone is not land else tone
+        _streets(tone, labels) if tone is not land and 0 < tone.width < THIN else tone
         for tone in tones
     ]
 
@@ -91,7 +93,9 @@ def _streets(tone: MapTone, labels: Labels) -> MapTone:
     if differ.sum() <= alike.sum():
         # A street between a park and houses is an outline of both, but goes around neither.
         between &= holes(tone.mask, parts, count) > 0
-    streets = map_tone(tone.color, np.asarray((long & ~between)[parts]))
+    chosen = np.asarray((long & ~between)[parts])
+    is_all = np.array_equal(chosen, tone.mask)
+    streets = replace(tone, shared=False) if is_all else map_tone(tone.color, chosen)
     return streets if streets.steady >= _STEADY else map_tone(tone.color, np.zeros_like(lines))
 
 
@@ -110,16 +114,26 @@ def _sides(mask: Booleans, labels: Labels, away: int) -> tuple[Booleans, Boolean
     """Where (h, w) a thin line ends on two opposite sides, and these have the same color; and where
     they have two."""
     alike, differ = np.zeros(mask.shape, bool), np.zeros(mask.shape, bool)
-    for step in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        line = mask & ~_moved(mask, step, away) & ~_moved(mask, step, -away)
+    rim, at = away + 1, np.flatnonzero(mask)
+    inked, colors = (
+        cv2.copyMakeBorder(part, rim, rim, rim, rim, cv2.BORDER_REPLICATE).ravel()
+        for part in (mask.view(np.uint8), labels)
+    )
+    stride = mask.shape[1] + 2 * rim
+    rows, columns = np.divmod(at, mask.shape[1])
+    inner = (rows + rim) * stride + columns + rim
+    for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        step = down * stride + right
+        ends = (inked.take(inner + away * step) | inked.take(inner - away * step)) == 0
+        line = inner[ends]
         # A line of two pixels has its middle between them: one side is a pixel farther away.
         there, back = (
-            [_moved(labels, step, sign * far) for far in (away, away + 1)] for sign in (1, -1)
+            [colors.take(line + sign * far * step) for far in (away, away + 1)] for sign in (1, -1)
         )
         same = np.logical_or.reduce([(a == b) & (a >= 0) for a in there for b in back])
-        known = np.maximum(*there) >= 0
-        alike |= line & same
-        differ |= line & ~same & known & (np.maximum(*back) >= 0)
+        known = (np.maximum(*there) >= 0) & (np.maximum(*back) >= 0)
+        alike.ravel()[at[ends][same]] = True
+        differ.ravel()[at[ends][~same & known]] = True
     return alike, differ & ~alike
 
 

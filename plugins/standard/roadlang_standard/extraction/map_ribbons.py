@@ -7,11 +7,13 @@ from itertools import pairwise
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .mask_parts import window_around
 from .tones import Layer
+
+Pixels = NDArray[np.intp]
 
 _WIDTHS = (1.0, 4.5, 9.0, 18.0, 36.0, 72.0)
 """Ribbons are looked at by width, between two of these, in pixels."""
@@ -40,26 +42,38 @@ def ribbons(thin: Booleans, inner: Layer) -> RibbonLines:
 
     `thin` (h, w) is the skeleton of the surface, `inner` (h, w) how far pixels are from its edge.
     """
-    across = np.where(thin, 2 * inner - 1, 0).astype(np.float32)
-    least = np.where(thin, across, np.float32(1e3)).astype(np.float32)
-    found = np.zeros_like(thin)
+    at = np.flatnonzero(thin)
+    widths = 2 * inner.ravel()[at] - 1
+    across, least = np.zeros(thin.shape, np.float32), np.full(thin.shape, 1e3, np.float32)
+    across.ravel()[at] = least.ravel()[at] = widths
+    found = np.zeros(thin.shape, bool)
     for low, high in pairwise(_WIDTHS):
-        some = thin & (across >= low) & (across < high)
-        if np.count_nonzero(some) > _LONG * low:
-            window = window_around(some, int(_NEAR * high) + 1)
-            found[window] |= _ribbons(some[window], across[window], least[window], high)
-    total = float(across.sum())
-    widths = across[found]
-    wide = float(np.quantile(widths, _WIDE)) if widths.size else 0.0
-    return RibbonLines(found, float(widths.size), wide, float(widths.sum()) / max(total, 1.0))
+        some = at[(widths >= low) & (widths < high)]
+        if len(some) > _LONG * low:
+            found.ravel()[_ribbons(some, across, least, high)] = True
+    total = float(widths.sum(dtype=np.float64))
+    even = widths[found.ravel()[at]]
+    wide = float(np.quantile(even, _WIDE)) if even.size else 0.0
+    share = float(even.sum(dtype=np.float64)) / max(total, 1.0)
+    return RibbonLines(found, float(even.size), wide, share)
 
 
-def _ribbons(some: Booleans, across: Layer, least: Layer, high: float) -> Booleans:
-    """Where the skeleton of widths below `high` keeps its width over some length."""
+def _ribbons(some: Pixels, across: Layer, least: Layer, high: float) -> Pixels:
+    """Which pixels, of `some` of a skeleton (h, w) with widths below `high`, keep their width over
+    some length. All pixels are indices of the flat picture."""
     kernel = np.ones((2 * int(_NEAR * high) + 1,) * 2, np.uint8)
-    varies = cv2.dilate(across, kernel) - cv2.erode(least, kernel)
-    even = some & (varies <= np.maximum(_VARIES * across, _JAGGED))
-    near = cv2.dilate(even.astype(np.uint8), np.ones((3, 3), np.uint8))
+    rows, columns = np.divmod(some, across.shape[1])
+    margin = int(_NEAR * high) + 1
+    top, left = (max(0, int(axis.min()) - margin) & ~1 for axis in (rows, columns))
+    window = slice(top, int(rows.max()) + margin), slice(left, int(columns.max()) + margin)
+    within = rows - top, columns - left
+    widths = across.ravel()[some]
+    varies = cv2.dilate(across[window], kernel)[within] - cv2.erode(least[window], kernel)[within]
+    even = varies <= np.maximum(_VARIES * widths, _JAGGED)
+    lines = np.zeros(across[window].shape, np.uint8)
+    lines[within] = even
+    near = cv2.dilate(lines, np.ones((3, 3), np.uint8))
     count, parts = cv2.connectedComponents(near, connectivity=8)
-    lengths = np.bincount(parts[even], minlength=count)
-    return np.asarray(even & (lengths[parts] > _LONG * across))
+    part = parts[within]
+    lengths = np.bincount(part[even], minlength=count)
+    return np.asarray(some[even & (lengths[part] > _LONG * widths)])

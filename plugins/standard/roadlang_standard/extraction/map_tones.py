@@ -11,11 +11,9 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .counted_colors import color_codes, counted_colors
-from .map_ribbons import ribbons
-from .masks import without_specks
 from .mixed_pixels import with_thin_lines
-from .skeleton import skeleton
-from .tones import Image, Layer, away_from
+from .tone_shape import HasShape, ToneSurface
+from .tones import Image, away_from
 
 _LEAST, _MOST = 0.001, 32
 """Least share of the picture that a tone covers, and how many tones are looked at."""
@@ -31,20 +29,10 @@ by no more than the third in the share of the second; that share is to differ by
 contrast is not raised by more than the last factor."""
 _GRAY = 0.02
 """Channels that differ by less, of 1, have no hue."""
-THINNEST = 2.0
-"""Ribbons are wider than this, in pixels, unless they are very long: casings and footpaths are
-not."""
-_THIN_LONG = 80.0
-"""Thin lines longer than this, in pixels, hang together as streets do; outlines of buildings do
-not."""
-_LONG = 5.0
-"""A ribbon is longer than so many widths."""
 _SHAPED, _GRAIN = 0.2, 4.0
 """Noise of a color is in ribbons to a smaller share than this, and no wider than so many pixels."""
 _MIXED = 1.5
 """Wide and thin roads of one color are on average wider than usual by more than this factor."""
-_SPECK = 8
-"""Parts and holes of fewer pixels are not looked at."""
 
 
 @dataclass(frozen=True)
@@ -70,26 +58,55 @@ class MapTone:
     color: NDArray[np.float64]
     """(3,) BGR"""
     mask: Booleans
-    length: float
-    """of its center lines, pixels"""
-    ribbons: float
-    """share of the surface that lies in parts much longer than wide"""
-    width: float
-    """usual width, pixels"""
-    spread: float
-    """the width of its wide parts over the usual one"""
-    even: float
-    """share of the length whose width is near that of its part"""
-    widest: float
-    """width of its widest place, pixels"""
-    steady: float
-    """share of the surface that keeps its width along its length"""
-    steady_length: float
-    """length of that, pixels"""
-    steady_wide: float = 0.0
-    """width of its widest twentieth, pixels"""
+    surface: HasShape
+    """what its shape is measured of: all of the color, though the mask may be a part of that"""
     shared: bool = False
     """whether houses or water have the color, too, which are not in the mask"""
+
+    @property
+    def length(self) -> float:
+        """Of its center lines, pixels."""
+        return self.surface.shape.length
+
+    @property
+    def ribbons(self) -> float:
+        """Share of the surface that lies in parts much longer than wide."""
+        return self.surface.shape.ribbons
+
+    @property
+    def width(self) -> float:
+        """Usual width, pixels."""
+        return self.surface.shape.width
+
+    @property
+    def spread(self) -> float:
+        """The width of its wide parts over the usual one."""
+        return self.surface.shape.spread
+
+    @property
+    def even(self) -> float:
+        """Share of the length whose width is near that of its part."""
+        return self.surface.shape.even
+
+    @property
+    def widest(self) -> float:
+        """Width of its widest place, pixels."""
+        return self.surface.shape.widest
+
+    @property
+    def steady(self) -> float:
+        """Share of the surface that keeps its width along its length."""
+        return self.surface.shape.steady
+
+    @property
+    def steady_length(self) -> float:
+        """Length of that, pixels."""
+        return self.surface.shape.steady_length
+
+    @property
+    def steady_wide(self) -> float:
+        """Width of its widest twentieth, pixels."""
+        return self.surface.shape.steady_wide
 
     @property
     def is_gray(self) -> bool:
@@ -189,8 +206,10 @@ def map_tones(
     With `smooth`, thin lines have the pixels that a renderer smoothed.
     """
     tones = _tones_of(image, colors, tolerance.near, smooth)
+    if tolerance is not LOSSY:
+        return tones
     shaped = [tone.color for tone in tones if tone.ribbons >= _SHAPED or tone.width > _GRAIN]
-    if tolerance is LOSSY and 0 < len(shaped) < len(tones):
+    if 0 < len(shaped) < len(tones):
         return _tones_of(image, shaped, tolerance.near)
     return tones
 
@@ -218,68 +237,5 @@ def color_masks(
 
 
 def map_tone(color: NDArray[np.float64], mask: Booleans) -> MapTone:
-    """What shapes a color has where it is (h, w)."""
-    clean = without_specks(mask, _SPECK)
-    inner = cv2.distanceTransform(clean.astype(np.uint8), cv2.DIST_L2, 5)
-    thin = skeleton(clean)
-    parts = _parts(clean, inner, thin)
-    if not len(parts.lengths):
-        return MapTone(color, mask, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
-    wide = (parts.usual > THINNEST) | (parts.lengths > _THIN_LONG)
-    ribbon = (parts.lengths > _LONG * np.maximum(parts.usual, 1)) & wide
-    weights = np.where(ribbon, parts.lengths, 0) if ribbon.any() else parts.lengths
-    weights = weights / max(float(weights.sum()), 1.0)
-    usual = float(weights @ parts.usual)
-    steady = ribbons(thin, inner)
-    return MapTone(
-        color,
-        mask,
-        float(parts.lengths.sum()),
-        float((parts.lengths * parts.usual)[ribbon].sum() / (parts.lengths @ parts.usual)),
-        usual,
-        float(weights @ parts.wide) / max(usual, 1.0),
-        float(weights @ parts.even),
-        2 * float(inner.max()) - 1,
-        steady.share,
-        steady.length,
-        steady.wide,
-    )
-
-
-@dataclass(frozen=True)
-class _Parts:
-    """The connected parts (n,) of a mask: length of the center lines, usual width, that of the wide
-    tenth, and the share of the length that is about as wide as usual."""
-
-    lengths: NDArray[np.float64]
-    usual: NDArray[np.float64]
-    wide: NDArray[np.float64]
-    even: NDArray[np.float64]
-
-
-def _parts(mask: Booleans, inner: Layer, thin: Booleans) -> _Parts:
-    _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
-    part, width = labels[thin], (2 * inner[thin] - 1).astype(np.float64)
-    order = np.lexsort((width, part))
-    part, width = part[order], width[order]
-    starts = np.flatnonzero(np.r_[True, np.diff(part) > 0]) if len(part) else np.zeros(0, np.intp)
-    counts = np.diff(np.r_[starts, len(part)])
-    usual = _quantiles(width, starts, counts, 0.5)
-    middle = np.repeat(usual, counts)
-    near = (width > 0.6 * middle) & (width < 1.6 * middle)
-    even = np.add.reduceat(near.astype(np.float64), starts) if len(starts) else np.zeros(0)
-    wide = _quantiles(width, starts, counts, 0.9)
-    return _Parts(counts.astype(np.float64), usual, wide, even / np.maximum(counts, 1))
-
-
-def _quantiles(
-    values: NDArray[np.float64],
-    starts: NDArray[np.intp],
-    counts: NDArray[np.intp],
-    share: float,
-) -> NDArray[np.float64]:
-    """The quantile (n,) of each of n runs of ascending values, between two of them by lines."""
-    place = starts + share * (counts - 1)
-    low = np.floor(place).astype(np.intp)
-    high = np.minimum(low + 1, starts + counts - 1)
-    return np.asarray(values[low] + (place - low) * (values[high] - values[low]))
+    """A color where it is (h, w), with its shapes there."""
+    return MapTone(color, mask, ToneSurface(mask))

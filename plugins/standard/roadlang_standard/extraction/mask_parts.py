@@ -24,7 +24,11 @@ def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int
 
 
 def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slice, slice]:
-    """The rows and columns of a picture that hold a mask (h, w) and so many pixels around it."""
+    """The rows and columns of a picture that hold a mask (h, w) and so many pixels around it.
+
+    They begin at even numbers: OpenCV numbers parts by squares of 2 x 2 pixels, here as in all of
+    the picture.
+    """
     x, y, width, height = cv2.boundingRect(mask.view(np.uint8))
-    rows = slice(max(0, y - margin), y + height + margin)
-    return rows, slice(max(0, x - margin), x + width + margin)
+    rows = slice(max(0, y - margin) & ~1, y + height + margin)
+    return rows, slice(max(0, x - margin) & ~1, x + width + margin)

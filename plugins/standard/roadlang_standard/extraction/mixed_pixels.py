@@ -51,12 +51,14 @@ def with_thin_lines(image: Image, labels: Labels, colors: list[NDArray[np.float6
 
 def slopes(image: Image) -> Booleans:
     """Where (h, w) a map is between two colors: mixed pixels may have a third one by chance."""
-    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.int16)
-    padded = np.pad(gray, 1, mode="edge")
+    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    around = cv2.copyMakeBorder(gray, 1, 1, 1, 1, cv2.BORDER_REPLICATE)
     height, width = gray.shape
     found = np.zeros(gray.shape, bool)
     for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        after = padded[1 + down :, 1 + right :][:height, :width] - gray
-        before = gray - padded[1 - down :, 1 - right :][:height, :width]
-        found |= (np.minimum(after, before) > _STEP) | (np.maximum(after, before) < -_STEP)
+        after = np.ascontiguousarray(around[1 + down :, 1 + right :][:height, :width])
+        before = np.ascontiguousarray(around[1 - down :, 1 - right :][:height, :width])
+        up = cv2.min(cv2.subtract(after, gray), cv2.subtract(gray, before))  # 0 where it is less
+        down_hill = cv2.min(cv2.subtract(gray, after), cv2.subtract(before, gray))
+        found |= cv2.max(up, down_hill) > _STEP
     return found

@@ -10,7 +10,8 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .map_tones import EXACT, THINNEST, MapTone
+from .map_tones import EXACT, MapTone
+from .tone_shape import THINNEST
 
 _STEADY, _SURE, _ALSO_STEADY = 0.35, 0.45, 0.25
 """Least share of its surface that keeps its width, of the tone with most road; what makes any tone
