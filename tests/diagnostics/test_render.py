@@ -125,3 +125,18 @@ def test_an_underline_ends_with_what_is_shown_of_its_line() -> None:
     source = Source("wide.rl", "x" * 400 + "\nnext\n")
     found = Diagnostic("RL001", "error", "wide", source.span(0, 403))
     assert render(found).splitlines()[4] == "  | " + "^" * 160
+
+
+def test_a_fault_in_an_included_file_names_the_includes_by_which_it_came_in() -> None:
+    top = Source("top.rl", 'include "mid.rl"\n')
+    mid = Source("mid.rl", '\ninclude "base.rl" as x\n', included_at=top.span(8, 16))
+    base = Source("base.rl", "road main {}\n", included_at=mid.span(9, 18))
+    found = Diagnostic("RL100", "error", "wrong", base.part(0, 12).span(5, 9))
+    places = [line for line in render(found).splitlines() if "-->" in line]
+    assert places == [" --> base.rl:1:6", " --> mid.rl:2:9", " --> top.rl:1:9"]
+    assert render(found).splitlines()[-1] == "  |         -------- included here"
+    [record] = json.loads(render_json([found]))
+    assert record["included_at"] == [
+        {"file": "mid.rl", "line": 2, "column": 9},
+        {"file": "top.rl", "line": 1, "column": 9},
+    ]

@@ -149,13 +149,16 @@ def test_each_file_is_written_only_where_it_is_asked_for(circuit: Any) -> None:
     assert "schema" not in done.output
 
 
-@pytest.mark.parametrize("option", ["-o", "--mask"])
-def test_the_picture_is_never_written_over(circuit: Any, option: str) -> None:
+@pytest.mark.parametrize(
+    ("option", "fault"),
+    [("-o", "this writes JSON or GeoJSON"), ("--mask", "circuit.png would be written over")],
+)
+def test_the_picture_is_never_written_over(circuit: Any, option: str, fault: str) -> None:
     picture = circuit[1] / "circuit.png"
     before = picture.read_bytes()
     done = run(picture, option, picture)
     assert done.exit_code == 2
-    assert "circuit.png would be written over" in done.output
+    assert fault in done.output
     assert picture.read_bytes() == before
 
 
@@ -169,3 +172,13 @@ def test_an_option_that_a_kind_requires_is_asked_for(circuit: Any) -> None:
     done = run(circuit[1] / "circuit.png", "--with", "onnx")
     assert done.exit_code == 2
     assert "`--with onnx` needs `model`: give `--model`." in done.output
+
+
+@pytest.mark.parametrize("name", ["roads.png", "roads.svg", "roads.xodr", "roads.csv"])
+def test_roads_are_not_written_under_the_name_of_another_format(circuit: Any, name: str) -> None:
+    _, folder = circuit
+    done = run(folder / "circuit.png", "-o", folder / name)
+    assert done.exit_code == 2
+    assert "this writes JSON or GeoJSON: name a file that ends in `.json`" in done.output
+    assert "--overlay" in done.output
+    assert not (folder / name).exists()

@@ -52,3 +52,28 @@ def test_an_endless_sequence_goes_on_until_there_are_enough(n: int | None, found
     scenes = roadlang.loads(text).sample(n)
     assert len(scenes) == found
     assert scenes.result.missing == ()
+
+
+BENT = (
+    STRAIGHT + "road bent from main { perturb with sine { amplitude: 1m..2m, wavelength: 80m } }\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("require", "code"),
+    [
+        ("require far: always (deviation(bent, main) > 0.5m)\n", "RL601"),
+        ("require far: always (deviation(bent, main) > 5m)\n", "RL600"),
+        ("require wide: width(main) > 200m\n", "RL600"),
+    ],
+)
+def test_what_is_beyond_the_end_of_its_road_is_said_whatever_rejects_before_it(
+    require: str, code: str
+) -> None:
+    agent = "agent ego is car on bent at 500m\nsample with random { attempts: 50 }\n"
+    with pytest.raises(roadlang.NoSceneError) as caught:
+        roadlang.loads(BENT + agent + require).sample()
+    [found] = caught.value.diagnostics
+    assert found.code == code
+    assert any("`ego` would stand " in text for text in found.help), found.help
+    assert any("beyond the end of `bent`" in text for text in found.help), found.help

@@ -35,6 +35,13 @@ class Bump(Perturber):
     def displacement_bound(self) -> Floats | float:
         return abs(self.height)
 
+    def displacement_reached(self, length: float, closed: bool, gap: float) -> float:
+        """The height, less what lies between two stations, if the middle is on the road."""
+        if not (closed or 0.0 <= self.at <= length):
+            return 0.0
+        x = min(gap / self.length, 1.0)
+        return float(abs(self.height) * (1.0 - x * x) ** 3)
+
     def shortest_feature(self, length: float, closed: bool) -> Floats | float:
         """The bump itself."""
         return self.length

@@ -38,6 +38,10 @@ class Shift(Perturber):
     def displacement_bound(self) -> Floats | float:
         return abs(self.offset)
 
+    def displacement_reached(self, length: float, closed: bool, gap: float) -> float:
+        """The offset, if the move ends on the road: its last station shows it."""
+        return 0.0 if closed or self.at + self.length > length else abs(float(self.offset))
+
     def shortest_feature(self, length: float, closed: bool) -> Floats | float:
         """A wave of which the move is half."""
         return 2.0 * self.length

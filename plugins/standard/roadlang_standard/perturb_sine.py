@@ -51,6 +51,17 @@ class Sine(Perturber):
     def displacement_bound(self) -> Floats | float:
         return abs(self.amplitude)
 
+    def displacement_reached(self, length: float, closed: bool, gap: float) -> float:
+        """The amplitude within half a wavelength, less what lies between two stations."""
+        import math
+
+        wavelength = self.wavelength
+        if closed:
+            wavelength = length / max(round(length / wavelength), 1)
+        elif 2.0 * length < wavelength:
+            return 0.0
+        return float(abs(self.amplitude) * math.cos(min(math.pi * gap / wavelength, math.pi / 2)))
+
     def shortest_feature(self, length: float, closed: bool) -> Floats | float:
         """One period."""
         return self.wavelength

@@ -27,5 +27,9 @@ class Deviation(Signal):
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
         return 0.0, options["road"].apart(options["origin"])
 
+    @classmethod
+    def reached(cls, options: Mapping[str, Any]) -> float:
+        return float(options["road"].reach(options["origin"]))
+
     def values(self) -> Floats:
         return offsets(self.road, self.origin)

@@ -27,5 +27,9 @@ class Distance(Signal):
     def range(cls, options: Mapping[str, Any]) -> tuple[Floats | float, Floats | float]:
         return 0.0, options["road"].apart(options["other"])
 
+    @classmethod
+    def reached(cls, options: Mapping[str, Any]) -> float:
+        return float(options["road"].reach(options["other"]))
+
     def values(self) -> Floats:
         return distances(self.road, self.other)

@@ -37,7 +37,7 @@ def command(
     applied, the file is checked again, and the remaining errors are reported.
 
     A JSON diagnostic has code, severity, message, file, line, column, end_line, end_column
-    (counted from 1; the end is exclusive), help and fixes.
+    (counted from 1; the end is exclusive), included_at, help and fixes.
     """
     overrides = parse_overrides(settings)
     found: list[Diagnostic] = []

@@ -46,6 +46,11 @@ class _Place(_Numbers):
         return latitude, longitude
 
 
+_ROADS = FormatFile(
+    "JSON or GeoJSON",
+    *(".json", ".geojson", ""),
+    hint=" A picture of the roads: `--overlay FILE.svg` or `--mask FILE.png`.",
+)
 _SAY_MORE = (
     "`--overlay` shows what is seen; `--with contour` is for a drawing, `--with aerial` for a photo"
 )
@@ -58,7 +63,7 @@ _SAY_MORE = (
 @click.option(
     "-o",
     "--output",
-    type=click.Path(dir_okay=False),
+    type=_ROADS,
     help="File to write the roads to: JSON in pixels or, ending in .geojson, lines on Earth.",
 )
 @click.option(

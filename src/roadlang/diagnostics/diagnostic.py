@@ -53,6 +53,16 @@ class Diagnostic:
         """Path of the file that this is about, if there is one."""
         return self.span.source.path if self.span is not None else self.path
 
+    @property
+    def includes(self) -> tuple[Span, ...]:
+        """The `include`s by which its file came in, the innermost first; none of a main file."""
+        found: list[Span] = []
+        place = self.span
+        while place is not None and place.source.included_at is not None:
+            place = place.source.included_at
+            found.append(place)
+        return tuple(found)
+
 
 def diagnose(
     code: str,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
-from .diagnostic import Diagnostic
+from .diagnostic import Diagnostic, Label
 from .printable import columns, one_line, printable
 from .source import Span
 
@@ -39,7 +40,7 @@ class _TextReport:
             yield from self.excerpt(found.span, "", "^", color)
         elif found.path is not None:
             yield self.location(found.path)
-        for label in found.labels:
+        for label in self.labels:
             if found.span is None or label.span.source is not found.span.source:
                 yield self.location(str(label.span))
             yield from self.excerpt(label.span, label.text, "-", _BLUE)
@@ -50,10 +51,16 @@ class _TextReport:
     def style(self, text: str, code: str) -> str:
         return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
 
+    @cached_property
+    def labels(self) -> tuple[Label, ...]:
+        """The places that it points at, then those by which its file came in."""
+        includes = (Label(span, "included here") for span in self.diagnostic.includes)
+        return (*self.diagnostic.labels, *includes)
+
     @property
     def gutter(self) -> str:
         """Blanks as wide as the greatest line number shown."""
-        spans = [label.span for label in self.diagnostic.labels]
+        spans = [label.span for label in self.labels]
         if self.diagnostic.span is not None:
             spans.append(self.diagnostic.span)
         return " " * max((len(str(span.line)) for span in spans), default=1)
@@ -101,6 +108,10 @@ def to_record(diagnostic: Diagnostic) -> dict[str, object]:
         "column": span.column if span else None,
         "end_line": span.end_line if span else None,
         "end_column": span.end_column if span else None,
+        "included_at": [
+            {"file": place.source.path, "line": place.line, "column": place.column}
+            for place in diagnostic.includes
+        ],
         "help": list(diagnostic.help),
         "fixes": [
             {

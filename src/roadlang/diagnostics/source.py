@@ -11,11 +11,14 @@ class Source:
     """A text with a name; `path` is what the user wrote or a label such as `--set reach`.
 
     Where `text` is a part of a file, with blanks in the place of all else, `shown` is the file.
+    `included_at`: the path in the `include` by which the text came in, if there is one.
     """
 
     path: str
     text: str = field(repr=False)
     shown: str = field(default="", repr=False)
+    # Not compared: a fault in a file that is included twice is one fault.
+    included_at: Span | None = field(default=None, repr=False, compare=False)
     _line_starts: tuple[int, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -38,7 +41,7 @@ class Source:
     def part(self, start: int, end: int) -> Source:
         """The text from `start` up to and without `end`, at its place."""
         blank = "".join("\n" if char == "\n" else " " for char in self.text[:start])
-        return Source(self.path, blank + self.text[start:end], self.text)
+        return Source(self.path, blank + self.text[start:end], self.text, self.included_at)
 
     @property
     def line_count(self) -> int:

@@ -19,12 +19,14 @@ class RoadBounds:
     """A road by the options of its passes. Bounds are in meters: a number, or (V, 1) of variants.
 
     `root`: the road that it derives from; `passes`: the greatest displacement by each pass between
-    the root and the road, by the place of the pass, infinite where it is not known.
+    the root and the road, by the place of the pass, infinite where it is not known; `reached`: the
+    least that some of them move it by somewhere.
     """
 
     name: str
     root: str
     passes: Mapping[str, Bound] = field(default_factory=dict)
+    reached: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def displacement(self) -> Bound:
@@ -35,6 +37,28 @@ class RoadBounds:
         """How far two roads can be from each other at any station; infinite of different roots."""
         if self.root != other.root:
             return math.inf
+        return sum(self._different(other).values(), start=0.0)
+
+    def reach(self, other: RoadBounds) -> float:
+        """How far two roads are from each other at some station, at least; 0 of different roots.
+
+        The bounds of the passes are numbers or arrays of one value.
+        """
+        if self.root != other.root:
+            return 0.0
+        different = {place: _number(bound) for place, bound in self._different(other).items()}
+        moved = {**self.reached, **other.reached}
+        by_each = (
+            moved.get(place, 0.0) - sum(v for p, v in different.items() if p != place)
+            for place in different
+        )
+        return max(0.0, *by_each, 0.0)
+
+    def _different(self, other: RoadBounds) -> dict[str, Bound]:
+        """The displacements by passes that only one of two roads has."""
         both = {**self.passes, **other.passes}
-        different = sorted(self.passes.keys() ^ other.passes.keys())
-        return sum((both[place] for place in different), start=0.0)
+        return {place: both[place] for place in sorted(self.passes.keys() ^ other.passes.keys())}
+
+
+def _number(bound: Bound) -> float:
+    return float(bound if isinstance(bound, float | int) else bound.item())

@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.values import Condition
-from .early_verdicts import is_impossible, settled_rows
+from .early_verdicts import is_impossible, is_impossible_somewhere, settled_rows
 from .requirement import Requirement
 from .requirements import requirements_of
 from .stated_ranges import check_stated_ranges
@@ -135,7 +135,7 @@ class Acceptance:
         shape = (len(self.requirements), candidates.count)
         rho, satisfied = np.zeros(shape), np.ones(shape, dtype=bool)
         start = 0
-        for part in self._comparable(candidates):
+        for part in self.comparable(candidates):
             rows = slice(start, start + part.count)
             for index, requirement in enumerate(self.requirements):
                 if requirement.last is last:
@@ -151,15 +151,19 @@ class Acceptance:
         """
         scenario, requirements = self.scenario, self.requirements
         refuted = [i for i, found in enumerate(requirements) if is_impossible(found, scenario)]
-        for part in self._comparable(candidates) if refuted else ():
+        for part in self.comparable(candidates) if refuted else ():
             for index in refuted:
                 requirements[index].rho(part)  # holds draws and displacements to their bounds
                 test = requirements[index].test
                 assert isinstance(test, Condition)
                 check_stated_ranges(test, part)
-        return frozenset(refuted)
+        if refuted:
+            return frozenset(refuted)
+        few = self.comparable(candidates)[0]
+        found = (is_impossible_somewhere(each, few) for each in requirements)
+        return frozenset(index for index, refutes in enumerate(found) if refutes)
 
-    def _comparable(self, candidates: CandidateBatch) -> list[CandidateBatch]:
+    def comparable(self, candidates: CandidateBatch) -> list[CandidateBatch]:
         """The candidates together, or one by one where they differ in their stations."""
         if not self.has_varying_stations:
             return [candidates]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
@@ -9,8 +11,12 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Booleans
 from ..ir.values import Condition
 from ..stl.evaluate.static_truth import static_truth
+from .reached_values import refuting_values
 from .requirement import Requirement
 from .variable_bounds import CandidateBounds, ScenarioBounds
+
+_SHOWN_PLACES = 6
+"""Digits after the point of a bound in a message: less than it is widened by for rounding."""
 
 
 def settled_rows(requirement: Requirement, candidates: CandidateBatch) -> Booleans:
@@ -32,6 +38,36 @@ def is_impossible(requirement: Requirement, scenario: IndexedScenario) -> bool:
         return False
     variables = ScenarioBounds(scenario).variables(condition)
     return not static_truth(condition.formula, variables).possible
+
+
+def is_impossible_somewhere(requirement: Requirement, candidates: CandidateBatch) -> bool:
+    """Whether what signals reach somewhere refutes a requirement, and these candidates agree."""
+    return bool(_refuting(requirement, candidates)) and all(requirement.rho(candidates) < 0.0)
+
+
+def reasons(requirement: Requirement, candidates: CandidateBatch) -> tuple[str, ...]:
+    """Why no candidate can satisfy a requirement, in words: what its signals can be."""
+    condition = requirement.test
+    if not isinstance(condition, Condition):
+        return ()
+    if not is_impossible(requirement, candidates.scenario):
+        return _refuting(requirement, candidates)
+    variables = ScenarioBounds(candidates.scenario).variables(condition)
+    found = []
+    for binding in condition.signals:
+        ends = variables[binding.variable]
+        low, high = (round(float(np.ravel(end)[0]), _SHOWN_PLACES) + 0.0 for end in ends)
+        unit = binding.dimension.unit.removeprefix("1")
+        if math.isfinite(low) and math.isfinite(high):
+            found.append(f"`{binding.variable}` is {low:.4g}{unit} to {high:.4g}{unit}")
+    return tuple(found)
+
+
+def _refuting(requirement: Requirement, candidates: CandidateBatch) -> tuple[str, ...]:
+    condition = requirement.test
+    if not isinstance(condition, Condition) or _names_group(condition, candidates.scenario):
+        return ()
+    return refuting_values(condition, candidates)
 
 
 def _names_group(condition: Condition, scenario: IndexedScenario) -> bool:

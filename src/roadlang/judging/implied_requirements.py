@@ -23,6 +23,7 @@ from ..world.placement import (
     room_on_road,
 )
 from ..world.placement_causes import beyond_road, cause_of_place, lane_fault
+from ..world.placement_faults import beyond_the_end
 from ..world.roads import road_batch, road_root
 from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
@@ -68,7 +69,8 @@ def _beyond_the_end(actor: ScenarioActor, candidates: CandidateBatch) -> str | N
         return cause_of_place(actor, candidates)
     copy, meters = lacking
     name = f"{actor.name}[{copy}]" if "count" in actor.options else actor.name
-    return f"`{name}` would stand {meters:.3g}m beyond the end of its road"
+    road = f"`{actor.on}`" if actor.on in candidates.scenario.roads else "its road"
+    return beyond_the_end(name, meters, road)
 
 
 def _in_the_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Diagnostic
+from ..diagnostics import Diagnostic, DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
 from ..ir.values import PassCall
 from ..judging.acceptance import Acceptance
+from ..judging.early_verdicts import reasons
 from ..judging.requirement import Requirement
 from ..plugins.registry import Registry
 from ..search.accepted import Concretize
@@ -155,14 +157,26 @@ def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
     attempts = np.arange(count)
     few = CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), attempts)
     refuted = acceptance.impossible(few)
-    if refuted:
-        return refuted
-    first = few.take(np.zeros(1, np.intp))
-    fixed = [index for index, r in enumerate(acceptance.requirements) if not r.is_random]
-    if not fixed:
-        return frozenset()
-    judged = acceptance.only(fixed).judge(first)
-    return frozenset(fixed[index] for index in set(judged.rejected_by.tolist()) if index >= 0)
+    return refuted | _failing_without_draws(acceptance, few.take(np.zeros(1, np.intp)), refuted)
+
+
+def _failing_without_draws(
+    acceptance: Acceptance, first: CandidateBatch, refuted: frozenset[int]
+) -> frozenset[int]:
+    """Of the requirements that nothing random has a say in, those that fail: the last ones are
+    judged where all others hold."""
+    fixed = [i for i, each in enumerate(acceptance.requirements) if not each.is_random]
+    found = set(refuted)
+    for last in (False, True):
+        if last and found:
+            break
+        for index in fixed:
+            requirement = acceptance.requirements[index]
+            if requirement.last is not last or index in found:
+                continue
+            if not requirement.is_satisfied(first, requirement.rho(first)).all():
+                found.add(index)
+    return frozenset(found)
 
 
 def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) -> SamplingResult:
@@ -196,15 +210,20 @@ def _rejecting(table: Sequence[RejectionRow]) -> list[str]:
 
 
 def _causes(task: SceneSearch[Any], texts: Sequence[str]) -> tuple[str, ...]:
-    """What is in the way of the requirements of these texts, in words, where that is known."""
+    """What is in the way of the requirements of these texts, in words, where that is known, and of
+    those that go without saying and that none of the first candidates satisfies."""
     few = _first_candidates(task)
-    found = []
+    found: list[str | None] = []
     for requirement in task.acceptance.requirements:
-        if requirement.blame is None or requirement.text not in texts:
+        is_named = requirement.text in texts
+        if is_named:
+            found += reasons(requirement, few)
+        if requirement.blame is None:
             continue
-        violating = np.flatnonzero(requirement.rho(few) < 0.0)
-        if len(violating):
-            found.append(requirement.blame(few.take(violating[:1])))
+        with nullcontext() if is_named else suppress(DiagnosticError):
+            violating = np.flatnonzero(requirement.rho(few) < 0.0)
+            if len(violating) and (is_named or len(violating) == few.count):
+                found.append(requirement.blame(few.take(violating[:1])))
     return tuple(text for text in found if text is not None)
 
 

@@ -13,7 +13,7 @@ from .lane_choices import allowed_lanes, lane_choices
 from .lane_graphs import lanes_of_network
 from .named_roads import named_lanes
 from .placement import missing_lane, room_among_others, why_no_place
-from .placement_faults import unknown_lane
+from .placement_faults import beyond_the_end, unknown_lane
 from .positions import named_other, names_another
 from .road_poses import WrittenPlace
 from .route_points import TurnWords, route_points
@@ -60,7 +60,7 @@ def beyond_road(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     missing = -float(room_among_others(actor, candidates)[0])
     if actor.is_beside_road:
         return f"`{actor.name}` would stand in a driving lane, or beyond the ends of `{actor.on}`"
-    return f"`{actor.name}` would stand {missing:.3g}m beyond the end of `{actor.on}`"
+    return beyond_the_end(actor.name, missing, f"`{actor.on}`")
 
 
 def _without_turns(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:

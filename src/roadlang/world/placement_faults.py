@@ -27,3 +27,8 @@ def unknown_lane(
     place = span or actor.span_of("lane" if "lane" in actor.options else "at")
     help_ = f"its lanes are {', '.join(map(str, known))}"
     return diagnose(Code.UNKNOWN_LANE, place, road=actor.on, lane=lane, help=help_)
+
+
+def beyond_the_end(name: str, meters: float, road: str) -> str:
+    """That there is not enough of a road for an agent or object, in words."""
+    return f"`{name}` would stand {float(f'{meters:.3g}'):g}m beyond the end of {road}"

@@ -126,6 +126,16 @@ class Perturber(Kind):
         """
         return float("inf")
 
+    def displacement_reached(self, length: float, closed: bool, gap: float) -> float:
+        """Meters by which some station of a road of `length` meters is displaced at least, where
+        stations are at most `gap` meters apart.
+
+        Requirements that it decides are reported before anything is sampled. Options are plain
+        numbers, and it must be least at the ends of ranges that do not contain 0; without it
+        nothing is known.
+        """
+        return 0.0
+
     def shortest_feature(self, length: float, closed: bool) -> Floats | float | None:
         """The shortest wave (one period) or bump (end to end) that the options allow on a road of
         `length` meters: meters along the road, a number or (variants, 1), infinite for none.

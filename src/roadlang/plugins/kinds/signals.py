@@ -47,6 +47,12 @@ class Signal(Kind):
         return float("-inf"), float("inf")
 
     @classmethod
+    def reached(cls, options: Mapping[str, Any]) -> float:
+        """What the signal reaches or exceeds at some station, whatever is drawn, from the `reach`
+        of roads; `options` holds a `RoadBounds` for each road. Without it nothing is known."""
+        return float("-inf")
+
+    @classmethod
     def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
         """The `Dimension` of the values; `options` has the constant options by name. By default
         that of `unit`."""

@@ -205,23 +205,19 @@ class _Loader:
                 self._report(Code.TOO_MANY_INCLUDES, span, most=MOST_INCLUDES)
             self._program.incomplete = True
             return set()
-        text = self._text(target, statement.path)
         settings = self._settings(statement, inner, space)
-        if text is None:
+        source = self._source(target, statement.path)
+        if source is None:
             self._program.incomplete = True
             return set()
-        params = self.read(Source(str(target), text), target, chain, inner)
+        params = self.read(source, target, chain, inner)
         for key in settings:
             full_name = inner.prefix + key.text
             unsure = self._program.incomplete or full_name in self._program.spoiled
             if key.text not in params and not unsure:
-                self._report(
-                    Code.UNKNOWN_PARAM,
-                    key.span,
-                    help=did_you_mean(key.text, params) or _list_of_params(sorted(params)),
-                    name=key.text,
-                    where=f"`{statement.path.value}`",
-                )
+                help_ = did_you_mean(key.text, params) or _list_of_params(sorted(params))
+                where = f"`{statement.path.value}`"
+                self._report(Code.UNKNOWN_PARAM, key.span, help=help_, name=key.text, where=where)
                 self._program.settings.pop(full_name, None)
         if statement.alias is None:
             return params
@@ -245,9 +241,10 @@ class _Loader:
         space.spans[alias.text] = alias.span
         return inner
 
-    def _text(self, target: Path, written: ast.String) -> str | None:
+    def _source(self, target: Path, written: ast.String) -> Source | None:
         try:
-            return read_file(target, LARGEST_SCENE_FILE).decode("utf-8-sig")
+            text = read_file(target, LARGEST_SCENE_FILE).decode("utf-8-sig")
+            return Source(str(target), text, included_at=written.span)
         except UnicodeDecodeError:
             reason = "it is not UTF-8 text"
         except UnreadableFile as error:

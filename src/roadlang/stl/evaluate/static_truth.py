@@ -64,6 +64,17 @@ def static_truth(formula: f.Formula, variables: Mapping[str, Bounds]) -> StaticT
     return of(formula)
 
 
+def fails_at_one_sample(formula: f.Formula, variables: Mapping[str, Bounds]) -> bool:
+    """Whether a formula is violated by a trace with one sample, anywhere, whose values are within
+    the bounds `variables`: of an `always` without an interval, and of what is joined by `and`."""
+    match formula:
+        case f.And(operands):
+            return any(fails_at_one_sample(part, variables) for part in operands)
+        case f.Always(None, operand) if not operand.temporal:
+            return not static_truth(operand, variables).possible
+    return False
+
+
 def _in_window(operand: StaticTruth, formula: f.UnaryTemporal) -> StaticTruth:
     """A window that holds its own sample is not empty; any other may be, near the end."""
     if _includes_now(formula):
