@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -92,7 +93,7 @@ def test_of_plants_an_even_width_is_not_enough() -> None:
     wide = lines(15, ((250, -9), (260, 409))) & ~street
     for name, is_road in (("xadd19e", False), ("xffffff", True)):
         found = tones(xfefefe=street, **{name: wide})
-        found[2] = replace(found[2], steady=0.02, even=0.7, spread=1.4, ribbons=1.0)
+        found[2] = shaped(found[2], steady=0.02, even=0.7, spread=1.4, ribbons=1.0)
         assert (len(road_tones(found, SIDE)) == 2) is is_road
 
 
@@ -100,7 +101,7 @@ def test_main_roads_may_be_pale_yellow_and_uneven() -> None:
     street = lines(11, *STREETS)
     main = lines(15, ((250, -9), (260, 409))) & ~street
     found = tones(xffffff=street, xf7fabf=main)
-    found[2] = replace(found[2], steady=0.13, even=0.6, spread=1.6, ribbons=1.0)
+    found[2] = shaped(found[2], steady=0.13, even=0.6, spread=1.6, ribbons=1.0)
     assert len(road_tones(found, SIDE)) == 2
 
 
@@ -129,6 +130,11 @@ def test_what_names_hide_of_the_width_of_streets_is_known_with_their_smoothed_ed
     assert len(calls) == 2
     assert found is not None
     assert len(found.roads) >= 7
+
+
+def shaped(tone: MapTone, **values: float) -> MapTone:
+    """The tone with other values of its shape."""
+    return replace(tone, surface=SimpleNamespace(shape=replace(tone.surface.shape, **values)))
 
 
 def _first_only(calls: list[list[MapTone]]) -> Callable[[list[MapTone], int], list[MapTone]]:
