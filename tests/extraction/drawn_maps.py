@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
 
+from roadlang_standard.extraction.map_tones import MapTone
+from roadlang_standard.extraction.tone_shape import ToneShape
 from tests.extraction.graph_drawings import dense
 
 Color = tuple[int, int, int]
@@ -118,3 +121,13 @@ def _stroke(
 
 def _at(point: tuple[float, float]) -> tuple[int, int]:
     return round((point[0] + 0.5) * _FINER), round((point[1] + 0.5) * _FINER)
+
+
+def known_tone(color: np.ndarray, mask: np.ndarray, *shape: float) -> MapTone:
+    """A tone whose shape is given, not measured: the values of a `ToneShape`."""
+    return MapTone(color, mask, SimpleNamespace(shape=ToneShape(*shape)))
+
+
+def shaped(tone: MapTone, **values: float) -> MapTone:
+    """A tone with other values of its shape."""
+    return replace(tone, surface=SimpleNamespace(shape=replace(tone.surface.shape, **values)))

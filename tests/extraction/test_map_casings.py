@@ -4,8 +4,6 @@ the outlines of names."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -16,6 +14,7 @@ from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_tiles import _without_halos, roads_of_map
 from roadlang_standard.extraction.map_tones import MapTone, map_tone
 from roadlang_standard.extraction.road_tones import road_tones
+from tests.extraction.drawn_maps import shaped
 
 SIDE = 400
 STREETS = (((-9, 100), (409, 120)), ((-9, 300), (409, 280)), ((120, -9), (150, 409)))
@@ -109,7 +108,7 @@ def test_thin_streets_that_jpeg_broke_keep_their_width_well() -> None:
     street = lines(3, *STREETS)
     for steady, is_road in ((0.95, True), (0.8, False)):
         found = tones(xfffffd=street)
-        found[1] = replace(found[1], steady=steady, ribbons=0.65)
+        found[1] = shaped(found[1], steady=steady, ribbons=0.65)
         assert bool(road_tones(found, SIDE)) is is_road
 
 
@@ -130,11 +129,6 @@ def test_what_names_hide_of_the_width_of_streets_is_known_with_their_smoothed_ed
     assert len(calls) == 2
     assert found is not None
     assert len(found.roads) >= 7
-
-
-def shaped(tone: MapTone, **values: float) -> MapTone:
-    """The tone with other values of its shape."""
-    return replace(tone, surface=SimpleNamespace(shape=replace(tone.surface.shape, **values)))
 
 
 def _first_only(calls: list[list[MapTone]]) -> Callable[[list[MapTone], int], list[MapTone]]:

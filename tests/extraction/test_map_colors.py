@@ -10,7 +10,7 @@ from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_letters import without_letters
 from roadlang_standard.extraction.map_tones import MapTone
 from roadlang_standard.extraction.road_tones import road_tones
-from tests.extraction.drawn_maps import LIGHT, drawn_map
+from tests.extraction.drawn_maps import LIGHT, drawn_map, known_tone
 
 
 def named_road() -> tuple[np.ndarray, np.ndarray]:
@@ -83,9 +83,9 @@ def test_minor_roads_frayed_by_jpeg_are_roads_by_their_usual_width(
     main[:, 150:158] = True
     land[:] = ~(minor | main)
     tones = [
-        MapTone(np.full(3, 240.0), land, 9000, 0.98, 15.0, 2.0, 0.5, 60.0, 0.03, 800.0),
-        MapTone(np.full(3, 250.0), minor, 600, 0.98, 4.5, 1.4, even, 10.0, 0.16, 100.0),
-        MapTone(np.array([60.0, 120.0, 180.0]), main, 300, 1.0, 8.0, 1.1, 0.9, 9.0, 0.8, 240.0),
+        known_tone(np.full(3, 240.0), land, 9000, 0.98, 15.0, 2.0, 0.5, 60.0, 0.03, 800.0),
+        known_tone(np.full(3, 250.0), minor, 600, 0.98, 4.5, 1.4, even, 10.0, 0.16, 100.0),
+        known_tone(np.array([60.0, 120.0, 180.0]), main, 300, 1.0, 8.0, 1.1, 0.9, 9.0, 0.8, 240.0),
     ]
     taken = {int(tone.color.mean()) for tone in road_tones(tones, 300)}
     assert taken == set(found)
@@ -97,7 +97,7 @@ def ribbon(rows: slice, color: tuple[int, int, int], **shape: float) -> MapTone:
     mask[rows] = True
     width = float(mask[:, 0].sum())
     known = {"ribbons": 1.0, "spread": 1.0, "even": 0.9, "steady": 0.8} | shape
-    return MapTone(
+    return known_tone(
         np.array(color, float), mask, 300, known["ribbons"], width, known["spread"],
         known["even"], width, known["steady"], 300 * known["steady"], width,
     )  # fmt: skip

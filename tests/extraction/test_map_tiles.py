@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cache
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -39,6 +38,7 @@ from tests.extraction.drawn_maps import (
     crowded,
     drawn_map,
     found_streets,
+    known_tone,
     on_streets,
 )
 
@@ -118,8 +118,8 @@ def test_buildings_are_no_roads_where_there_are_more_of_them_than_of_streets() -
     buildings[200:290:30, 20:280] = True
 
     def tone(gray: float, where: np.ndarray, length: float, ribbons: float, even: float) -> MapTone:
-        shape = ToneShape(length, ribbons, 7.0, 1.2, even, 12.0, even, even * length)
-        return MapTone(np.full(3, gray), where, SimpleNamespace(shape=shape))
+        shape = (length, ribbons, 7.0, 1.2, even, 12.0, even, even * length)
+        return known_tone(np.full(3, gray), where, *shape)
 
     tones = [tone(14, land, 9000, 1.0, 0.4), tone(44, streets, 1500, 0.96, 0.9)]
     found = road_tones([*tones, tone(24, buildings, 3400, 0.74, 0.56)], 300)
