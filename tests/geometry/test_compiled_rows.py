@@ -7,12 +7,19 @@ import sys
 import numpy as np
 import pytest
 
-from roadlang.geometry import CurveBatch, MovedBatch, compiled_rows, displace
+from roadlang.geometry import (
+    CurveBatch,
+    MovedBatch,
+    compiled_rows,
+    compiling,
+    displace,
+    row_loops,
+)
 from roadlang.geometry.arrays import Floats
 from roadlang.geometry.pushed_batch import PushedBatch
 from tests.geometry.geometry_shapes import circle, line
 
-pytest.importorskip("numba")
+numba = pytest.importorskip("numba")
 COUNT = 70
 """More rows than are moved together."""
 KNOWN = ("points", "curvature", "speed", "toward_east", "toward_north", "heading", "folded")
@@ -98,3 +105,18 @@ def test_they_are_compiled_where_numba_is_loaded_and_there_is_enough_to_do(
     monkeypatch.setitem(sys.modules, "numba", np)
     assert not compiled_rows.pays(1000)
     assert compiled_rows.pays(compiled_rows.LOADING)
+
+
+@pytest.mark.slow
+def test_no_texts_are_compiled_with_them(compiled: list[bool]) -> None:
+    calls: list[tuple[object, ...]] = []
+    loop = compiled_rows.loop()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            compiled_rows, "loop", lambda: lambda *given: (calls.append(given), loop(*given))
+        )
+        assert pushed(False, 0.5, compiled, fast=True).folded is not None
+    again = numba.njit(nogil=True, **compiling.OPTIONS)(row_loops.pushed)
+    again(*calls[0])
+    (code,) = again.inspect_llvm().values()
+    assert "unicode" not in code  # of a message: it takes three times as long to compile

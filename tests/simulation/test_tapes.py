@@ -117,3 +117,11 @@ def test_a_value_that_is_there_is_not_computed_again() -> None:
     one: Any = TracedColumn(tape, 0)
     assert (np.sin(one) + 1.0).value == (np.sin(one) + 1.0).value
     assert len(tape.instructions) == 2
+
+
+def test_a_program_of_some_agents_needs_no_other_compiled_loop() -> None:
+    tape = Tape(4, 1)
+    column = TracedColumn(tape, 0) + np.array([1.0, 2.0, 3.0, 4.0])
+    some = program_of(tape, [0, value_of(tape, column)]).take(np.array([3, 1]))
+    assert some.columns.flags.c_contiguous
+    assert some.columns.tolist() == [[4.0, 2.0]]

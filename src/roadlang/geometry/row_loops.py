@@ -28,15 +28,21 @@ def pushed(
     before, forward, sideways = np.empty((6, count)), np.empty(count), np.empty(count)
     for row in range(len(rows)):
         now = state[row]
-        before[:] = now
-        moved[:] = distance[rows[row] if len(distance) > 1 else 0]
+        of = rows[row] if len(distance) > 1 else 0
+        # Loops: to copy whole arrays numba would compile texts of errors, for three seconds.
+        for column in range(6):
+            for at in range(count):
+                before[column, at] = now[column, at]
+        for at in range(count):
+            moved[at] = distance[of, at]
         pushed_points(before, moved, now)
         differenced(moved, scale, ends, sideways)
         speed, curvature = before[2], before[3]
         for at in range(count):
             forward[at] = (1.0 - curvature[at] * moved[at]) * speed[at]
         if velocity.shape[1] > 0:
-            velocity[0, row], velocity[1, row] = forward, sideways
+            for at in range(count):
+                velocity[0, row, at], velocity[1, row, at] = forward[at], sideways[at]
         differenced(forward, scale, ends, faster)
         differenced(sideways, scale, ends, turning)
         pushed_frame(before, (forward, sideways), (faster, turning), slowest, now)

@@ -135,7 +135,10 @@ class TapeProgram:
 
     def take(self, agents: Integers) -> TapeProgram:
         """The same computation of some of the agents."""
-        return replace(self, columns=self.columns[:, agents], shift=self.shift[agents])
+        columns = np.take(
+            self.columns, agents, axis=1
+        )  # in the order that the loop is compiled for
+        return replace(self, columns=columns, shift=self.shift[agents])
 
 
 def program_of(tape: Tape, gives: Sequence[int]) -> TapeProgram:
