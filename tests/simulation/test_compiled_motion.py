@@ -9,8 +9,11 @@ import pytest
 
 from roadlang import testing
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.lines import lines
+from roadlang.simulation.lines import line_nodes, lines
+from roadlang.simulation.lines.line_nodes import Spacing
+from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.observing.bend_speeds import planned
+from roadlang.simulation.tapes import interpreting
 from roadlang.simulation.vehicles import compiled, kernels, poses
 
 from .test_same_bytes import LOOP
@@ -51,6 +54,24 @@ def test_points_beside_lines_are_the_same_to_the_last_bit() -> None:
         np.testing.assert_array_equal(found, expected)
 
 
+@pytest.mark.parametrize("varies", [False, True])
+def test_nodes_of_lines_are_the_same_to_the_last_bit(varies: bool) -> None:
+    draw = np.random.default_rng(4)
+    sources = []
+    for points, closed in ((7, False), (90, True), (2, False), (40, True), (300, False)):
+        s = np.append(0.0, np.cumsum(draw.choice([0.3, 1.0, draw.uniform(0.2, 9.0)], points - 1)))
+        x, y, heading, width = draw.uniform(-9.0, 9.0, (4, points))
+        across = width if varies and points > 9 else 7.0
+        sources.append(LineSource(s, x, y, heading, across, closed))
+    spacing = Spacing.of(sources, 12.0)
+    nodes = line_nodes.line_nodes(sources, spacing)
+    np.testing.assert_array_equal(compiled.line_nodes(sources, spacing), nodes)
+    for row, source in enumerate(sources):
+        inside = slice(1 + int(spacing.pads[row]), int(spacing.pads[row] + spacing.counts[row]))
+        at = np.arange(1, spacing.counts[row]) * spacing.meters[row]
+        np.testing.assert_allclose(nodes[0, row, inside], np.interp(at, source.s, source.x))
+
+
 def test_tables_of_lines_are_the_same_to_the_last_bit() -> None:
     draw = np.random.default_rng(5)
     nodes = draw.uniform(-9.0, 9.0, (4, 20, 30))
@@ -81,6 +102,19 @@ def test_square_roots_and_divisions_are_those_of_several_agents_at_once() -> Non
     compiled._register_formulas()
     loop = numba.njit(nogil=True, **compiled.OPTIONS)(kernels.advanced)
     loop(*motion())
+    (assembly,) = loop.inspect_asm().values()
+    assert "sqrtpd" in assembly
+    assert "divpd" in assembly
+    assert "sqrtsd" not in assembly  # one agent after the other
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="reads the instructions of x86-64")
+def test_tapes_move_several_agents_at_once() -> None:
+    compiled._register_formulas()
+    loop = numba.njit(nogil=True, **compiled.OPTIONS)(interpreting.move)
+    registers, places = np.ones((39, 5)), np.arange(39)
+    loop(registers, places, 0, np.zeros(5), np.zeros(5, np.int64), np.ones((9, 8)), 2, 0.02)
     (assembly,) = loop.inspect_asm().values()
     assert "sqrtpd" in assembly
     assert "divpd" in assembly

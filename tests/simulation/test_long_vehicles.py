@@ -12,7 +12,7 @@ from roadlang import testing
 from roadlang.ir.scene import SceneActor
 from roadlang.simulation.bends.leaning import leaned
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.lines.route_lines import LineLeg, RouteLine
 from roadlang.simulation.traffic import oncoming
 from roadlang.simulation.traffic.wide_places import WidePlaces

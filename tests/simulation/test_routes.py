@@ -10,7 +10,7 @@ import pytest
 from roadlang.ir.scene import Scene, SceneActor
 from roadlang.ir.scene_route import RouteStep, SceneRoute
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.lines.route_lines import connection_points, route_line
 from roadlang.simulation.state.world import World
 

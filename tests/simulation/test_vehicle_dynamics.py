@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from roadlang.ir.scene import SceneActor
 from roadlang.simulation.lanes.surfaces import TireSurface
-from roadlang.simulation.lines.lines import Lines, straight_line
+from roadlang.simulation.lines.line_sources import straight_line
+from roadlang.simulation.lines.lines import Lines
 from roadlang.simulation.vehicles import vehicle_dynamics as vehicle
 from roadlang.simulation.vehicles.bodies import Bodies, Body, vehicle_parameters
 from roadlang.simulation.vehicles.motion import Motion, Track, advance

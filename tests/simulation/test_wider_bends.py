@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from roadlang.geometry.arrays import Floats
 from roadlang.simulation.bends.leaning import leaned_source
-from roadlang.simulation.lines.lines import LineSource
+from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.lines.smoothing import drivable
 from roadlang.simulation.lines.wider_bends import with_wider_bends
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import struct
-from collections.abc import Callable, Container, Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from functools import cache
 from types import FunctionType, MethodType
 from typing import Any, NoReturn, TypeVar
@@ -77,6 +77,16 @@ class Floats(tuple[float, ...]):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Floats, (tuple(self),)
+
+
+def row_of(numbers: Sequence[float]) -> Any:
+    """The same numbers (n,) as an array to read: not a copy where they know one."""
+    row = getattr(numbers, "_row", None)
+    if row is not None:
+        return row
+    import numpy as np
+
+    return np.asarray(numbers, np.float64)
 
 
 _LEAVES = frozenset((float, int, str, bool, type(None)))

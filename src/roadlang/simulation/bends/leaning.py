@@ -15,7 +15,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats
 from ...ir.scene_actor import SceneActor
-from ..lines.lines import LineSource
+from ..lines.line_sources import LineSource
 from ..lines.route_lines import LineLeg, RouteLine
 from ..lines.wider_bends import with_wider_bends
 from ..vehicles.bodies import vehicle_parameters

@@ -17,7 +17,8 @@ from ..junctions.stop_lines import StopLines, has_signals
 from ..lanes.surfaces import TireSurface, road_surface
 from ..lines.followed_lines import FollowedLines
 from ..lines.lane_guides import LaneGuides
-from ..lines.lines import Lines, LineSource, road_line, straight_line
+from ..lines.line_sources import LineSource, road_line, straight_line
+from ..lines.lines import Lines
 from ..lines.route_lines import RouteLine, plain_line, route_line
 from ..lines.route_table import RouteTable
 from ..state.arrivals import Arrivals
@@ -48,8 +49,8 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
         for place in range(slots):
             actor = scene.agents[place] if place < len(scene.agents) else None
             found.append(_slot(actor, scene, names, rows, (sources, routes)))
-    table_of = compiled.line_table if compiled.is_loaded() else None  # the same to the last bit
-    lines = Lines.of(sources, FASTEST * margin, table_of)
+    loops = (compiled.line_nodes, compiled.line_table) if compiled.is_loaded() else ()
+    lines = Lines.of(sources, FASTEST * margin, *loops)  # the same to the last bit
     table = RouteTable.of(routes, np.array([slot.route for slot in found], dtype=np.int64))
     over = {slot.line: (i // slots, routes[slot.route]) for i, slot in enumerate(found)}
     heights = LineHeights.of(scenes, lines, [over[row] for row in range(len(sources))])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,12 +10,9 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...ir.scene import SceneRoad
+from .line_nodes import NodesOf, Spacing, line_nodes
+from .line_sources import LineSource
 
-SPACING = 1.0
-"""Meters between two nodes of a table, at most."""
-FINEST = 0.25
-"""Meters between two nodes of a table, at least, where the road has them closer."""
 AROUND = 2.0
 """Meters to each side over which the curvature ahead is averaged, as drivers see it."""
 _AT_ONCE = 16
@@ -38,58 +34,6 @@ def on_arc(cell: Any, rest: Any, spacing: Any) -> Any:
         cell[1] + cell[3] * rest + cell[2] * bulge,
         cell[5] + bend,
     )
-
-
-@dataclass(frozen=True)
-class LineSource:
-    """A line before it is a table: nodes by arc length, in the direction of travel."""
-
-    s: Floats
-    x: Floats
-    y: Floats
-    heading: Floats
-    width: Floats | float
-    closed: bool = False
-
-    @property
-    def length(self) -> float:
-        """Meters."""
-        return float(self.s[-1])
-
-    @property
-    def count(self) -> int:
-        """How many cells its table has."""
-        finest = min(len(self.s) - 1, math.ceil(self.length / FINEST))
-        return max(2, math.ceil(self.length / SPACING), finest)
-
-
-def road_line(road: SceneRoad, backward: bool) -> LineSource:
-    """The center line of a road, in its direction or against it."""
-    columns = (road.stations, road.x, road.y, road.heading)
-    s, x, y, heading = (np.asarray(column, np.float64) for column in columns)
-    widths = np.asarray(road.width, np.float64)
-    is_constant = not np.count_nonzero(widths != widths[0])
-    width: Floats | float = road.width[0] if is_constant else widths
-    s = s - s[0]
-    if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
-        last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])
-        s = np.append(s, max(road.length, last))
-        x, y, heading = (np.append(column, column[0]) for column in (x, y, heading))
-        width = np.append(width, width[0]) if isinstance(width, np.ndarray) else width
-    if backward:
-        s = s[-1] - s[::-1]
-        x, y, heading = x[::-1], y[::-1], heading[::-1] + np.pi
-        width = width[::-1] if isinstance(width, np.ndarray) else width
-    if np.abs(heading[1:] - heading[:-1]).max() > np.pi:
-        heading = np.unwrap(heading)
-    return LineSource(s, x, y, heading, width, road.closed)
-
-
-def straight_line(x: float, y: float, heading: float) -> LineSource:
-    """What an agent follows that is on no road: straight on from where it stands."""
-    ahead = np.array([0.0, 1.0])
-    along = np.array([heading, heading])
-    return LineSource(ahead, x + np.cos(heading) * ahead, y + np.sin(heading) * ahead, along, 0.0)
 
 
 @dataclass(frozen=True)
@@ -115,29 +59,20 @@ class Lines:
 
     @classmethod
     def of(
-        cls, sources: Sequence[LineSource], margin: float, table_of: TableOf | None = None
+        cls,
+        sources: Sequence[LineSource],
+        margin: float,
+        nodes_of: NodesOf | None = None,
+        table_of: TableOf | None = None,
     ) -> Lines:
-        """Tables of lines; closed ones go on for `margin` meters at both ends. `table_of`: what
-        fills them, if it is not `line_table`."""
-        counts = [source.count for source in sources]
-        pads = [
-            math.ceil(margin * count / source.length) if source.closed else 1
-            for source, count in zip(sources, counts, strict=True)
-        ]
-        nodes = 1 + max(count + 2 * pad for count, pad in zip(counts, pads, strict=True))
-        columns = np.empty((4, len(sources), nodes))
-        for row, (source, count, pad) in enumerate(zip(sources, counts, pads, strict=True)):
-            _fill(columns[:, row], source, count, pad)
-        length = np.array([source.length for source in sources])
-        spacing = length / np.array(counts)
-        ends = [
-            source.heading[-1] - source.heading[0] if source.closed else 0.0 for source in sources
-        ]
+        """Tables of lines; closed ones go on for `margin` meters at both ends. `nodes_of` and
+        `table_of`: what finds and fills them, if it is not `line_nodes` and `line_table`."""
+        spacing = Spacing.of(sources, margin)
+        nodes = (nodes_of or line_nodes)(sources, spacing)
         return cls(
-            nodes, -np.array(pads) * spacing, spacing,
-            np.array(counts) + 2 * np.array(pads) - 1, length,
-            np.array([source.closed for source in sources], dtype=bool),
-            np.array(ends, dtype=float), (table_of or line_table)(columns, spacing),
+            nodes.shape[2], -spacing.pads * spacing.meters, spacing.meters, spacing.last - 1,
+            spacing.length, spacing.closed, spacing.turn,
+            (table_of or line_table)(nodes, spacing.meters),
         )  # fmt: skip
 
     @cached_property
@@ -177,34 +112,6 @@ class Lines:
 
 TableOf = Callable[[Floats, Floats], Floats]
 """Something that does what `line_table` does."""
-
-
-def _fill(row: Floats, source: LineSource, count: int, pad: int) -> None:
-    """The nodes (4, M) of one line: x, y, heading and width; what is left is like the last."""
-    x, y, heading, width = row
-    spacing = source.length / count
-    s = np.arange(-pad, count + pad + 1) * spacing
-    s[pad] = 0.0
-    used = len(s)
-    laps: Floats | float = 0.0
-    if source.closed:
-        laps = np.floor(s / source.length)
-        s = s - laps * source.length
-    x[:used] = np.interp(s, source.s, source.x)
-    y[:used] = np.interp(s, source.s, source.y)
-    heading[:used] = np.interp(s, source.s, source.heading)
-    width[:used] = (
-        np.interp(s, source.s, source.width)
-        if isinstance(source.width, np.ndarray)
-        else source.width
-    )
-    if source.closed:
-        heading[:used] += laps * (source.heading[-1] - source.heading[0])
-    else:
-        for end, step in ((0, -spacing), (used - 1, spacing)):
-            x[end] += step * math.cos(heading[end])
-            y[end] += step * math.sin(heading[end])
-    row[:, used:] = row[:, used - 1 : used]
 
 
 def line_table(nodes: Floats, spacing: Floats) -> Floats:

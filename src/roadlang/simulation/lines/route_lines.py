@@ -15,7 +15,7 @@ from ...ir.scene import Scene, SceneRoad
 from ...ir.scene_junctions import SceneConnection, SceneJunction
 from ...ir.scene_route import RouteStep, RouteTurn, SceneRoute
 from ...ir.surroundings import DEFAULT_SPEED
-from .lines import LineSource
+from .line_sources import LineSource
 from .smoothing import drivable, is_tight
 
 ARC_SPACING = 0.5

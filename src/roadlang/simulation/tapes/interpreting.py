@@ -11,6 +11,9 @@ from ..vehicles import kernels
 from . import operations as do
 
 ABREAST = kernels.ABREAST
+MOST = 64
+"""Agents of which the loop carries out one instruction after another, at most: with more of them,
+what their instructions compute no longer fits into the fastest cache."""
 
 
 def call_loop(address: Any, arguments: Any, count: Any, strides: Any, data: Any) -> None:
@@ -28,32 +31,34 @@ def repeated(
     code, lists, columns, numbers, gives, registers, loops, cells, shift = program
     first, table, walks = lines_of
     given, count = state.shape
-    r, rows = np.empty((registers, ABREAST)), np.empty((35, ABREAST))
-    starts, shifts = np.empty(ABREAST, np.int64), np.empty(ABREAST, np.int64)
+    blocks = max(1, (count + MOST - 1) // MOST)
+    wide = (count + blocks - 1) // blocks
+    r, walking = np.empty((registers, wide)), np.empty(wide)
+    starts, shifts = np.empty(wide, np.int64), np.empty(wide, np.int64)
     called = np.empty(3, np.int64), np.empty(1, np.int64), np.empty(3, np.int64)
-    called[1][0] = ABREAST
+    called[1][0] = wide
     for k in range(3):
         called[2][k] = 8
     for k in range(numbers.shape[0]):
-        for j in range(ABREAST):
+        for j in range(wide):
             r[given + columns.shape[0] + k, j] = numbers[k]
     text, where = (code, lists, loops, called), (starts, shifts, table, cells)
     each, whole = samples.shape[0] // times, times
-    for begin in range(0, count, ABREAST):
-        used = min(ABREAST, count - begin)
-        for j in range(ABREAST):  # what is beyond the last agent is like it
+    for begin in range(0, count, wide):
+        used = min(wide, count - begin)
+        for j in range(wide):  # what is beyond the last agent is like it
             i = begin + min(j, used - 1)
-            starts[j], shifts[j], rows[34, j] = first[i], shift[i], walks[i]
+            starts[j], shifts[j], walking[j] = first[i], shift[i], walks[i]
             for k in range(given):
                 r[k, j] = state[k, i]
             for k in range(columns.shape[0]):
                 r[given + k, j] = columns[k, i]
         for time in range(whole):
-            if not once(r, rows, text, where, dt, samples, (each * time, begin, used)):
+            if not once(r, walking, text, where, dt, samples, (each * time, begin, used)):
                 whole = min(whole, time)
                 break
             for k in range(given):
-                for j in range(ABREAST):
+                for j in range(wide):
                     r[k, j] = r[gives[k], j]
         for k in range(gives.shape[0]):
             for j in range(used):
@@ -62,7 +67,7 @@ def repeated(
 
 
 def once(
-    r: Any, rows: Any, text: Any, where: Any, dt: Any, samples: Any, place: Any
+    r: Any, walking: Any, text: Any, where: Any, dt: Any, samples: Any, place: Any
 ) -> Any:  # fmt: skip
     """Carry out a program once. Whether it came to its end. `place`: the number of its first
     sample, that of the first agent, and how many agents these are."""
@@ -77,10 +82,10 @@ def once(
         elif operation == do.FRAME:
             frame(r, lists, a, starts, table)
         elif operation == do.VALUE_OF_CELL:
-            for j in range(ABREAST):
+            for j in range(r.shape[1]):
                 r[to, j] = cells[shifts[j] + starts[j] + int(r[a, j])]
         elif operation == do.MOVE:
-            move(r, lists, a, rows, starts, table, more, dt)
+            move(r, lists, a, walking, starts, table, more, dt)
         elif operation == do.RECORD:
             for k in range(to):
                 for j in range(used):
@@ -98,7 +103,7 @@ def call(r: Any, registers: Any, loop: Any, data: Any, called: Any) -> None:
     """Call a loop of numpy, of one register or of two."""
     arguments, count, strides = called
     a, b, to, takes_two = registers
-    at, wide = r.ctypes.data, 8 * ABREAST
+    at, wide = r.ctypes.data, 8 * r.shape[1]
     arguments[0], arguments[2] = at + a * wide, at + to * wide
     arguments[1] = at + (b if takes_two else to) * wide
     call_loop(loop, arguments.ctypes.data, count.ctypes.data, strides.ctypes.data, data)
@@ -107,46 +112,46 @@ def call(r: Any, registers: Any, loop: Any, data: Any, called: Any) -> None:
 def compute(r: Any, operation: Any, a: Any, b: Any, c: Any, to: Any) -> None:
     """Arithmetic of registers `a`, `b` and `c`, into another."""
     if operation == do.ADD:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = r[a, j] + r[b, j]
     elif operation == do.SUBTRACT:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = r[a, j] - r[b, j]
     elif operation == do.MULTIPLY:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = r[a, j] * r[b, j]
     elif operation == do.DIVIDE:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = r[a, j] / r[b, j]
     elif operation == do.NEGATIVE:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = -r[a, j]
     elif operation == do.ABSOLUTE:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = abs(r[a, j])
     elif operation == do.FLOOR:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = np.floor(r[a, j])
     elif operation == do.SQRT:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = np.sqrt(r[a, j])
     elif operation == do.LESS:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = 1.0 if r[a, j] < r[b, j] else 0.0
     elif operation == do.LESS_EQUAL:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = 1.0 if r[a, j] <= r[b, j] else 0.0
     elif operation == do.AND:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = r[a, j] * r[b, j]
     elif operation == do.OR:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = 1.0 if r[a, j] + r[b, j] > 0.5 else 0.0
     elif operation == do.NOT:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = 1.0 - r[a, j]
     elif operation == do.WHERE:
-        for j in range(ABREAST):
+        for j in range(r.shape[1]):
             r[to, j] = r[b, j] if r[a, j] > 0.5 else r[c, j]
 
 
@@ -156,7 +161,7 @@ def frame(r: Any, lists: Any, a: Any, starts: Any, table: Any) -> None:
     along, last, origin, spacing = lists[a], lists[a + 1], lists[a + 2], lists[a + 3]
     per_meter, x, y, heading = lists[a + 4], lists[a + 5], lists[a + 6], lists[a + 7]
     curvature, width = lists[a + 8], lists[a + 9]
-    for j in range(ABREAST):
+    for j in range(r.shape[1]):
         advance, place = kernels.place_on_line(
             r[along, j], r[last, j], r[origin, j], r[per_meter, j]
         )
@@ -167,28 +172,35 @@ def frame(r: Any, lists: Any, a: Any, starts: Any, table: Any) -> None:
 
 
 def move(
-    r: Any, lists: Any, a: Any, rows: Any, starts: Any, table: Any, steps: Any, dt: Any
+    r: Any, lists: Any, a: Any, walking: Any, starts: Any, table: Any, steps: Any, dt: Any
 ) -> None:  # fmt: skip
     """Some steps of the vehicles: of the ten columns of their motion, what they are (13), what they
     are to do (2) and their lines (4) the next ten columns of their motion."""
-    for k in range(29):
-        for j in range(ABREAST):
-            rows[k, j] = r[lists[a + k], j]
-    for j in range(ABREAST):
-        rows[30, j], rows[31, j] = kernels.place_on_line(
-            rows[0, j], rows[25, j], rows[26, j], rows[28, j]
-        )
-        rows[29, j] = table[starts[j] + int(rows[31, j]), 4]
-    kernels.move_abreast(rows, starts, table, steps, dt)
-    for k in range(10):
-        for j in range(ABREAST):
-            r[lists[a + 29 + k], j] = rows[k, j]
+    wide = r.shape[1]
+    # Made here and no argument: so the compiler knows how far apart the rows are, and computes
+    # several agents at once.
+    rows, first = np.empty((35, ABREAST)), np.empty(ABREAST, np.int64)
+    for begin in range(0, wide, ABREAST):
+        used = min(ABREAST, wide - begin)
+        for j in range(ABREAST):  # what is beyond the last agent is like it
+            i = begin + min(j, used - 1)
+            first[j], rows[34, j] = starts[i], walking[i]
+            for k in range(29):
+                rows[k, j] = r[lists[a + k], i]
+            rows[30, j], rows[31, j] = kernels.place_on_line(
+                rows[0, j], rows[25, j], rows[26, j], rows[28, j]
+            )
+            rows[29, j] = table[first[j] + int(rows[31, j]), 4]
+        kernels.move_abreast(rows, first, table, steps, dt)
+        for k in range(10):
+            for j in range(used):
+                r[lists[a + 29 + k], begin + j] = rows[k, j]
 
 
 def finite(r: Any, a: Any) -> Any:
     """Whether all of a register are numbers."""
     wrong = 0
-    for j in range(ABREAST):
+    for j in range(r.shape[1]):
         if not np.isfinite(r[a, j]):
             wrong += 1
     return wrong == 0

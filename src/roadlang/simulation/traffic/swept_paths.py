@@ -10,7 +10,7 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene_junctions import SceneConnection
 from ..bends.leaning import LONG, leaned_source
-from ..lines.lines import LineSource
+from ..lines.line_sources import LineSource
 from ..lines.route_lines import connection_points
 from ..vehicles.bodies import Bodies
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import math
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from types import ModuleType
 from typing import Any
@@ -14,7 +15,9 @@ from ...geometry.arrays import Floats, Integers
 from ...geometry.bend_speeds import STRAIGHT
 from ...geometry.compiling import OPTIONS as OPTIONS
 from ...geometry.compiling import is_installed as is_installed
-from ..lines import lines
+from ..lines import line_loops, lines
+from ..lines.line_nodes import Spacing
+from ..lines.line_sources import LineSource
 from . import kernels
 from . import vehicle_dynamics as dynamics
 from .bodies import Bodies
@@ -58,6 +61,25 @@ def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> F
     the table of its line has."""
     out = np.empty(len(along))
     lookup_kernel()(values, shift, along, track.first, track.places, out)
+    return out
+
+
+def line_nodes(sources: Sequence[LineSource], spacing: Spacing) -> Floats:
+    """What `line_nodes.line_nodes` does, to the last bit."""
+    begin = np.zeros(len(sources) + 1, dtype=np.int64)
+    np.cumsum([len(one.s) for one in sources], out=begin[1:])
+    points = np.empty((5, begin[-1]))
+    np.concatenate([one.s for one in sources], out=points[0])
+    np.concatenate([one.x for one in sources], out=points[1])
+    np.concatenate([one.y for one in sources], out=points[2])
+    np.concatenate([one.heading for one in sources], out=points[3])
+    for row, one in enumerate(sources):
+        points[4, begin[row] : begin[row + 1]] = one.width
+    ends = points[3, np.concatenate([begin[:-1], begin[1:] - 1])].tolist()
+    directions = np.array([*map(math.cos, ends), *map(math.sin, ends)]).reshape(2, 2, -1)
+    out = np.empty((4, len(sources), 1 + int(spacing.last.max())))
+    rows = (spacing.counts, spacing.pads, spacing.meters, spacing.length, spacing.turn)
+    nodes_kernel()(begin, points, rows, spacing.closed, directions, out)
     return out
 
 
@@ -142,9 +164,15 @@ def beside_kernel() -> Any:
 
 
 @cache
+def nodes_kernel() -> Any:
+    """The compiled loop over points of lines."""
+    return compile_loop(line_loops.line_nodes, line_loops)
+
+
+@cache
 def table_kernel() -> Any:
     """The compiled loop over the cells of lines."""
-    return compile_loop(kernels.line_table)
+    return compile_loop(line_loops.line_table, line_loops)
 
 
 @cache
@@ -202,8 +230,8 @@ def _register_formulas() -> None:
         ),
         (
             kernels.advanced, kernels.framed, kernels.points_beside, kernels.looked_up,
-            kernels.line_table, kernels.planned, kernels.gaps_in_corridors,
-            kernels.nearest_sample, kernels.widest,
+            line_loops.line_nodes, line_loops.line_table, kernels.planned,
+            kernels.gaps_in_corridors, kernels.nearest_sample, kernels.widest,
         ),
     )  # fmt: skip
     register_jitable(inline="always", **OPTIONS)(kernels.fill)

@@ -1,6 +1,6 @@
 """Loops over agents that numba compiles. Python never runs them; what they do to the last bit is
 said in numpy elsewhere: `motion.advance`, `poses.line_frames`, `poses.points_beside`,
-`BendSpeeds.at`, `bend_speeds.planned`, `lines.line_table`, `corridors.nearest_in_corridor`."""
+`BendSpeeds.at`, `bend_speeds.planned`, `corridors.nearest_in_corridor`."""
 
 from __future__ import annotations
 
@@ -161,24 +161,6 @@ def looked_up(values: Any, shift: Any, along: Any, first: Any, numbers: Any, out
         advance = along[i] - origin
         cell = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
         out[i] = values[shift[i] + first[i] + cell]
-
-
-def line_table(nodes: Any, spacing: Any, around: Any, out: Any) -> None:
-    """Fill `out`, (L, M, 8), as `lines.line_table`. `nodes`: (4, L, M); `around`: (L,) cells to
-    each side over which curvature is averaged."""
-    x, y, heading, width = nodes
-    last = x.shape[1] - 1
-    for i in range(x.shape[0]):
-        per_meter, over = 1.0 / spacing[i], 2.0 * around[i] * spacing[i]
-        for m in range(last + 1):
-            cell, after = out[i, m], min(m + 1, last)
-            before, beyond = max(m - around[i], 0), min(m + around[i], last)
-            cell[0], cell[1] = x[i, m], y[i, m]
-            cell[2] = (x[i, after] - x[i, m]) * per_meter
-            cell[3] = (y[i, after] - y[i, m]) * per_meter
-            cell[4] = (heading[i, after] - heading[i, m]) / spacing[i]
-            cell[5], cell[7] = heading[i, m], width[i, m]
-            cell[6] = (heading[i, beyond] - heading[i, before]) / over
 
 
 def planned(table: Any, first: Any, lateral: Any, gain: Any, straight: Any, out: Any) -> None:

@@ -1,0 +1,69 @@
+"""Lines before they are tables."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...geometry.arrays import Floats
+from ...ir.read_only import row_of
+from ...ir.scene import SceneRoad
+
+SPACING = 1.0
+"""Meters between two nodes of a table, at most."""
+FINEST = 0.25
+"""Meters between two nodes of a table, at least, where the road has them closer."""
+
+
+@dataclass(frozen=True)
+class LineSource:
+    """A line before it is a table: nodes by arc length, in the direction of travel."""
+
+    s: Floats
+    x: Floats
+    y: Floats
+    heading: Floats
+    width: Floats | float
+    closed: bool = False
+
+    @property
+    def length(self) -> float:
+        """Meters."""
+        return float(self.s[-1])
+
+    @property
+    def count(self) -> int:
+        """How many cells its table has."""
+        length = self.length
+        finest = min(len(self.s) - 1, math.ceil(length / FINEST))
+        return max(2, math.ceil(length / SPACING), finest)
+
+
+def road_line(road: SceneRoad, backward: bool) -> LineSource:
+    """The center line of a road, in its direction or against it."""
+    columns = (road.stations, road.x, road.y, road.heading)
+    s, x, y, heading = (row_of(column) for column in columns)
+    is_constant = road.width.count(road.width[0]) == len(road.width)
+    width: Floats | float = road.width[0] if is_constant else row_of(road.width)
+    s = s - s[0]
+    if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
+        last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])
+        s = np.append(s, max(road.length, last))
+        x, y, heading = (np.append(column, column[0]) for column in (x, y, heading))
+        width = np.append(width, width[0]) if isinstance(width, np.ndarray) else width
+    if backward:
+        s = s[-1] - s[::-1]
+        x, y, heading = x[::-1], y[::-1], heading[::-1] + np.pi
+        width = width[::-1] if isinstance(width, np.ndarray) else width
+    if np.count_nonzero(np.abs(heading[1:] - heading[:-1]) > np.pi):
+        heading = np.unwrap(heading)
+    return LineSource(s, x, y, heading, width, road.closed)
+
+
+def straight_line(x: float, y: float, heading: float) -> LineSource:
+    """What an agent follows that is on no road: straight on from where it stands."""
+    ahead = np.array([0.0, 1.0])
+    along = np.array([heading, heading])
+    return LineSource(ahead, x + np.cos(heading) * ahead, y + np.sin(heading) * ahead, along, 0.0)
