@@ -70,7 +70,7 @@ def _fill(row: Floats, source: LineSource, places: tuple[int, int, float], turn:
     """The nodes (4, M) of one line. `places`: intervals before it and between its ends, meters of
     each."""
     pad, count, meters = places
-    s: Floats = np.arange(-pad, count + pad + 1) * meters
+    s = np.arange(-pad, count + pad + 1).astype(np.float64) * meters
     used = len(s)
     laps: Floats | float = 0.0
     if source.closed:
