@@ -127,7 +127,7 @@ def test_the_simplest_scene_fails_when_it_is_driven(
 ) -> None:
     run(["shrink", str(failure)])
     assert run(["explain", str(shrunk_of(failure))]) == 2
-    assert "it is what `roadlang shrink` made of 0001.json" in capsys.readouterr().err
+    assert "it was made by `roadlang shrink` from 0001.json" in capsys.readouterr().err
     assert run(["run", str(shrunk_of(failure)), "-o", "again"]) == 4
     assert failure.with_name("0001.shrunk.svg").read_text().startswith("<svg")
 

@@ -98,7 +98,7 @@ def test_follow_takes_one_trace() -> None:
     ended = roadlang("monitor", "x > 0", "a.csv", "b.csv", "--follow", cwd=Path())
 
     assert ended.returncode == 2
-    assert "--follow goes with one TRACE" in ended.stderr
+    assert "--follow takes one TRACE" in ended.stderr
 
 
 def test_at_exactly_zero_the_comparison_decides() -> None:

@@ -30,7 +30,7 @@ WITHOUT_EXAMPLE = {
     "RL730": "from Python alone; see tests/envs/test_scene_env.py",
     "RL731": "from Python alone; see tests/envs/test_scene_env.py",
     "RL704": "takes ten seconds without an answer; see tests/falsification/test_cluster.py",
-    "RL900": "is a bug of roadlang",
+    "RL900": "is a bug in roadlang",
     "RL933": "takes a machine with little memory; see tests/cli/test_endings.py",
     "RL934": "takes a process that is killed; see tests/cli/test_endings.py",
 }

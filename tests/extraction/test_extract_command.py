@@ -151,7 +151,7 @@ def test_each_file_is_written_only_where_it_is_asked_for(circuit: Any) -> None:
 
 @pytest.mark.parametrize(
     ("option", "fault"),
-    [("-o", "this writes JSON or GeoJSON"), ("--mask", "circuit.png would be written over")],
+    [("-o", "this writes JSON or GeoJSON"), ("--mask", "circuit.png would overwrite")],
 )
 def test_the_picture_is_never_written_over(circuit: Any, option: str, fault: str) -> None:
     picture = circuit[1] / "circuit.png"

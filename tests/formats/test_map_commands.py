@@ -93,7 +93,7 @@ def test_a_map_is_not_written_over_itself(
     before = town.read_bytes()
     result = ran("convert", "my town.xodr", output)
     assert result.returncode == 2
-    assert "which it is made from: choose another name" in result.stderr
+    assert "from which it is made: choose another name" in result.stderr
     assert town.read_bytes() == before
 
 

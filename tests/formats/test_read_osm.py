@@ -209,7 +209,7 @@ LANELET = '<osm version="0.6"><relation id="1"><tag k="type" v="lanelet"/></rela
     ("text", "word"),
     [
         ("<osm></osm>", "no way"),
-        (osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1), "not a place"),
+        (osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1), "not a latitude"),
         (osm(way(1, "31 33"), way(1, "11 12")), "two ways"),
         (osm(way(1, "31 33"), way(2, "a 12"), nodes='<node id="a" lat="60" lon="11"/>'), "km"),
         ("<gpx/>", "not `osm`"),
@@ -241,7 +241,7 @@ def test_places_are_on_earth_but_not_at_a_pole(
     if is_place:
         assert len(read(tmp_path, text).network.edges) == 1
     else:
-        with pytest.raises(roadlang.DiagnosticError, match="not a place on Earth"):
+        with pytest.raises(roadlang.DiagnosticError, match="not a latitude and longitude"):
             read(tmp_path, text)
 
 

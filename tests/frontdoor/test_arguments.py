@@ -127,4 +127,4 @@ def test_an_option_error_of_no_option_is_a_fault_of_the_plugin() -> None:
         scenario(text, kinds=[Odd]).sample()
     (found,) = caught.value.diagnostics
     assert (found.code, found.help[0]) == ("RL470", "its options are height")
-    assert "an OptionError of `width`, which is no option of it" in found.message
+    assert "an OptionError of `width`, which is not one of its options" in found.message

@@ -44,7 +44,7 @@ def test_it_listens_without_a_window_where_it_is_told_to(tmp_path: Path) -> None
     try:
         assert process.stdout is not None
         line = process.stdout.readline()
-        assert line == f"Godot listens on 127.0.0.1:{port} (websocket); Ctrl-C ends it\n"
+        assert line == f"Godot listens on 127.0.0.1:{port} (websocket); Ctrl-C stops it\n"
         (engine,) = (words for words in _children(process.pid) if str(engines.project()) in words)
         assert "--headless" in engine
         after = engine[engine.index("--") + 1 :]

@@ -334,4 +334,4 @@ def test_watching_ends_after_the_time_that_is_said(
     words = ["watch", str(file), "--host", "127.0.0.1", "--port", str(engine.port)]
     assert run([*words, "--for", "0.5"]) == 0
     printed = capsys.readouterr().out
-    assert printed == f"{file} is driven; save it to change it, Ctrl-C to leave\n"
+    assert printed == f"{file} is being driven: save it to update the scene, press Ctrl-C to stop\n"

@@ -41,7 +41,7 @@ def test_a_size_that_is_none_is_refused_before_anything_starts(
     (tmp_path / "scene.rl").write_text(ROAD)
     picture = tmp_path / "a.png"
     assert run(["render", str(tmp_path / "scene.rl"), "-o", str(picture), "--size", size]) == 2
-    assert f"`{size}` is no size such as 1280x720" in capsys.readouterr().err
+    assert f"`{size}` is not a size such as 1280x720" in capsys.readouterr().err
     assert not picture.exists()
 
 

@@ -178,7 +178,7 @@ def test_pyproj_is_asked_for_longitude_and_latitude(monkeypatch: pytest.MonkeyPa
     assert degrees is not None
     assert (degrees(700.0, 4700.0), reason) == ((47.0, 7.0), "")
     for grid, name in (("EPSG:1", "EPSG:1"), ('PROJCS["odd"]', "of its .prj file")):
-        assert _to_degrees(grid) == (None, f"its grid {name} is not known to `pyproj`")
+        assert _to_degrees(grid) == (None, f"its coordinate system {name} is not known to `pyproj`")
 
 
 def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:

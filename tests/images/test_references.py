@@ -162,7 +162,7 @@ def test_a_world_file_names_the_middle_of_the_first_pixel() -> None:
         ("0.5 0 zero -0.5 1 2", "`a.pgw`, line 3: 'zero' is not a number"),
         ("0.5 0 0 -0.5 1 inf", "`a.pgw`, line 6: 'inf' is not a number"),
         ("0.5 0 0 -0.5", "`a.pgw`, line 5: a world file has six numbers"),
-        ("0 0 0 0 1 2", "`a.pgw`, line 1: the size of a pixel is no length in meters"),
+        ("0 0 0 0 1 2", "`a.pgw`, line 1: the size of a pixel is not a length in meters"),
     ],
 )
 def test_why_a_world_file_says_no_scale(tmp_path: Path, text: str, reason: str) -> None:

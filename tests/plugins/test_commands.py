@@ -226,10 +226,10 @@ def test_a_broken_command_breaks_nothing_else(
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("check", "roadlang has a command of this name itself"),
-        ("render", "roadlang 0.1.0 brings a command of this name as well"),
-        ("-f", "its name is not one"),
-        ("a.b", "its name is not one"),
+        ("check", "roadlang itself has a command with this name"),
+        ("render", "roadlang 0.1.0 has a command with the same name"),
+        ("-f", "its name is not valid"),
+        ("a.b", "its name is not valid"),
     ],
 )
 def test_a_command_that_cannot_be_is_listed_with_the_reason(

@@ -74,7 +74,7 @@ BROKEN = {
     ),
     "duplicate kind": (
         GOOD.format(kind="zigzag").replace("[Zigzag]", "[Zigzag, Zigzag]"),
-        "brings `perturb zigzag` twice",
+        "provides `perturb zigzag` twice",
     ),
     "map with a bad key": (
         "from roadlang.api import hookimpl\n@hookimpl\ndef roadlang_kinds(): return {'zag': 'a:B'}",

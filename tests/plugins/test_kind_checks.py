@@ -85,7 +85,7 @@ FAULTS = {
     ),
     "a second method misspelled": (
         kind("Backend", "def files(self, scene): return {}", "def colection(self, scenes): ..."),
-        "Bad has no use for `colection`: did you mean `collection`?", 10,
+        "Bad does not use `colection`: did you mean `collection`?", 10,
     ),
     "a judge of drives that judges roads": (
         kind("Monitor", 'domain: ClassVar[str] = "drive"', "def robustness(self): return [1]"),
@@ -97,7 +97,7 @@ FAULTS = {
     ),
     "a misspelled attribute": (
         kind("Signal", 'unti: ClassVar[str] = "m"', "def values(self): return 0"),
-        "Bad has no use for `unti`: did you mean `unit`?", 9,
+        "Bad does not use `unti`: did you mean `unit`?", 9,
     ),
     "a method with too few parameters": (
         kind("Perturber", "def displacement(self, road): return 0"),
@@ -207,11 +207,11 @@ FAULTS = {
     ),
     "an unknown unit": (
         kind("Signal", 'unit: ClassVar[str] = "parsec"', "def values(self): return 0"),
-        "`unit` is 'parsec', which is no unit", 9,
+        "`unit` is 'parsec', which is not a unit", 9,
     ),
     "a unit with two slashes": (
         kind("DriveSignal", 'unit: ClassVar[str] = "m/s/s"', "def values(self): return 0"),
-        "`unit` is 'm/s/s', which is no unit", 9,
+        "`unit` is 'm/s/s', which is not a unit", 9,
     ),
     "an unknown domain": (
         kind("Monitor", 'domain: ClassVar[str] = "air"', "def robustness(self): return 0"),
@@ -304,7 +304,7 @@ def test_a_bad_key_of_a_map_leaves_the_others(site: Path, key: str) -> None:
 def test_a_kind_that_comes_twice_leaves_the_others(site: Path) -> None:
     found = refused(site, HEAD + options("") + GOOD + HOOK.replace("[Bad,", "[Bad, Bad,"))
     assert found.kind == "perturb bad"
-    assert found.reason == "it brings `perturb bad` twice"
+    assert found.reason == "it provides `perturb bad` twice"
 
 
 def test_a_use_of_a_bad_kind_gives_the_reason(

@@ -215,8 +215,8 @@ def test_the_shipped_reader_of_an_ending_goes_before_a_strangers(site: Path) -> 
         ("kit.more", "its entry point 'kit.more' is not a name: use letters, digits and `_`"),
         ("2fast", "its entry point '2fast' is not a name: use letters, digits and `_`"),
         ("größe", "its entry point 'größe' is not a name: use letters, digits and `_`"),
-        ("with", "its entry point `with` is a word of the language"),
-        ("always", "its entry point `always` is a word of the language"),
+        ("with", "its entry point `with` is a keyword"),
+        ("always", "its entry point `always` is a keyword"),
         ("standard", "its entry point `standard` is also that of roadlang"),
         ("godot", "its entry point `godot` is also that of roadlang"),
     ],
@@ -248,7 +248,7 @@ def test_two_distributions_with_one_entry_point_are_both_left_out(site: Path) ->
 
 def test_a_kind_cannot_be_called_as_a_word_of_the_language(site: Path) -> None:
     install(site, "odd", GOOD.format(kind="until"))
-    assert broken("odd") == ["its name `until` is a word of the language (roadlang_odd.py:9)"]
+    assert broken("odd") == ["its name `until` is a keyword (roadlang_odd.py:9)"]
 
 
 @pytest.mark.parametrize(

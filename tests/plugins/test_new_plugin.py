@@ -75,8 +75,8 @@ def test_an_existing_folder_is_left_alone(folder: Path, capsys: pytest.CaptureFi
         ("9", "beginning with a letter"),
         ("", "beginning with a letter"),
         ("../acme", "did you mean `acme`?"),
-        ("with", "it is a word of the language"),
-        ("standard", "has a plugin of this name"),
+        ("with", "it is a keyword"),
+        ("standard", "has a plugin with this name"),
         ("sine", "its kind would be called `perturb sine`"),
     ],
 )

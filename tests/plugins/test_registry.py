@@ -48,7 +48,7 @@ def test_hints_name_three_broken_plugins_and_count_the_others() -> None:
     assert hints(0) == ()
     assert hints(3)[2] == "the plugin p2-plugin 1 could not be loaded: ?"
     assert len(hints(3)) == 3
-    assert hints(5)[3:] == ("2 more could not be loaded; `roadlang plugins` says why",)
+    assert hints(5)[3:] == ("2 more could not be loaded; `roadlang plugins` shows why",)
 
 
 @pytest.mark.parametrize(

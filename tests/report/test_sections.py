@@ -59,7 +59,7 @@ def test_a_scene_without_a_seed_was_driven_alone() -> None:
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"expects": ()}, "4 scenes driven; nothing is expected of them."),
+        ({"expects": ()}, "4 scenes driven; the file has no expectations."),
         ({"rows": (), "distinct": 0}, "No candidate satisfies the requirements."),
         ({"rows": ROWS[:1]}, "All expectations hold in 1 scene."),
         ({"rows": ROWS[:2], "distinct": 0}, "All expectations hold in 2 scenes."),

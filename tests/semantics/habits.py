@@ -53,7 +53,7 @@ HABITS = [
         None,
     ),
     ("ego = new Car on main", "RL002", "agent NAME is KIND on ROAD", None),
-    ("agent a is bus { length: 18m } on main at 5m", "RL001", "one block behind the place", None),
+    ("agent a is bus { length: 18m } on main at 5m", "RL001", "one block after the position", None),
     ("ego is car on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),
     ("car ego on main at 5m", "RL002", "agent NAME is KIND on ROAD", None),
     ("x = 5m", "RL002", "`param x = value`", None),
@@ -214,22 +214,22 @@ HABITS = [
     (
         "agent a is car on main at 5m { drive with brake then drive with walk }",
         "RL001",
-        "in charge",
+        "is active",
         None,
     ),
     (
         "agent a is car on main at 5m { drive with brake until time > 5s }",
         "RL001",
-        "in charge",
+        "is active",
         None,
     ),
     (
         "agent a is car on main at 5m { drive with brake { until: time > 5s } }",
         "RL001",
-        "in charge",
+        "is active",
         None,
     ),
-    ("agent a is car on main at 5m { drive with brake for 5s }", "RL001", "in charge", None),
+    ("agent a is car on main at 5m { drive with brake for 5s }", "RL001", "is active", None),
     (
         "agent a is car on main at 5m { drive with brake { after: 5s } }",
         "RL220",
@@ -261,7 +261,12 @@ HABITS = [
     ("agent a is car on main at 5m { with speed 10 }", "RL001", "`start_speed: 10m/s`", None),
     ("agent a is car on main at 5m { with behavior F }", "RL001", "`drive with KIND", None),
     (EGO + LEAD + "expect e: always (ego can see lead)", "RL001", "`distance(ego, lead) <", None),
-    (EGO + LEAD + "require r: ego can see lead", "RL001", "no formula says what is seen", None),
+    (
+        EGO + LEAD + "require r: ego can see lead",
+        "RL001",
+        "formulas do not test what is seen",
+        None,
+    ),
     (EGO + LEAD + "expect e: always (can_see(ego, lead))", "RL225", "`distance(ego, lead)", None),
     (
         EGO + LEAD + "expect e: always (distance from ego to lead > 2m)",
@@ -271,7 +276,7 @@ HABITS = [
     ),
     (EGO + "expect e: always (distance to ego > 2m)", "RL001", "`distance(AGENT, ego)`", None),
     ("simulate with carla", "RL210", "`emit opendrive` (CARLA", None),
-    ("simulate with Newtonian", "RL210", "a plugin brings other simulators", None),
+    ("simulate with Newtonian", "RL210", "other simulators need a plugin", None),
     ("simulate with nowhere", "RL210", "are `builtin`, `godot`", None),
     ("road b { left: [drive { width: 3m }] }", "RL001", "`drive(width: 3m)`", None),
     (

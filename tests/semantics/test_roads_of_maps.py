@@ -14,7 +14,7 @@ def test_a_map_is_read_as_a_network(tmp_path: Path) -> None:
     (found,) = testing.check('road main from "town.xodr"', folder=tmp_path)
     assert found.code == "RL214"
     assert found.help[0] == (
-        '`network town from "town.xodr"` reads it; `road NAME from town` takes a road of it'
+        '`network town from "town.xodr"` reads it; `road NAME from town` selects one of its roads'
     )
 
 

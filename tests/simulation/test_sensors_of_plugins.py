@@ -112,7 +112,7 @@ class Replacing(Faulty):
 @pytest.mark.parametrize(
     ("sensor", "says"),
     [
-        ("faulty { fault: numbers }", "`meters`, which is no ReadingArray"),
+        ("faulty { fault: numbers }", "`meters`, which is not a ReadingArray"),
         ("faulty { fault: names }", "an array 5; names have"),
         ("faulty { fault: archive }", "`file`; no array of a reading can be called so"),
         ("faulty { fault: shape }", "the shape 3 of its array `meters`"),
@@ -120,9 +120,9 @@ class Replacing(Faulty):
         ("faulty { fault: type }", "the type 'furlong' of its array `meters`"),
         ("faulty { fault: text }", "the type 'U5' of its array `meters`"),
         ("faulty { fault: bytes }", "`meters` with values from 300.* which are no uint8"),
-        ("faulty { fault: state }", "a state that is no array of 1 rows"),
-        ("replacing", "replaces `line_ahead`, which is none of its arrays"),
-        ("replacing { fault: column }", "`line_ahead`, which is no column of numbers"),
+        ("faulty { fault: state }", "a state that is not an array of 1 rows"),
+        ("replacing", "replaces `line_ahead`, which is not one of its arrays"),
+        ("replacing { fault: column }", "`line_ahead`, which is not a column of numbers"),
     ],
 )
 def test_a_sensor_that_states_what_cannot_be_is_named(sensor: str, says: str) -> None:

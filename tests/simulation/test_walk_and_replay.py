@@ -146,7 +146,7 @@ LONG = '"' + "1" * 200_000 + '"'
         ("time,x,y,heading\n0,0,0,0\n0,1,1,0\n", "times do not increase"),
         ("time,x,y,heading\n0,0,0,0\n1,a,1,0\n", "not all of its values are numbers"),
         ("time,agent,x,y,heading\n0,eg,0,0,0\n1,eg,1,1,0\n", "it has no agent `ego`"),
-        ("{", "it is no trace of a drive"),
+        ("{", "it is not the trace of a drive"),
         ("time,x\n", "no column `time`"),
         pytest.param(LONG + "\n", "field larger than field limit", id="long word"),
         ("time,steering,acceleration\n", "it has no rows"),

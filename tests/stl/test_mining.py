@@ -63,7 +63,7 @@ def test_of_alternatives_each_is_tightened_from_its_loose_side() -> None:
         (Parameter("limit", 2, 2), "two finite numbers, the lower one first"),
         (Parameter("limit", 0, float("inf")), "two finite numbers, the lower one first"),
         (Parameter("limit", -1e308, 1e308), "they are too far apart"),
-        (Parameter("", 0, 1), "it is no name"),
+        (Parameter("", 0, 1), "it is not a name"),
         (Parameter("e", 0, 1), "it is a signal of the trace"),
     ],
 )

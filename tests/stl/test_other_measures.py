@@ -147,7 +147,7 @@ def test_measures_of_time_go_without_other_options(
     trace.write_text("time,x\n0,-1\n1,4\n")
     with pytest.raises(SystemExit, match="2"):
         main(["monitor", "x > 0", str(trace), "--robustness", "time", "--wrap", "9"])
-    assert "--robustness time goes without" in capfd.readouterr().err
+    assert "--robustness time cannot be used with" in capfd.readouterr().err
 
 
 @pytest.mark.filterwarnings("error")

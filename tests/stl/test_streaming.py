@@ -15,7 +15,7 @@ from tests.stl_draws import FormulaDraw, draw_trace
 @pytest.mark.parametrize(
     ("text", "instead"),
     [
-        ("always (x < 1)", "to be told when it fails, leave `always` out: `x < 1`"),
+        ("always (x < 1)", "to see when it fails, leave `always` out: `x < 1`"),
         ("eventually (x < 1)", "give the operator an interval with an end"),
         ("always eventually (x < 1)", "give the operator an interval with an end"),
     ],

@@ -56,7 +56,7 @@ class GeoJsonBackend(Backend):
                     Code.INVALID_OPTION,
                     option="origin",
                     kind="emit geojson",
-                    reason="is missing, and no map says where on Earth the scene is",
+                    reason="is missing, and the scene has no location from a map",
                     help="write latitude and longitude of (0, 0): "
                     "`emit geojson { origin: (48.137deg, 11.575deg) }`, on the command line"
                     " `--emit 'geojson{origin: (48.137deg, 11.575deg)}'`",

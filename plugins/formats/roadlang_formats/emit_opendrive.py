@@ -29,12 +29,12 @@ class OpenDriveBackend(Backend):
         "lines, arcs and clothoids",
     )
     geo_reference: String = option(
-        "", help="a PROJ string that says where on Earth the origin is; without one, nowhere"
+        "", help="a PROJ string that gives the location of the origin; by default none"
     )
     left_hand: Literal["one_way_roads", "rule"] = option(
         "one_way_roads",
         help="left-hand traffic: a road for each direction, which all tools drive, or roads with "
-        '`rule="LHT"`, which CARLA, netconvert and Scenic do not know',
+        '`rule="LHT"`, which CARLA, netconvert and Scenic do not support',
     )
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:

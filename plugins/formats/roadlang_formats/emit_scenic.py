@@ -25,7 +25,7 @@ class ScenicBackend(Backend):
         "scenic.domains.driving.model", help="the world model, such as that of a simulator"
     )
     behaviors: Flag = option(
-        True, help="whether agents get behaviors of Scenic where these do what controllers do"
+        True, help="whether agents get Scenic behaviors where these match their controllers"
     )
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:

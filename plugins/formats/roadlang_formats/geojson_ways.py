@@ -100,7 +100,7 @@ def _node(point: Any, nodes: dict[str, OsmNode], number: int, fault: Fault) -> s
     longitude, latitude = (round(float(x), _DIGITS) for x in numbers)
     if abs(latitude) > 89.0 or abs(longitude) > 180.0:
         place = f"{latitude:g}, {longitude:g} degrees"
-        raise fault(f"feature {number}: {place} is not a place on Earth")
+        raise fault(f"feature {number}: {place} is not a longitude and latitude")
     # Lines are cut at the antimeridian: both of their parts have this point.
     longitude = 180.0 if longitude == -180.0 else longitude
     id = f"{latitude} {longitude}"

@@ -197,5 +197,5 @@ class _Builder:
             self._open[-1].text += text
 
     def _entity(self, name: str, *rest: object) -> None:
-        reason = f"it declares the entity `{name}`, which no map needs"
+        reason = f"it declares the entity `{name}`, which maps do not need"
         raise fault_at(self._path, self._text, self._here(), reason)

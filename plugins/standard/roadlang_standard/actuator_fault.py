@@ -22,11 +22,9 @@ class ActuatorFault(Controller):
     leaves_open: ClassVar[str] = "everything"
 
     delay: Duration = option(
-        0.0, minimum=0, maximum=10, help="how late commands act", example="200ms"
+        0.0, minimum=0, maximum=10, help="delay until commands act", example="200ms"
     )
-    gain: Number = option(
-        1.0, minimum=-10, maximum=10, help="factor: 0.5 does half of what is commanded"
-    )
+    gain: Number = option(1.0, minimum=-10, maximum=10, help="factor: 0.5 halves every command")
     stuck: Flag = option(
         False, help="holds the command at which the fault began, for as long as it lasts"
     )

@@ -70,7 +70,7 @@ def read_table(path: Path) -> Table:
             continue
         if numbers is None:
             if rows:
-                raise _refusal(path, f"line {number} is no row of numbers")
+                raise _refusal(path, f"line {number} is not a row of numbers")
             names = names if line.startswith("#") and names else tuple(map(str.lower, cells))
             continue
         if rows and len(numbers) != len(rows[0]):

@@ -35,7 +35,7 @@ class EmergencyBrake(Controller):
         help="distance to stop at, from the sensor, which may be behind the front of the vehicle",
     )
     margin: Length = option(
-        0.2, minimum=-10, help="how far beside the vehicle a thing still counts as in its way"
+        0.2, minimum=-10, help="objects up to this far beside the vehicle count as in its way"
     )
 
     def start(self, count: int) -> NDArray[np.float64]:

@@ -65,8 +65,8 @@ class Cma(Searcher):
         1.0,
         minimum=0,
         maximum=1,
-        help="share of candidates near those that failed or came nearest to failing, chosen by a "
-        "model of what was evaluated so far, each unlike all failures",
+        help="share of candidates near those that failed or came nearest to failing; a model of "
+        "all evaluations chooses them to differ from known failures",
     )
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:

@@ -29,7 +29,8 @@ class Elites(Searcher):
         0.2,
         minimum=0,
         maximum=2,
-        help="standard deviation of children along the line to a second parent, in parts of it",
+        help="standard deviation of children along the line to a second parent, as a fraction of "
+        "that line",
     )
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:

@@ -54,7 +54,7 @@ class Policy:
                 known = [f"{name}.{of}" for name, found in sensors.items() for of in found]
                 raise _unusable(
                     self.name,
-                    f"its input `{input_.name}` is no reading of the agent, which has "
+                    f"its input `{input_.name}` is not a reading of the agent, which has "
                     f"{', '.join(known) or 'no sensors'}",
                 )
             columns[input_.name] = self._fitting(input_, np.asarray(sensors[sensor][array]))
@@ -111,8 +111,8 @@ def policy(path: str) -> Policy:
         listed = ", ".join(input_.name for input_ in vectors)
         raise _unusable(
             name,
-            f"of its inputs, {listed} are not called after a reading (`front.distances`); one at "
-            "most can get the vector of numbers",
+            f"of its inputs, {listed} are not named after a reading (`front.distances`); at most "
+            "one can take the vector of numbers",
         )
     vector = vectors[0] if vectors else None
     return Policy(name, session, outputs[0].name, vector, tuple(readings))

@@ -65,7 +65,7 @@ def _of_trace(file: Path, text: str) -> dict[str, dict[str, Any]]:
         time, agents = document["time"], document["agents"]
         return {name: {"time": time, **values} for name, values in agents.items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise _fault(file, "it is no trace of a drive") from error
+        raise _fault(file, "it is not the trace of a drive") from error
 
 
 def _of_table(file: Path, text: str) -> dict[str, dict[str, Any]]:

@@ -28,8 +28,8 @@ class Guided(Sampler):
     )
     fallback: Literal["auto", "never"] = option(
         "auto",
-        help="`auto` draws evenly, as `random` does, where so many even draws hold that learning "
-        "would not pay; `never` always learns",
+        help="`auto` draws as `random` does where so many draws satisfy the requirements that "
+        "learning would not pay; `never` always learns",
     )
 
     def limit(self) -> int | None:

@@ -34,7 +34,7 @@ class Camera(CameraView):
 
     record: ListOf[Literal["png", "mp4"]] = option(
         (),
-        help="what `run` writes of the readings beside their arrays: `png`, a picture of each "
+        help="files that `run` writes in addition to arrays: `png`, a picture of each "
         "output of each reading; `mp4`, a clip of `rgb`",
         example="[png, mp4]",
     )
@@ -44,7 +44,7 @@ class Camera(CameraView):
         if len(set(self.outputs)) != len(self.outputs):
             raise OptionError("outputs", "names an output twice")
         if "mp4" in self.record and "rgb" not in self.outputs:
-            raise OptionError("record", "wants a clip of `rgb`, which is none of the outputs")
+            raise OptionError("record", "asks for a clip of `rgb`, which is not one of the outputs")
 
     def arrays(self) -> dict[str, ReadingArray]:
         """Arrays of (height, width), from the top left."""

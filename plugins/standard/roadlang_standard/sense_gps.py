@@ -37,8 +37,7 @@ class Gps(Sensor):
         0.0,
         minimum=0,
         maximum=1000,
-        help="how far the error wanders in a second: standard deviation of a random walk of x and "
-        "of y",
+        help="drift of the error in a second: standard deviation of a random walk of x and of y",
         example="0.1m",
     )
 

@@ -45,7 +45,7 @@ class Imu(Sensor):
         0.0,
         minimum=0,
         maximum=1000,
-        help="how far the errors of the accelerations wander in a second: standard deviation of a "
+        help="drift of the errors of the accelerations in a second: standard deviation of a "
         "random walk",
     )
     yaw_noise: AngularVelocity = option(
@@ -66,7 +66,7 @@ class Imu(Sensor):
         0.0,
         minimum=0,
         maximum=1000,
-        help="how far the error of the yaw rate wanders in a second",
+        help="drift of the error of the yaw rate in a second",
     )
 
     def arrays(self) -> dict[str, ReadingArray]:

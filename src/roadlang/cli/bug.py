@@ -17,7 +17,7 @@ def describe_bug(error: BaseException) -> Diagnostic:
     return diagnose(
         Code.INTERNAL_ERROR,
         help=(
-            f"this is a bug of roadlang {__version__} (Python {platform.python_version()}),"
+            f"this is a bug in roadlang {__version__} (Python {platform.python_version()}),"
             f" at {where}",
             "please report it with the scene file; ROADLANG_TRACEBACK=1 shows the traceback",
         ),

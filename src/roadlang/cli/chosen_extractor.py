@@ -79,7 +79,7 @@ def _extractor(name: str) -> KindEntry:
         return find_entry(registry, "extract", name)
     except UnknownKind:
         names = registry.names("extract")
-        hints = (*did_you_mean(name, names), f"known are {', '.join(names)}")
+        hints = (*did_you_mean(name, names), f"the extractors are {', '.join(names)}")
         raise DiagnosticError(diagnose(Code.UNKNOWN_EXTRACTOR, kind=name, help=hints)) from None
 
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 @click.option(
     "--print-after",
     metavar="PASS",
-    help="Print to stderr what a pass makes of each scene: `sine`, `bent/perturb 1` or `all`.",
+    help="Print the result of a pass in each scene to stderr: `sine`, `bent/perturb 1` or `all`.",
 )
 @click.option(
     "--json", "as_json", is_flag=True, help="Print the manifest and the diagnostics as JSON."

@@ -55,7 +55,7 @@ def report(diagnostics: Iterable[Diagnostic]) -> None:
         click.echo(f"\n{summary}", err=True)
     codes = sorted({diagnostic.code for diagnostic in ordered if diagnostic.is_error})
     if codes and sys.stderr.isatty():
-        click.echo(f"`roadlang explain {codes[0]}` tells more", err=True)
+        click.echo(f"`roadlang explain {codes[0]}` explains it", err=True)
 
 
 def _count(number: int, noun: str) -> str:

@@ -20,7 +20,7 @@ def explain_failure(file: str, scene_file: str | None) -> None:
     record = explanation(failure_in(file, scene_file))
     echo("\n".join(_lines(record)))
     written = write_explanation(record, Path(file))
-    echo(f"all of it is in {shown(written)}")
+    echo(f"the complete results are in {shown(written)}")
 
 
 def _lines(record: Mapping[str, Any]) -> list[str]:
@@ -33,14 +33,14 @@ def _lines(record: Mapping[str, Any]) -> list[str]:
     head = f"{style('violated', fg='red')}  {name}: {record['text']}"
     rho = plain(quantity(record["robustness"], record["unit"]))
     lines = [f"{head}  robustness {rho}", *_moment(record["moment"])]
-    lines += ["", f"robustness of {name} with a random value at its median, the others as they are"]
+    lines += ["", f"robustness of {name} with one random value at its median, the others unchanged"]
     lines += _rows(singles, record["unit"])
     helping = [item for item in pairs if item["holds"]]
     if helping:
-        lines += ["", "with two at their medians, of those that do not help alone"]
+        lines += ["", "with two at their medians, where neither helps alone"]
         lines += _rows(helping, record["unit"])
     elif not holding:
-        lines += ["", "neither one of them nor a pair of those that matter most makes it hold"]
+        lines += ["", "no single value, and no pair of the most important ones, makes it hold"]
     return lines
 
 

@@ -42,7 +42,7 @@ class _Place(_Numbers):
     def convert(self, value: Any, parameter: Any, context: Any) -> tuple[float, ...]:
         latitude, longitude = super().convert(value, parameter, context)
         if not (abs(latitude) <= 90.0 and abs(longitude) <= 180.0):
-            self.fail(f"{value!r} is not a place on Earth", parameter, context)
+            self.fail(f"{value!r} is not a latitude and longitude", parameter, context)
         return latitude, longitude
 
 
@@ -52,7 +52,8 @@ _ROADS = FormatFile(
     hint=" A picture of the roads: `--overlay FILE.svg` or `--mask FILE.png`.",
 )
 _SAY_MORE = (
-    "`--overlay` shows what is seen; `--with contour` is for a drawing, `--with aerial` for a photo"
+    "`--overlay` shows what was found; use `--with contour` for a drawing, `--with aerial` for a "
+    "photo"
 )
 
 
@@ -80,7 +81,7 @@ _SAY_MORE = (
     "--origin",
     type=_Place(2, "LATITUDE,LONGITUDE"),
     metavar="LAT,LON",
-    help="Place of the lower left corner in degrees, for GeoJSON; by default that in the file.",
+    help="Latitude and longitude of the lower left corner, for GeoJSON; by default from the file.",
 )
 @click.option(
     "--threshold",
@@ -189,8 +190,8 @@ def _refuse_with_edit() -> None:
         given = source is click.core.ParameterSource.COMMANDLINE
         if given and parameter.name not in ("images", "edit", "no_browser", "scale"):
             raise click.UsageError(
-                f"`{parameter.opts[0]}` does not go with `--edit`: options of the extractor are "
-                "written in the scene file."
+                f"`{parameter.opts[0]}` cannot be used with `--edit`: write options of the "
+                "extractor in the scene file."
             )
 
 
@@ -223,7 +224,7 @@ def _place(
 
     place = stated if stated is not None else opened.shown.origin
     if place is None:
-        missing = "neither the image nor `--origin` says where on Earth it is"
+        missing = "neither the image nor `--origin` gives it"
         help = "give its lower left corner: `--origin 48.137,11.575`, latitude first"
     elif scale is None:
         missing = "the size of its pixels on the ground is not known"

@@ -23,12 +23,12 @@ def edit_roads(image: str, scene: str, scale: float | None, opens_browser: bool)
     if not path.exists():
         _write_scene(path, image, scale)
     elif scale is not None:
-        raise click.UsageError("`--scale` is for a new scene file; this one states its own.")
+        raise click.UsageError("`--scale` is for a new scene file; this one has its own scale.")
     roads = PictureRoads.of(path, Path(image))
     with CorrectionServer(roads, token_urlsafe(16)) as server:
         Thread(target=server.serve_forever, daemon=True).start()
         echo(server.address)
-        note("the page is open until it is closed there, or with Ctrl-C here")
+        note("close the page in the browser, or press Ctrl-C here, when you are done")
         if opens_browser:
             import webbrowser
 
@@ -51,7 +51,7 @@ def _write_scene(path: Path, image: str, scale: float | None) -> None:
     known = open_image(Path(image), image, None).scale
     if scale is None and known is None:
         raise click.UsageError(
-            f"the size of a pixel of {image} is not known: state it with `--scale`, in meters."
+            f"the size of a pixel of {image} is not known: give it with `--scale`, in meters."
         )
     stated = "" if scale is None else f" {{ scale: {scale:g}m/px }}"
     name = os.path.relpath(image, path.parent).replace(os.sep, "/")

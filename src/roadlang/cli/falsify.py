@@ -34,7 +34,7 @@ _FIGURES = 25
     metavar="NAME",
     help="An expectation to violate, the most important first; by default all.",
 )
-@click.option("--with", "searcher", metavar="KIND", help="Searcher, in place of the file's.")
+@click.option("--with", "searcher", metavar="KIND", help="Searcher, instead of the file's.")
 @click.option("--evaluations", type=click.IntRange(min=1), help="Stop after this many candidates.")
 @click.option(
     "--failures", type=click.IntRange(min=1), help="Stop after this many distinct failures."
@@ -42,8 +42,12 @@ _FIGURES = 25
 @click.option(
     "--seconds", type=seconds(min=0, min_open=True), help="Stop after this time, such as 10min."
 )
-@click.option("--batch", type=click.IntRange(min=1), help="Candidates evaluated together, at most.")
-@click.option("--islands", type=click.IntRange(min=1), help="Independent searches side by side.")
+@click.option(
+    "--batch", type=click.IntRange(min=1), help="Maximum number of candidates evaluated together."
+)
+@click.option(
+    "--islands", type=click.IntRange(min=1), help="Number of independent searches side by side."
+)
 @click.option("--random", type=FiniteRange(0, 1), help="Fraction of candidates drawn at random.")
 @shared_options.engine
 @shared_options.duration
@@ -129,7 +133,7 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
         tried, file = f"{len(search.outcomes):,}", str(search.loaded.path)
         rejections = search.rejections
         help_ = (
-            () if rejections else f"`roadlang compile {shlex.quote(file)}` says what is in the way"
+            () if rejections else f"`roadlang compile {shlex.quote(file)}` shows what rejects them"
         )
         report([diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried, help=help_)])
         if rejections:
@@ -142,7 +146,7 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
     rate = search.rate
     if rate.scenes:
         echo(
-            f"of scenes drawn at random {rate.low:.2%} to {rate.high:.2%} fail"
+            f"{rate.low:.2%} to {rate.high:.2%} of random scenes fail"
             f" (95 % confidence, {rate.failures} of {rate.scenes})"
         )
 

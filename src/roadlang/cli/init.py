@@ -15,7 +15,7 @@ from .console import echo
 
 TEMPLATES = {
     "bend": "a drawn road, perturbed at random, and a car",
-    "picture": "a road extracted from an image of yours",
+    "picture": "a road extracted from your image",
     "sweep": "a parameter sweep",
     "town": "a town written as text, with trees and buildings",
 }

@@ -24,8 +24,8 @@ def machine_fault(error: BaseException) -> Diagnostic | None:
         return diagnose(
             Code.OUT_OF_MEMORY,
             help=(
-                "fewer scenes at once (`-n`), fewer processes (`--jobs`) or a smaller picture"
-                " take less"
+                "make fewer scenes at once (`-n`), or use fewer processes (`--jobs`) or a smaller"
+                " picture"
             ),
         )
     if isinstance(error, OSError) and error.errno in _NO_ROOM:

@@ -34,7 +34,7 @@ ends, so that frequent collections find nothing."""
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog="Exit codes: 0 done, 1 the scenario has errors, 2 usage error, 3 no scene satisfied the"
     " requirements, 4 an expectation is violated, 5 something else failed: engine, network,"
-    " plugin or memory, 70 a bug of roadlang.",
+    " plugin or memory, 70 a bug in roadlang.",
 )
 @click.version_option(__version__, "-V", "--version", message="roadlang %(version)s")
 @click.option(

@@ -44,8 +44,8 @@ if TYPE_CHECKING:
     "--open",
     "is_open",
     is_flag=True,
-    help="The traces may go on: show the range over all continuations; the verdict is `unknown` "
-    "where these decide. Otherwise a trace is judged as it ended.",
+    help="The traces may continue: show the range over all continuations; the verdict is `unknown` "
+    "if it depends on them. Without this option a trace is judged as it ended.",
 )
 @click.option(
     "--strict", is_flag=True, help="Count a vacuous verdict as a violation (exit code 4)."
@@ -124,17 +124,19 @@ def _refuse_combinations(
     """UsageError for options that do not go together."""
     dense, measure = how["semantics"], how["measure"]
     if "-" in traces and not following:
-        raise click.UsageError("`-`, the standard input, goes with --follow")
+        raise click.UsageError("`-` (standard input) needs --follow")
     if plot and len(traces) > 1:
         raise click.UsageError("--plot draws one trace; several were given")
     if dense != "sampled" and (plot or following or how["wrap"]):
-        raise click.UsageError(f"--semantics {dense} goes without --plot, --wrap and --follow")
+        raise click.UsageError(
+            f"--semantics {dense} cannot be used with --plot, --wrap or --follow"
+        )
     if measure != "space" and (dense != "sampled" or plot or following or how["wrap"]):
-        problem = "goes without --semantics, --plot, --wrap and --follow"
+        problem = "cannot be used with --semantics, --plot, --wrap or --follow"
         raise click.UsageError(f"--robustness {measure} {problem}")
     others = (how["agent"], how["wrap"], how["strict"], how["is_open"], plot, as_json)
     if following and (len(traces) > 1 or any(others)):
-        raise click.UsageError("--follow goes with one TRACE and no other option")
+        raise click.UsageError("--follow takes one TRACE and no other option")
 
 
 def _judged(
@@ -232,7 +234,7 @@ def _dense_finding(
     }
 
 
-_ASSUMPTION = "if no signal changes faster than from one sample to the next"
+_ASSUMPTION = "if no signal changes faster than between two neighboring samples"
 
 
 def _warn_of_empty_windows(finding: dict[str, Any]) -> None:

@@ -36,6 +36,6 @@ def keep_inputs(written: Iterable[str | Path], read: Iterable[str | Path]) -> No
         for source in inputs:
             if path.exists() and path.samefile(source):
                 raise click.UsageError(
-                    f"{path.name} would be written over {source}, which it is made from: choose "
+                    f"{path.name} would overwrite {source}, from which it is made: choose "
                     "another name for the output"
                 )

@@ -67,12 +67,12 @@ def plugin_commands(reserved: frozenset[str]) -> PluginCommands:
         reason = None
         others = [c.origin for c in candidates if c.name == candidate.name and c is not candidate]
         if not _NAME.match(candidate.name):
-            reason = "its name is not one: use letters, digits, `-` and `_`"
+            reason = "its name is not valid: use letters, digits, `-` and `_`"
         elif candidate.name in reserved:
-            reason = "roadlang has a command of this name itself"
+            reason = "roadlang itself has a command with this name"
         elif counts[candidate.name] > 1 and not candidate.origin.is_shipped:
             other = shipped.get(candidate.name, others[0])
-            reason = f"{other} brings a command of this name as well"
+            reason = f"{other} has a command with the same name"
         else:
             reason = unmet_requirement(candidate.installed)
         if reason is None:

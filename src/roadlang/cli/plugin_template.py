@@ -48,14 +48,14 @@ def check_plugin_name(name: str, verbs: Sequence[str], registry: Registry) -> No
         suggestion = _as_name(name)
         help = f"did you mean `{suggestion}`?" if _NAME.match(suggestion) else ()
     elif name in RESERVED:
-        reason = "it is a word of the language"
+        reason = "it is a keyword"
     elif name in shipped:
-        reason = f"{shipped[name]} has a plugin of this name"
+        reason = f"{shipped[name]} has a plugin with this name"
     else:
         clashes = [verb for verb in verbs if _is_shipped(registry, verb, name)]
         if not clashes:
             return
-        reason = f"its kind would be called `{clashes[0]} {name}`, which roadlang has"
+        reason = f"its kind would be called `{clashes[0]} {name}`, which exists in roadlang"
     raise DiagnosticError(diagnose(Code.BAD_PLUGIN_NAME, name=name, reason=reason, help=help))
 
 

@@ -95,7 +95,7 @@ def _refuse_sampling(options: dict[str, Any]) -> None:
     for name, value in options.items():
         if value:
             raise click.UsageError(
-                f"{name} applies to scene files (.rl); a scene is driven as it is"
+                f"{name} applies to scene files (.rl); a finished scene is driven as it is"
             )
 
 

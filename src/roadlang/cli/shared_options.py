@@ -50,7 +50,7 @@ params = click.option(
     metavar="FILE.yaml",
     help="YAML file with values of params; a list of maps gives several runs.",
 )
-engine = click.option("--engine", help="Simulator, in place of the file's `simulate with`.")
+engine = click.option("--engine", help="Simulator, instead of the file's `simulate with`.")
 duration = click.option(
     "--duration", type=seconds(min=0.1), help="Maximum duration of a drive, such as 60s."
 )
@@ -65,7 +65,7 @@ def _emit(help: str) -> Callable[[Command], Command]:
     return click.option("--emit", metavar="KIND,...", multiple=True, callback=_listed, help=help)
 
 
-emit = _emit("Outputs, in place of the file's `emit`s: `json,svg{size: 800px}`.")
+emit = _emit("Outputs, instead of the file's `emit`s: `json,svg{size: 800px}`.")
 emit_of_drives = _emit(
-    "Files to write of each drive, in place of the file's `emit`s: `openscenario`."
+    "Files to write for each drive, instead of the file's `emit`s: `openscenario`."
 )

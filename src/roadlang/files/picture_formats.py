@@ -17,12 +17,12 @@ _READ = {
 _OTHERS = (
     ("a GIF", "save the frame that shows the road as PNG", (b"GIF8",)),
     ("a PDF", "save the page as PNG: `pdftoppm -png -r 150 FILE page`", (b"%PDF",)),
-    ("a picture of Photoshop", "save it as PNG", (b"8BPS",)),
+    ("a Photoshop picture", "save it as PNG", (b"8BPS",)),
     ("an icon", "save it as PNG", (b"\x00\x00\x01\x00",)),
     ("a JPEG XL picture", "save it as PNG", (b"\xff\x0a", b"\x00\x00\x00\x0cJXL ")),
     ("an OpenEXR picture", "save it as PNG or TIFF", (b"v/1\x01",)),
     ("an archive", "unpack it", (b"PK\x03\x04", b"\x1f\x8b", b"7z\xbc\xaf", b"Rar!")),
-    ("a pointer of Git LFS", "`git lfs pull` fetches the picture", (b"version https://git-lfs",)),
+    ("a Git LFS pointer", "`git lfs pull` fetches the picture", (b"version https://git-lfs",)),
 )
 """What it is, what to do, and how it starts."""
 _OF_PHONES = (b"heic", b"heix", b"mif1", b"msf1")

@@ -133,7 +133,7 @@ def _check_size(header: ImageHeader, written: str, span: Span | None) -> None:
             span,
             written,
             size=size,
-            help=(f"{most}: cut the road out, or make it smaller",),
+            help=(f"{most}: crop it to the road, or scale it down",),
         )
     if min(header.width, header.height) < LEAST_SIDE:
         raise _refusal(Code.IMAGE_TOO_SMALL, span, written, size=size)

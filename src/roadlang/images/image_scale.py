@@ -72,7 +72,7 @@ def unusable_world_file(path: Path) -> str | None:
                 return f"`{candidate.name}`, line {line}: {word[:40]!r} is not a number"
         if len(words) < 6:
             return f"`{candidate.name}`, line {len(words) + 1}: a world file has six numbers"
-        return f"`{candidate.name}`, line 1: the size of a pixel is no length in meters"
+        return f"`{candidate.name}`, line 1: the size of a pixel is not a length in meters"
     return None
 
 

@@ -23,7 +23,7 @@ _LEAST_TURN = 0.5
 _MOST_PIXELS = 100_000_000
 _NEAR = 10_000.0
 """Meters from (0, 0) up to which a plan may be of no grid at all."""
-_NO_GRID = "nothing says in which grid its coordinates are; write a `.prj` file, or `origin`"
+_NO_GRID = "its coordinate system is not known: add a `.prj` file, or `origin`"
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,11 +85,11 @@ def _to_degrees(grid: str) -> tuple[ToDegrees | None, str]:
     try:
         import pyproj
     except ImportError:
-        return None, f'its grid {name} needs `pyproj`: pip install "roadlang[maps]"'
+        return None, f'its coordinate system {name} needs `pyproj`: pip install "roadlang[maps]"'
     try:
         transformer = pyproj.Transformer.from_crs(grid, "EPSG:4326", always_xy=True)
     except pyproj.exceptions.ProjError:
-        return None, f"its grid {name} is not known to `pyproj`"
+        return None, f"its coordinate system {name} is not known to `pyproj`"
 
     def degrees(x: float, y: float) -> tuple[float, float]:
         longitude, latitude = transformer.transform(x, y)

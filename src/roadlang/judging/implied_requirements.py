@@ -111,7 +111,7 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
         if other == actor.name and "spacing" not in actor.options:
             help_ = "put its copies in a row with `spacing: 8m`, or anywhere with `at random`"
         elif _runs_back(actor, candidates.scenario):
-            help_ = "a row goes on away from what it is placed by: leave out the sign of `spacing`"
+            help_ = "`spacing` leads away from the other agent or object: leave out its sign"
         raise DiagnosticError(
             diagnose(Code.NO_ROOM, actor.span, name=actor.name, other=other, help=help_)
         )

@@ -114,5 +114,5 @@ def _once_each(
     """The kinds that a plugin brings once; neither of two of one name is the one that is meant."""
     counts = Counter((entry.verb, entry.name) for entry in entries)
     twice = [f"{verb} {name}" for (verb, name), count in counts.items() if count > 1]
-    broken = [BrokenPlugin(origin, f"it brings `{kind}` twice", kind) for kind in twice]
+    broken = [BrokenPlugin(origin, f"it provides `{kind}` twice", kind) for kind in twice]
     return [entry for entry in entries if counts[entry.verb, entry.name] == 1], broken

@@ -81,7 +81,8 @@ def _invalid_option(entry: KindEntry, span: Span | None, error: OptionError) -> 
 def _failed(entry: KindEntry, span: Span | None, fault: PluginFault) -> Diagnostic:
     help_, reason = help_of_fault(entry.origin), str(fault)
     if isinstance(fault.__cause__, OptionError):
-        reason = f"it raised an OptionError of `{fault.__cause__.option}`, which is no option of it"
+        raised = f"it raised an OptionError of `{fault.__cause__.option}`"
+        reason = f"{raised}, which is not one of its options"
         known = ", ".join(_names_of_options(entry)) or "none"
         help_ = (f"its options are {known}", *help_)
     if isinstance(fault.__cause__, MemoryError):

@@ -44,7 +44,7 @@ def check_name(name: object, what: str = "the name") -> None:
     if not isinstance(name, str) or not _NAME.match(name):
         raise KindFault(f"{what} {name!r} is not a name: use letters, digits and `_`")
     if name in RESERVED:
-        raise KindFault(f"{what} `{name}` is a word of the language")
+        raise KindFault(f"{what} `{name}` is a keyword")
 
 
 def check_kind(cls: Any) -> type[Kind]:
@@ -134,7 +134,7 @@ def _check_attributes(cls: type[Kind]) -> None:
         try:
             parse_unit(cls.unit)
         except ValueError:
-            reason = f"`unit` is {cls.unit!r}, which is no unit, such as `m` or `m/s^2`"
+            reason = f"`unit` is {cls.unit!r}, which is not a unit, such as `m` or `m/s^2`"
             raise KindFault(reason, cls, "unit") from None
 
 
@@ -193,7 +193,7 @@ def _check_spelling(cls: type[Kind]) -> None:
             (name for name in unused if len(name) > 3 and edits(stranger, name, 1) == 1), None
         )
         if meant is not None:
-            reason = f"{cls.__name__} has no use for `{stranger}`: did you mean `{meant}`?"
+            reason = f"{cls.__name__} does not use `{stranger}`: did you mean `{meant}`?"
             raise KindFault(f"{reason} If not, begin its name with `_`", cls, stranger)
 
 

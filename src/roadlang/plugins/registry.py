@@ -169,7 +169,7 @@ class Registry:
         them."""
         lines = [str(broken) for broken in self.broken]
         more = len(lines) - _MOST_HINTS
-        rest = f"{more} more could not be loaded; `roadlang plugins` says why"
+        rest = f"{more} more could not be loaded; `roadlang plugins` shows why"
         return tuple(lines[:_MOST_HINTS]) + ((rest,) if more > 0 else ())
 
     def is_planned(self, verb: str, name: str) -> bool:

@@ -20,7 +20,7 @@ UNITS = {"curvature": "1/m", "speed": "m/s", "gap": "m"}
 TITLES = {
     "curvature": "Greatest curvature",
     "speed": "Greatest speed",
-    "gap": "Least gap to others",
+    "gap": "Smallest gap to others",
 }
 
 

@@ -66,7 +66,7 @@ def read_journal(folder: Path, parse: Callable[[bytes], T]) -> list[T]:
             found.append(parse(line))
         except UNUSABLE as error:
             known = isinstance(error, KeyError)
-            reason = reason_of(error) if known else "it is no JSON that roadlang writes"
+            reason = reason_of(error) if known else "it is not JSON that roadlang writes"
             fault = broken(path, f"line {number}: {reason}")
             raise fault from error
     return found
@@ -92,9 +92,9 @@ def reason_of(error: Exception) -> str:
     if isinstance(error, KeyError):
         return f"{str(error).replace(chr(39), '`')} is missing"
     if isinstance(error, json.JSONDecodeError):
-        return f"it is no JSON from line {error.lineno}, column {error.colno} on"
+        return f"it is not JSON from line {error.lineno}, column {error.colno} on"
     if isinstance(error, (TypeError, AttributeError, RecursionError)):
-        return "its JSON has another form than what roadlang writes"
+        return "its JSON does not have the form that roadlang writes"
     return str(error)
 
 
@@ -103,9 +103,9 @@ def broken(path: Path, reason: str) -> DiagnosticError:
     has_command = any((folder / RESULTS_FILE).is_file() for folder in path.parents[:2])
     help: str | tuple[()] = ()
     if path.name == RESULTS_FILE:  # which has the command, but cannot be read
-        help = "make the folder again, with the command that made it"
+        help = "create the folder again, with the same command"
     elif has_command:
-        help = f"make it again with the command that is in {RESULTS_FILE}"
+        help = f"create it again with the command in {RESULTS_FILE}"
     return DiagnosticError(diagnose(Code.BROKEN_RESULTS, path=str(path), reason=reason, help=help))
 
 

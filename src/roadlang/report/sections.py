@@ -13,10 +13,10 @@ from .pictures import frame_of, gallery
 from .results import ResultRow, Results
 
 _APART = (
-    "The random values that differ most between failing drives and the others. Of pairs of a"
-    " failing and another drive, the share is given in which the value differs that way. A search"
-    " looks more often where it has found failures, so these are hints, not causes:"
-    " roadlang explain tries them."
+    "The random values that differ most between failing drives and the others, with the share of"
+    " pairs of a failing and another drive in which the value differs that way. A search looks"
+    " more often where it has found failures, so these are hints, not causes: roadlang explain"
+    " tests them."
 )
 
 
@@ -37,7 +37,7 @@ def headline(results: Results) -> str:
     count, failing = len(results.rows), results.failing
     scenes = f"{count:,} scene{'' if count == 1 else 's'}"
     if not results.expects:
-        return text(f"{scenes} driven; nothing is expected of them.")
+        return text(f"{scenes} driven; the file has no expectations.")
     if not count:
         return text("No candidate satisfies the requirements.")
     if not failing:
@@ -68,7 +68,7 @@ def progress(results: Results, views: Sequence[DriveView]) -> str:
         numbers, values, failed = zip(*seen, strict=True) if seen else ((), (), ())
         chart = progress_chart(numbers, values, failed, results.best[name], units.get(name, ""))
         title = f"Robustness of {name} as the search goes"
-        charts.append(_figure(chart, title, "Each dot is a drive; the line is the least so far."))
+        charts.append(_figure(chart, title, "Each dot is a drive; the line is the lowest so far."))
     return element("div", *charts, class_="charts") if charts else ""
 
 
@@ -173,9 +173,9 @@ def _note(note: str) -> list[str]:
 
 def _note_of(results: Results, count: int, has_failed: bool) -> str:
     if not has_failed:
-        return "Some drives in which nothing is violated, the nearest to failing first."
+        return "Some drives that violate nothing, the nearest to failing first."
     more = f" {results.more_failing:,} more are not shown." if results.more_failing else ""
-    least = "The worst first; all at one scale. The ring is where it goes wrong."
+    least = "Worst first, all at the same scale. The ring marks where it goes wrong."
     return f"{least}{more}"
 
 

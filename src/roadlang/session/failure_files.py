@@ -86,7 +86,7 @@ def _record(path: Path) -> ResultsRecord:
             if record.seed is None:
                 break
             return record
-    raise _no_failure(path, f"there is no {RESULTS_FILE} of a run or a search beside it")
+    raise _no_failure(path, f"there is no {RESULTS_FILE} of a run or a search next to it")
 
 
 def _place(
@@ -102,8 +102,8 @@ def _place(
                 return rank, index.axes, Proposal(item.evaluation, item.point)
         if path.name.endswith(SHRUNK):
             failure = path.name.removesuffix(SHRUNK) + ".json"
-            raise _no_failure(path, f"it is what `roadlang shrink` made of {failure}")
-        raise _no_failure(path, f"{INDEX} beside it does not name it")
+            raise _no_failure(path, f"it was made by `roadlang shrink` from {failure}")
+        raise _no_failure(path, f"{INDEX} next to it does not list it")
     if record.sampler.rpartition(".")[2] != "random":
         reason = f"its scenes were chosen by `{record.sampler}`, not at random"
         raise _no_failure(path, reason)

@@ -90,7 +90,7 @@ def files_named_in(path: Path) -> list[str]:
             raise ValueError(schema)
         return [str(file["path"]) for file in record["files"]]
     except (UnreadableFile, ValueError, KeyError, TypeError, RecursionError):
-        reason = "it is there already, and roadlang has not written it"
+        reason = "it already exists and was not written by roadlang"
         raise DiagnosticError(
             diagnose(
                 Code.OUTPUT_NOT_WRITTEN,

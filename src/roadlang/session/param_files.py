@@ -69,7 +69,7 @@ def _read(name: str) -> tuple[Source, str]:
     except UnreadableFile as error:
         fault = diagnose(Code.UNREADABLE_FILE, path=name, reason=error.reason)
     except UnicodeDecodeError:
-        fault = diagnose(Code.NOT_UTF8, path=name, reason="it has other bytes than text")
+        fault = diagnose(Code.NOT_UTF8, path=name, reason="it is not text")
     raise DiagnosticError(fault) from None
 
 

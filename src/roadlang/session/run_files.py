@@ -120,7 +120,7 @@ def _entry(line: bytes) -> Mapping[str, Any]:
     """A line of the journal, with what is read of it."""
     entry: Mapping[str, Any] = json.loads(line)
     if not isinstance(entry["row"]["scene"], int) or not entry["record"].keys() >= {"expectations"}:
-        raise ValueError("its JSON has another form than what roadlang writes")
+        raise ValueError("its JSON does not have the form that roadlang writes")
     return entry
 
 

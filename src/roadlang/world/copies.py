@@ -45,7 +45,7 @@ def counts(actor: ScenarioActor, candidates: CandidateBatch) -> NDArray[np.int64
                 name=actor.name,
                 count=found,
                 most=MOST_COPIES,
-                help=f"keep it within, such as `max(0, min(COUNT, {MOST_COPIES}))`",
+                help=f"limit it, as in `max(0, min(COUNT, {MOST_COPIES}))`",
             )
         )
     return np.broadcast_to(np.rint(value).astype(np.int64), (candidates.count,))

@@ -23,6 +23,6 @@ def displacement_bound(built: KindInstance, count: int) -> Floats:
             stated = [row_of_kind(kind, row).displacement_bound() for row in range(count)]
         bound = np.asarray(stated, dtype=np.float64).reshape(-1)
     if bound.size not in (1, count) or not (bound >= 0.0).all():
-        fault = f"gave a displacement bound that is none: {bound[:3]}"
+        fault = f"gave a displacement bound that is not valid: {bound[:3]}"
         raise wrong_result(built.entry, built.call.span, fault)
     return bound

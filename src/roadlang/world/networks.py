@@ -202,13 +202,13 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
 def _without_roads(network: ScenarioNetwork, candidates: CandidateBatch) -> str:
     """What to do about a source in which there is none."""
     if isinstance(network.source, FileSource):
-        return f"`roadlang view {network.source.path}` shows what the file holds"
+        return f"`roadlang view {network.source.path}` shows what is in the file"
     image = candidates.scenario.source_of(network)
     if isinstance(image, ScenarioImage) and isinstance(image.source, TextSource):
         return "draw some with the character that the `legend` calls `road`"
     return (
-        "say what the image is: `extract with contour` for a drawing, `extract with aerial` for a "
-        "photo; `roadlang extract IMAGE --overlay FILE` shows what is seen"
+        "choose an extractor: `extract with contour` for a drawing, `extract with aerial` for a "
+        "photo; `roadlang extract IMAGE --overlay FILE` shows what was found"
     )
 
 

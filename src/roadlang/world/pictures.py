@@ -95,7 +95,7 @@ def _adjusted(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPict
 
 
 def _degrees(origin: tuple[float, float], image: ScenarioImage) -> tuple[float, float]:
-    """Latitude and longitude. Raises RL480 for what is not on Earth."""
+    """Latitude and longitude. Raises RL480 for what is not a latitude and longitude."""
     latitude, longitude = map(math.degrees, origin)
     if abs(latitude) >= 90.0 or abs(longitude) > 180.0:
         raise DiagnosticError(
@@ -104,7 +104,7 @@ def _degrees(origin: tuple[float, float], image: ScenarioImage) -> tuple[float, 
                 image.span,
                 option="origin",
                 kind="image",
-                reason=f"({latitude:g}deg, {longitude:g}deg) is not on Earth",
+                reason=f"({latitude:g}deg, {longitude:g}deg) is not a latitude and longitude",
                 help="it is written `(latitude, longitude)`",
             )
         )

@@ -34,7 +34,7 @@ def lane_places_of(
     with built.guarded:
         found: Any = tuple(built.kind.lane_places(lanes))
     if not all(isinstance(item, RoutePlace) and item.lane < len(lanes.lanes) for item in found):
-        raise wrong_result(built.entry, call.span, "gave something that is no place in a lane")
+        raise wrong_result(built.entry, call.span, "gave something that is not a place in a lane")
     chosen = tuple(item for item in found if allowed is None or item.lane in allowed)
     if not chosen:
         span, lane = call.span or actor.span, "there that `lane` and `facing` allow"

@@ -113,7 +113,9 @@ def _checked(stated: Any, entry: KindEntry, call: PassCall) -> Floats:
     with plugin_guard(entry, call.span):
         lengths = np.asarray(stated, dtype=np.float64).reshape(-1)
     if lengths.size == 0 or np.isnan(lengths).any():
-        raise wrong_result(entry, call.span, f"gave a shortest feature that is no length: {stated}")
+        raise wrong_result(
+            entry, call.span, f"gave a shortest feature that is not a length: {stated}"
+        )
     return lengths
 
 

@@ -135,7 +135,7 @@ class TurnReader:
                 line = connecting.middle(track, backward=enters == "end")
                 if line is None:
                     what = f"the line of lane {lane} of road {item.connecting}"
-                    reason = "it is no curve; the turn is drawn from end to end"
+                    reason = "it is not a curve; the turn is drawn from end to end"
                     element = connecting.record.element
                     self.warnings[self._file.left_out(element, what, reason)] = None
                 yield MapTurn(source, target, line)

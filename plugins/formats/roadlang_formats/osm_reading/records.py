@@ -62,7 +62,7 @@ def osm_extract(file: MapFile) -> OsmExtract:
         latitude, longitude = (file.number(element, name) for name in ("lat", "lon"))
         if abs(latitude) > 89.0 or abs(longitude) > 180.0:
             raise file.fault(
-                element, f"{latitude:g}, {longitude:g} degrees is not a place on Earth"
+                element, f"{latitude:g}, {longitude:g} degrees is not a latitude and longitude"
             )
         nodes[id] = OsmNode(latitude, longitude, _tags(element))
     ways = []
@@ -88,7 +88,7 @@ def check_is_streets(file: MapFile) -> None:
             help = (
                 "read the map that it was made from: OpenDRIVE, OpenStreetMap, GeoJSON or a scene"
             )
-            raise file.fault(element, "it is a Lanelet2 map, of lanes in place of streets", help)
+            raise file.fault(element, "it is a Lanelet2 map, which has lanes, not streets", help)
 
 
 def _restrictions(file: MapFile) -> Iterator[OsmRestriction]:

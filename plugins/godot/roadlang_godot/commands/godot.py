@@ -42,8 +42,8 @@ def command(
 ) -> None:
     """Start Godot with the bundled project, in which scenes are built and driven.
 
-    Scenes reach it by `emit godot`, `roadlang watch` and `roadlang run`. It listens on this
-    machine alone unless --host says otherwise.
+    It receives scenes from `emit godot`, `roadlang watch` and `roadlang run`. It listens only on
+    this machine, unless --host is given.
     """
     from pathlib import Path
 
@@ -63,7 +63,7 @@ def command(
         window=not headless, host=host, port=port, transport=transport, quit_idle=None
     )
     with running:
-        echo(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C ends it")
+        echo(f"Godot listens on {host}:{running.port} ({transport}); Ctrl-C stops it")
         running.process.wait()
 
 
@@ -72,7 +72,7 @@ def _install(folder: Path) -> None:
     from roadlang_godot.engines import addon
 
     if not addon.is_project(folder):
-        reason = f"`{folder}` is no Godot project: it has no file `project.godot`"
+        reason = f"`{folder}` is not a Godot project: it has no file `project.godot`"
         raise click.BadParameter(reason, param_hint="--addon")
     if addon.is_foreign(folder):
         reason = f"`{folder / addon.FOLDER}` is something else: move it away first"

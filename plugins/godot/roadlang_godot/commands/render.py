@@ -201,7 +201,7 @@ def _suffix(output: str) -> str:
 
     suffix = PurePath(output).suffix.lower()
     if suffix not in PICTURES and suffix not in CLIPS and suffix not in EXPORTS:
-        help = "end its name in .png, .jpg, .avi, .mp4, .glb or .tscn"
+        help = "name a file that ends in .png, .jpg, .avi, .mp4, .glb or .tscn"
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_CHOICE, what="output format", name=suffix, help=help)
         )

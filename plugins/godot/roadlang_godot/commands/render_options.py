@@ -82,7 +82,7 @@ def image_size(text: str | None, default: str) -> tuple[int, int]:
 
 
 def _refuse_size(text: str, expected: str) -> None:
-    message = f"`{text}` is no size such as 1280x720: {expected}"
+    message = f"`{text}` is not a size such as 1280x720: {expected}"
     raise click.BadParameter(message, param_hint="--size")
 
 

@@ -120,7 +120,7 @@ class Watcher:
     def run(self, session: Session, scenes: SceneSet, deadline: float) -> None:
         """Until the deadline, or Ctrl-C."""
         live = self.start(session, scenes[0].record)
-        echo(f"{self._file} is driven; save it to change it, Ctrl-C to leave")
+        echo(f"{self._file} is being driven: save it to update the scene, press Ctrl-C to stop")
         judged = 0.0
         with self._compiler:
             while time.monotonic() < deadline:

@@ -278,7 +278,7 @@ def _not_started(name: str, printed: str, host: str, port: int, was_killed: bool
     if _NO_PORT in printed:
         return fault(
             Code.GODOT_NOT_STARTED,
-            "end the program that listens there, or take another port with `--port`",
+            "end the program that listens there, or choose another port with `--port`",
             engine=name,
             reason=f"port {port} of {host} is in use or not allowed",
         )

@@ -28,11 +28,11 @@ NAMES = tuple(_NAMES)
 
 
 def bgr(name: str) -> tuple[int, int, int]:
-    """Blue, green, red of "white", "#2e7d32" or "#fff". Raises ValueError for what is no color."""
+    """Blue, green, red of "white", "#2e7d32" or "#fff". Raises ValueError for no color."""
     code = _NAMES.get(name.strip().lower(), name.strip())
     digits = code.removeprefix("#")
     if not code.startswith("#") or len(digits) not in (3, 6):
-        raise ValueError(f"`{name}` is no color")
+        raise ValueError(f"`{name}` is not a color")
     if len(digits) == 3:
         digits = "".join(2 * digit for digit in digits)
     value = int(digits, 16)

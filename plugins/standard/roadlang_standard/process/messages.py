@@ -129,7 +129,7 @@ def _parsed(line: str) -> Any:
 def _object(line: str) -> dict[str, Any]:
     answer = _parsed(line)
     if not isinstance(answer, dict):
-        raise ProgramFailed(f"its answer is no JSON object: {_short(line)}")
+        raise ProgramFailed(f"its answer is not a JSON object: {_short(line)}")
     return answer
 
 

@@ -50,8 +50,6 @@ class Kind:
     def __init_subclass__(cls, **options: Any) -> None:
         super().__init_subclass__(**options)
         for old in _RENAMED.keys() & vars(cls).keys():
-            text = (
-                f"`{old}` is now `{_RENAMED[old]}`; the old name goes with the next minor version"
-            )
+            text = f"`{old}` is now `{_RENAMED[old]}`; the next minor version removes the old name"
             warnings.warn(text, DeprecationWarning, stacklevel=2)
             setattr(cls, _RENAMED[old], vars(cls)[old])

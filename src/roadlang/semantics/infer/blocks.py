@@ -61,7 +61,7 @@ def _verb_fits(checker: Checker, spec: StatementSpec, item: ast.Pass) -> bool:
     if not meant and verbs:
         help_.append(f"`{statement}` takes " + ", ".join(f"`{known}`" for known in verbs))
     elif statement == "object" and verb in ("drive", "sense"):
-        help_.append("objects do not move: what drives or senses is an `agent`")
+        help_.append("objects do not move: only an `agent` drives and senses")
     code = Code.MISPLACED_PASS if verb in PASS_VERBS else Code.UNKNOWN_VERB
     checker.report(code, item.verb.span, what=f"`{statement}`", verb=verb, help=help_, meant=meant)
     return False

@@ -64,9 +64,14 @@ def _report_none(
     suffixes, others = read
     known = ", ".join(sorted(suffixes)) or "none"
     shown = f"`{suffix}`" if suffix else "no ending"
-    network = f'`network town from "{path}"` reads it; `road NAME from town` takes a road of it'
+    network = (
+        f'`network town from "{path}"` reads it; `road NAME from town` selects one of its roads'
+    )
     help_ = [network] if role == "road" and suffix in others else []
-    help_ += [f"a {role} can be read from: {known}", "or say how with `read with` in its block"]
+    help_ += [
+        f"a {role} can be read from: {known}",
+        "choose a reader with `read with` in its block",
+    ]
     checker.report(Code.NO_READER, span, file=path, suffix=shown, role=role, help=help_)
 
 

@@ -34,9 +34,9 @@ _FUNCTIONS = {
     "randint": "write `integer(low, high)`",
     "TruncatedNormal": "write `normal(mean, sd, within: [low, high])`",
     "gauss": "write `normal(mean, sd)`",
-    "can_see": "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`",
-    "sees": "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`",
-    "visible": "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`",
+    "can_see": "formulas do not test what is seen: write a distance, `distance(ego, lead) < 50m`",
+    "sees": "formulas do not test what is seen: write a distance, `distance(ego, lead) < 50m`",
+    "visible": "formulas do not test what is seen: write a distance, `distance(ego, lead) < 50m`",
     "sqrt": "a square root is written `x ^ 0.5`",
     "pow": "a power is written `x ^ y`",
     "len": "the length of a road is `length(main)`",
@@ -75,7 +75,7 @@ _MEMBERS = {
     "width": "dimensions are options, not signals",
     "length": "dimensions are options, not signals",
 }
-_READINGS = "what a sensor reads goes to controllers; formulas measure: `gap(ego, lead) > 2m`"
+_READINGS = "readings of sensors go to controllers; in a formula, measure: `gap(ego, lead) > 2m`"
 _MEMBERS |= dict.fromkeys(("collided", "collides", "crashed", "collisions"), _NO_CONTACT)
 _MEMBERS |= {"ttc": _TTC, "thw": _HEADWAY, "headway": _HEADWAY}
 _MEMBERS |= {"lidar": _READINGS, "radar": _READINGS}
@@ -125,7 +125,7 @@ _ENDS = "`while: time < 20s` limits it; after that the previous controller takes
 _DRIVE_OPTIONS |= dict.fromkeys(("duration", "until", "hold", "wait", "end", "dwell"), _ENDS)
 _PLACES = ("position", "at", "on")
 _NETWORK_WIDTH = (
-    "the width of roads from a picture is an option of what reads it: "
+    "the width of roads from a picture is an option of the extractor: "
     "`extract with auto { width: 7m }`"
 )
 _LANE_WIDTH = (
@@ -133,7 +133,7 @@ _LANE_WIDTH = (
     "total width of the drivable lanes"
 )
 _ROUTE = (
-    "a `route` says which way it goes: `route: left` at the first junction, "
+    "a `route` sets which way it goes: `route: left` at the first junction, "
     "`route: [(10m, 45m), (85m, 15m)]` through points"
 )
 _ROUTES = frozenset(("turn", "turns", "then", "direction", "path", "goal", "destination", "to"))

@@ -16,8 +16,7 @@ _FILES = (
     "`emit commonroad`"
 )
 _HELP = {
-    "simulate": "a plugin brings other simulators; without one, files are written for them: "
-    + _FILES,
+    "simulate": "other simulators need a plugin; without one, write files for them: " + _FILES,
     "emit": f"files for other simulators: {_FILES}, `emit gltf` (Unreal, Unity)",
 }
 _OWN = (

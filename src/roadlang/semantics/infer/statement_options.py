@@ -35,8 +35,8 @@ JoinedRoads = Annotated[Any, UnionType((_ROAD, ListType(_ROAD, at_least=1)))]
 
 
 _STATION_SPACING = (
-    "stations are at most this far apart, also those of roads derived from this one; "
-    "by default 1m, of a road beyond 2 km a 2,000th of its length"
+    "greatest distance between stations, also of roads derived from this one; by default 1m, or "
+    "a 2,000th of the length of a road longer than 2 km"
 )
 
 
@@ -56,15 +56,15 @@ class ImageOptions:
     )
     origin: LatitudeLongitude = option(
         None,
-        help="latitude and longitude of the lower left corner of a picture whose up is north; by "
-        "default from GeoTIFF tags or a world file",
+        help="latitude and longitude of the lower left corner of a picture with north at the top; "
+        "by default from GeoTIFF tags or a world file",
         example="(48.137deg, 11.575deg)",
     )
     legend: Legend = option(
         None,
         words=("road", "eastbound", "westbound", "northbound", "southbound"),
         help="meaning of each character of a text image, or of each color of a drawing; "
-        "`eastbound` is a one-way road to the east, as far as a road of it goes that way",
+        "`eastbound` is a one-way road in the direction of the road that is nearest to east",
         example='{ "#": road, "T": tree }',
     )
 
@@ -95,8 +95,8 @@ class FormulaOptions:
     semantics: Word = option(
         "sampled",
         words=("sampled", "held", "linear"),
-        help="what signals are between two samples: not looked at, the value of the earlier one, "
-        "or on the line between both",
+        help="value of signals between two samples: none, that of the earlier sample, or on the "
+        "line between both",
         example="linear",
     )
     strict: Flag = option(
@@ -118,8 +118,8 @@ class NetworkOptions(SurfaceOptions, CrossSectionOptions):
     )
     u_turns: Flag = option(
         None,
-        help="whether vehicles may turn around at junctions, where these have room for it; by "
-        "default only a dead end of a map or a roundabout turns them around",
+        help="whether vehicles may turn around at junctions that have room for it; by default "
+        "they turn around only at dead ends of maps and at roundabouts",
         example="true",
     )
     drawn: Strokes = option(
@@ -130,17 +130,19 @@ class NetworkOptions(SurfaceOptions, CrossSectionOptions):
     )
     dismissed: Stretches = option(
         None,
-        help="what was found but is no road: one pixel for the whole road there, from junction to "
-        "junction, two for the part between them",
+        help="roads that were found but do not exist: one pixel of a road removes it from junction "
+        "to junction, two remove the part between them",
         example="[[(50px, 70px)]]",
     )
     confirmed: Pixels = option(
-        None, help="pixels of roads that are right: these are sure", example="[(30px, 70px)]"
+        None,
+        help="pixels of roads that are right; their confidence is 1",
+        example="[(30px, 70px)]",
     )
     moved_at: Places = option(
         None,
-        help="places of the network, such as junctions, that are moved before anything else "
-        "happens; `watch` writes it for dragged networks",
+        help="places of the network, such as junctions, that are moved before any other pass; "
+        "`watch` writes this option when a network is dragged",
         example="[(40m, 32m)]",
     )
     moved_by: Places = option(

@@ -186,7 +186,7 @@ def _options(
         return None, NO_OPTIONS
     lane = bound.stated.get("lane")
     if "side" in bound.stated and lane is not None and isinstance(lane.type, Quantity):
-        help_ = "the number says the side: negative to the right of the center line, positive left"
+        help_ = "the number gives the side: negative to the right of the center line, positive left"
         checker.report(Code.LANE_AND_SIDE, bound.stated["side"].span, help=help_)
         return None, NO_OPTIONS
     placement, rest = divided(bound.values, names)

@@ -38,6 +38,6 @@ def report_nesting(program: Program) -> None:
         deepest = max((levels.get(other, 0) for other in named), default=0)
         if levels[name] > MOST_LEVELS >= deepest:
             span = program.declarations[name].name.span
-            help_ = f"with what it names it has {levels[name]} levels; {MOST_LEVELS} is the most"
+            help_ = f"written out it has {levels[name]} levels; at most {MOST_LEVELS} are allowed"
             program.diagnostics.append(diagnose(Code.NESTING_TOO_DEEP, span, help=help_))
             program.spoiled.add(name)

@@ -113,8 +113,8 @@ def _is_included(
     _refused(
         Code.NOT_INCLUDED, program, target,
         labels=[Label(place, "declared here")],
-        help="it is of this file: edit its declaration" if same
-        else f"it is of `{place.source.path}`, which this file does not include",
+        help="it is declared in this file: edit the declaration" if same
+        else f"it is declared in `{place.source.path}`, which this file does not include",
     )  # fmt: skip
     return False
 

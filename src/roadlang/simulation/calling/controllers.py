@@ -144,7 +144,7 @@ class GuardedController(Controller):
         if not isinstance(reasons, Mapping) or not all(
             place in range(count) and isinstance(reason, str) for place, reason in reasons.items()
         ):
-            fault = f"gave failures that are no texts by place in a batch of {count}: {reasons!r}"
+            fault = f"gave failures that are not texts by index in a batch of {count}: {reasons!r}"
             raise wrong_result(self.entry, self.span, fault)
         return {int(place): reason for place, reason in reasons.items()}
 

@@ -18,5 +18,5 @@ def first_state(entry: KindEntry, span: Span | None, built: Controller | Sensor,
     with plugin_guard(entry, span):
         state: Any = built.start(count)
     if state is not None and (not isinstance(state, np.ndarray) or state.shape[:1] != (count,)):
-        raise wrong_result(entry, span, f"gave a state that is no array of {count} rows")
+        raise wrong_result(entry, span, f"gave a state that is not an array of {count} rows")
     return state

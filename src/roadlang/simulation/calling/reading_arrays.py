@@ -30,9 +30,9 @@ def stated_arrays(entry: KindEntry, sensor: Sensor) -> dict[str, ReadingArray]:
             raise wrong_result(entry, None, fault)
     for name in sensor.replaces:
         if name not in found:
-            raise wrong_result(entry, None, f"replaces `{name}`, which is none of its arrays")
+            raise wrong_result(entry, None, f"replaces `{name}`, which is not one of its arrays")
         if name not in ObservationBatch.number_columns():
-            fault = f"replaces `{name}`, which is no column of numbers of observations"
+            fault = f"replaces `{name}`, which is not a column of numbers in observations"
             raise wrong_result(entry, None, fault)
         if found[name].shape != ():
             fault = f"replaces `{name}` with an array of shape {found[name].shape}, not a number"
@@ -57,10 +57,10 @@ def _fault_of(name: object, array: object) -> str | None:
     if name in _RESERVED:
         return f"has an array `{name}`; no array of a reading can be called so"
     if not isinstance(array, ReadingArray):
-        return f"states {array!r} of its array `{name}`, which is no ReadingArray"
+        return f"states {array!r} of its array `{name}`, which is not a ReadingArray"
     shape: object = array.shape
     if not isinstance(shape, tuple) or not all(type(n) is int and n >= 0 for n in shape):
-        return f"states the shape {shape!r} of its array `{name}`, which is no tuple of integers"
+        return f"states the shape {shape!r} of its array `{name}`, which is not a tuple of integers"
     try:
         is_real = np.dtype(array.dtype).kind in _REAL
     except TypeError:
@@ -77,7 +77,7 @@ def _checked(
         array = np.asarray(value)
         fits = array.dtype.kind in _REAL and not np.isnan(array).any()
     if not fits:
-        raise wrong_result(entry, None, f"gave `{name}` with values that are no real numbers")
+        raise wrong_result(entry, None, f"gave `{name}` with values that are not real numbers")
     shape = (*leading, *stated.shape)
     if array.shape != shape:
         raise wrong_result(entry, None, f"gave `{name}` of shape {array.shape}, not {shape}")

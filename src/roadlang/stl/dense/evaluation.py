@@ -223,7 +223,7 @@ class DenseEvaluation:
 def _check_rates(rates: Mapping[str, float]) -> None:
     for name, rate in arguments.mapping("rates", rates).items():
         if not arguments.number(f"rates[{name!r}]", rate) >= 0.0:
-            problem = f"its rate of change is {rate}: write how much it changes at most, 0 or more"
+            problem = f"its rate of change is {rate}: give its greatest rate of change, 0 or more"
             raise stl_error(Code.INVALID_PARAMETER, name=name, problem=problem)
 
 

@@ -53,7 +53,7 @@ def _bounded(formula: f.Formula) -> tuple[str, ...]:
     operand = formula.operand if isinstance(formula, f.Always) else None
     alone = operand is not None and not math.isinf(horizon(operand))
     return (
-        *((f"to be told when it fails, leave `always` out: `{operand}`",) if alone else ()),
+        *((f"to see when it fails, leave `always` out: `{operand}`",) if alone else ()),
         "give the operator an interval with an end, such as `always[0, 5]`, or look back with "
         "`historically`, `once` or `since`",
     )

@@ -23,8 +23,8 @@ _FINEST = 1e-12
 """The least difference of values that is looked at, as a share of the bounds of a parameter."""
 _WIDEN = "widen the bounds; `roadlang monitor` shows where a trace violates the formula"
 _CUT_OFF = (
-    "only the end of a trace is in the way: `--unknown-holds` (`unknown_holds=True`) counts as "
-    "holding what a longer trace could still make hold"
+    "only the unknown future of a trace prevents it: `--unknown-holds` (`unknown_holds=True`) "
+    "counts as holding what a longer trace could still make hold"
 )
 
 

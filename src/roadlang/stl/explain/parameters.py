@@ -69,7 +69,7 @@ def _check_bounds(parameter: Parameter) -> None:
         return
     help = "its bounds are two finite numbers, the lower one first"
     if math.isfinite(low) and math.isfinite(high) and math.isinf(high - low):
-        help = "they are too far apart: a computer has no number for their distance"
+        help = "they are too far apart: their distance is too large for a number"
     elif math.isfinite(high - low) and low > high:
         help = f"the lower one comes first: `{name}={number_text(high)}..{number_text(low)}`"
     raise _wrong(name, f"its bounds are {number_text(low)} and {number_text(high)}", help)
@@ -77,7 +77,7 @@ def _check_bounds(parameter: Parameter) -> None:
 
 def _check_name(name: str, text: str, signals: set[str]) -> None:
     if not _NAME.fullmatch(name):
-        raise _wrong(name, "it is no name", "a name is a word, as in `limit=0..20`")
+        raise _wrong(name, "it is not a name", "a name is a word, as in `limit=0..20`")
     if name in NOT_NAMES:
         raise _wrong(name, "it is a word of formulas", "give the parameter another name")
     if name in signals:

@@ -181,8 +181,8 @@ def _fault_of(names: list[str]) -> str:
     """Why these cannot be names of columns."""
     if not names[0]:
         return (
-            "column 1, which holds the positions, has no name; pandas writes the index of a frame"
-            ' so: use `to_csv(path, index_label="time")` if that is the time, else `index=False`'
+            "column 1, which holds the positions, has no name, as in files of pandas: use"
+            ' `to_csv(path, index_label="time")` if the index is the time, else `index=False`'
         )
     if not all(names):
         return f"column {names.index('') + 1} has no name"
@@ -209,7 +209,7 @@ def _split(lines: list[str], delimiter: str) -> list[list[str]]:
     try:
         return list(csv.reader(lines, delimiter=delimiter, skipinitialspace=True))
     except csv.Error as problem:
-        raise DelimitedTextFault(f"it is no table: {problem}") from None
+        raise DelimitedTextFault(f"it is not a table: {problem}") from None
 
 
 def _value(cell: str, *, stamp: bool) -> float | None:

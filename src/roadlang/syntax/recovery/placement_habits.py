@@ -28,7 +28,7 @@ def _block_before_place(place: ErrorPosition) -> Mistake | None:
         place.span(),
         expected="the end of the statement",
         found=f"`{place.word()}`",
-        help="all options, those of the kind too, are in one block behind the place: "
+        help="all options, those of the kind too, are in one block after the position: "
         "`is KIND on ROAD at POSITION { ... }`",
     )
     return Mistake(found)

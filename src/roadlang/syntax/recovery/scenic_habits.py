@@ -9,12 +9,12 @@ from .token_names import expectation, finding
 _BRACES = "options are written in braces: `at 5m { heading: 30deg, drive with pure_pursuit }`"
 _IN_BLOCK = "write an option as `start_speed: 10m/s`, a controller as `drive with KIND { ... }`"
 _SIGHT = (
-    "no formula says what is seen: write a distance, `distance(ego, lead) < 50m`; what agents see "
-    "of others is up to their sensors, `sense with KIND`"
+    "formulas do not test what is seen: write a distance, `distance(ego, lead) < 50m`; what an "
+    "agent sees is decided by its sensors, `sense with KIND`"
 )
 
 _IN_TURN = (
-    "of several `drive with`, the last one whose conditions hold is in charge: "
+    "of several `drive with`, the last one whose conditions hold is active: "
     "`drive with brake { when: time > 5s }` takes over at 5 s, `{ while: time < 5s }` ends at 5 s"
 )
 
@@ -46,7 +46,9 @@ def scenic_placement(place: ErrorPosition) -> Mistake | None:
     if word == "offset" and after in ("by", "along"):
         return _refused(place, f"an offset is an option: `{{ offset: {place.word(2)} }}`")
     if word == "visible":
-        return _refused(place, "nothing is placed by what is seen: write a range, `at 20m..60m`")
+        return _refused(
+            place, "positions do not depend on what is seen: write a range, `at 20m..60m`"
+        )
     return None
 
 
@@ -57,7 +59,7 @@ def _following(place: ErrorPosition) -> str:
     gap = words[words.index("for") + 1] if "for" in words[:-1] else "10m"
     return (
         f"a position relative to another is written `at ahead_of({other}, {gap})` or "
-        f"`at behind({other}, {gap})`; who follows another is `drive with car_follow`"
+        f"`at behind({other}, {gap})`; to follow another, write `drive with car_follow`"
     )
 
 

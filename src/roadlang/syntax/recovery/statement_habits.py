@@ -23,7 +23,7 @@ _CONTROLLERS = (
     "what an agent does is a list of controllers in its block: `drive with lane_follow`, then "
     "`drive with brake { when: time > 4s }`"
 )
-_DRIVE_ENDS = "a drive lasts as long as `simulate { duration: 20s }` says"
+_DRIVE_ENDS = "the length of a drive is set by `simulate { duration: 20s }`"
 _VALUE = "write `param NAME = value`, which can be set from outside, or `let NAME = value`"
 
 _JSON = (
