@@ -1,5 +1,5 @@
-# Several perturbations in turn, the last on an interval, of a closed track read from CSV.
-scenario composed "A race track, swayed, roughened and flattened on a stretch"
+# A closed track read from CSV, with several perturbations, the last one on an interval.
+scenario composed "A race track: swayed, roughened, flattened in one section"
 
 road main from "track.csv" { width: 12m, closed: true }
 road bent from main {
@@ -9,7 +9,7 @@ road bent from main {
 }
 
 let e1 = deviation(bent, main)
-let calm = abs(curvature(bent)) < 1 / 12m and e1 < 9m       # a formula may have a name
+let calm = abs(curvature(bent)) < 1 / 12m and e1 < 9m       # a formula can have a name
 
 require phi1: always calm
 require clear: always (clearance(bent) > 2m)

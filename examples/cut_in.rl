@@ -1,14 +1,14 @@
-# A car cuts in closely on a motorway: does the car behind brake in time, and gently?
+# A car cuts in closely on a highway: does the car behind brake in time, and gently?
 scenario cut_in "A car changes lanes closely in front of another"
 
-road motorway {
+road highway {
   draw with segments { pieces: [straight(300m), arc(500m, 40deg), straight(700m)] }
   right: [drive(3.5m), drive(3.5m), shoulder(2.5m)]
   speed_limit: 100km/h
 }
 
-agent ego is car on motorway at 100m..140m { lane: -2, drive with car_follow { speed: 80km/h } }
-agent cutter is car on motorway at ego.start - (20m..40m) {
+agent ego is car on highway at 100m..140m { lane: -2, drive with car_follow { speed: 80km/h } }
+agent cutter is car on highway at ego.start - (20m..40m) {
   lane: -1
   drive with car_follow { speed: 90km/h }
   drive with cut_in { target: ego, gap: 6m..14m, duration: 2s..4s }

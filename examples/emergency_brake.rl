@@ -1,4 +1,4 @@
-# A child runs out from behind a parked van. The car brakes for what its lidar sees, late and with noise.
+# A child runs out from behind a parked van. The car brakes for what its lidar sees, with delay and noise.
 scenario emergency_brake "A child behind a parked van, seen by a lidar"
 
 road street {

@@ -1,6 +1,6 @@
-# How far can the extractor be trusted? One photo in different light, and its roads.
+# How reliable is the extractor? The roads of one photo in different light.
 # An `expect` over roads is evaluated at compile time: the extractor is the system under test.
-scenario extractor_study "One photo, other light"
+scenario extractor_study "One photo in different light"
 
 image photo from "hairpin.jpg" { scale: 0.5m/px }
 image worse from photo {

@@ -1,6 +1,6 @@
 # A scene to edit while a car drives in it: save this file, or drag its points and objects.
 #   roadlang watch examples/godot_live.rl --save
-scenario godot_live "Change me while I drive"
+scenario godot_live "A scene to edit while a car drives"
 
 road loop {
   draw with waypoints {

@@ -1,5 +1,5 @@
 # A photo with several streets: all are perturbed, and the junctions stay connected.
-scenario streets "Streets from a photo, bent, junctions joined"
+scenario streets "Streets from a photo, bent, with connected junctions"
 
 image photo from "village.jpg" { scale: 0.5m/px }
 network town from photo

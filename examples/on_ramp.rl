@@ -19,15 +19,15 @@ road after {
   oneway: true
   speed_limit: 100km/h
 }
-road motorway from before { then: [beside, after], taper: 60m }
+road highway from before { then: [beside, after], taper: 60m }
 
-agent ego is car on motorway at 320m {
+agent ego is car on highway at 320m {
   lane: -3
   start_speed: 60km/h
   drive with car_follow
   drive with merge { to: left, within: 160m }
 }
-agent flow is choice(car, truck, weights: [3, 1]) on motorway at 20m..60m {
+agent flow is choice(car, truck, weights: [3, 1]) on highway at 20m..60m {
   lane: -2
   count: 6
   spacing: 40m..75m

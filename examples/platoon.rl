@@ -1,12 +1,12 @@
 # A platoon of trucks keeps its time gaps while the first one brakes and speeds up again.
 scenario platoon "Five trucks in a row behind a leader that slows down"
 
-road motorway {
+road highway {
   draw with segments { pieces: [straight(400m), arc(800m, 30deg), straight(900m)] }
   right: [drive(3.75m), drive(3.75m), shoulder(2.5m)]
 }
 
-agent leader is truck on motorway at 250m {
+agent leader is truck on highway at 250m {
   lane: -2
   drive with lane_follow { speed: 80km/h }
   drive with speed_profile {
@@ -14,7 +14,7 @@ agent leader is truck on motorway at 250m {
     when: leader.station > 400m
   }
 }
-agent follower is truck on motorway at leader.start - 160m {
+agent follower is truck on highway at leader.start - 160m {
   lane: -2
   count: 4
   spacing: 36m

@@ -2,7 +2,7 @@
 scenario street "One street, drawn from pieces"
 
 param speed_limit = 50km/h
-param first_bend = 40m..80m                         # a random value; an includer may fix it
+param first_bend = 40m..80m                         # random; a file that includes this one can set it
 
 road street {
   draw with segments {

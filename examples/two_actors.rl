@@ -1,4 +1,4 @@
-# One file included twice, each time under a name of its own: `slow.driver`, `fast.driver`.
+# One file included twice, under two names: `slow.driver`, `fast.driver`.
 include "lane_car.rl" as slow { speed: 25km/h }
 include "lane_car.rl" as fast { y: 8m, speed: 45km/h }
 

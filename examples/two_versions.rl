@@ -1,5 +1,5 @@
 # Two perturbed versions of one road that stay near each other, but are not the same.
-scenario two_versions "Two versions of one road within a distance"
+scenario two_versions "Two versions of one road, close to each other"
 
 image photo from "hairpin.jpg" { scale: 0.5m/px }
 network town from photo

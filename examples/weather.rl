@@ -1,7 +1,7 @@
 # Time of day, weather and friction, for backends that can show them.
 include "street.rl"
 
-scenario weather "One street in all weathers"
+scenario weather "One street in every weather"
 
 world {
   time_of_day: 6h..20h

@@ -1,5 +1,5 @@
 extends RefCounted
-## What each message asks for, passed on to the room that does it.
+## What each message asks for, passed on to the part that does it.
 
 ## A client has begun a scene in the first world.
 signal begun(title: String)
@@ -79,7 +79,7 @@ func handle(type: int, payload: PackedByteArray) -> String:
 		Protocol.EXPORT:
 			var wish := reader.json()
 			return "bad export" if reader.failed else _exporter.take(wish)
-	return "a message that this engine does not know"
+	return "this engine does not know this message"
 
 
 func _begin(reader: Reader) -> String:

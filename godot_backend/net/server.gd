@@ -202,10 +202,10 @@ func _greet(frame: Frame, source: String, now: int) -> void:
 		_link.send(source, _welcome)
 		return
 	if _session != 0 and now - _last_heard < YIELD_USEC and source != _client:
-		_refuse(source, "busy", "another client holds this engine")
+		_refuse(source, "busy", "another client is using this engine")
 		return
 	if not _speaks(range_given):
-		_refuse(source, "protocol", "this engine speaks version %d" % Protocol.VERSION)
+		_refuse(source, "protocol", "this engine uses protocol version %d" % Protocol.VERSION)
 		return
 	_open_session(hello, source, now)
 

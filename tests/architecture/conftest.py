@@ -1,10 +1,10 @@
-"""What is shared by the tests of the house."""
+"""What the tests of the architecture share."""
 
 from collections.abc import Iterator
 
 import pytest
 
-from tests.architecture.house import forget_trees
+from tests.architecture.source_tree import forget_trees
 
 
 @pytest.fixture(scope="package", autouse=True)

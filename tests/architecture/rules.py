@@ -1,4 +1,4 @@
-"""The rules of docs/architecture.md: each gives the places of a `House` that break it."""
+"""The rules of docs/architecture.md: each gives the places of a `SourceTree` that break it."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from tests.architecture.house import House, SourceFile, dotted
 from tests.architecture.shipped_kinds import DEFAULT_KINDS, WORDS, shipped_kinds
+from tests.architecture.source_tree import SourceFile, SourceTree, dotted
 
-Rule = Callable[[House], Iterator[str]]
+Rule = Callable[[SourceTree], Iterator[str]]
 MOST_LINES, MOST_FUNCTION_LINES = 300, 45
 PUBLIC = ("roadlang.api", "roadlang.commands", "roadlang.geometry")
 """What plugins may import beside `roadlang` itself: `api`, `geometry`, which it exports, and what
 commands need."""
 JUNCTIONS = "geometry/junctions/"
 BESIDE_THE_ROOMS = {"roadlang.testing": frozenset({"numpy", "pytest"})}
-"""Third parties of the files that are in no room"""
+"""Third parties of the files that are in no package"""
 COMPUTED_IMPORTS = (
     "src/roadlang/cli/commands.py",
     "src/roadlang/cli/chosen_extractor.py",
@@ -79,27 +79,29 @@ _UNREPEATABLE = re.compile(
 _UNREPEATABLE_MODULES = frozenset({"datetime", "random", "secrets", "time", "uuid"})
 
 
-def rooms_import_downward(house: House) -> Iterator[str]:
-    """A room imports what the table allows, also inside functions and by `import_module`."""
-    for file in house.core:
-        if file.room is None:
+def packages_import_downward(sources: SourceTree) -> Iterator[str]:
+    """A package imports what the table allows, also inside functions and by `import_module`."""
+    for file in sources.core:
+        if file.top_package is None:
             continue
-        allowed = house.rooms[file.room].rooms | {file.room}
+        allowed = sources.packages[file.top_package].packages | {file.top_package}
         for found in file.imports:
             parts = found.module.split(".") if found.module else []
             parts += [found.name] if parts == ["roadlang"] else []
-            is_room = parts[:1] == ["roadlang"] and len(parts) > 1 and parts[1] in house.rooms
-            if is_room and parts[1] not in allowed:
-                yield _at(file, found.line, f"`{file.room}` imports {found.module}")
+            is_package = (
+                parts[:1] == ["roadlang"] and len(parts) > 1 and parts[1] in sources.packages
+            )
+            if is_package and parts[1] not in allowed:
+                yield _at(file, found.line, f"`{file.top_package}` imports {found.module}")
             if not found.literal and file.path not in COMPUTED_IMPORTS:
                 yield _at(file, found.line, "imports a module whose name is computed")
 
 
-def the_core_imports_no_kind_and_no_api(house: House) -> Iterator[str]:
-    """`api`, `commands` and `testing` stand above all rooms, plugins outside."""
-    plugins = {file.package.split(".")[0] for file in house.plugins}
+def the_core_imports_no_kind_and_no_api(sources: SourceTree) -> Iterator[str]:
+    """`api`, `commands` and `testing` stand above all packages, plugins outside."""
+    plugins = {file.package.split(".")[0] for file in sources.plugins}
     outside = {"roadlang.api", "roadlang.commands", "roadlang.testing"}
-    for file in house.core:
+    for file in sources.core:
         if file.module in outside:
             continue
         for found in file.imports:
@@ -108,20 +110,20 @@ def the_core_imports_no_kind_and_no_api(house: House) -> Iterator[str]:
                 yield _at(file, found.line, f"imports {found.module} {found.name}".strip())
 
 
-def third_parties_are_those_of_the_table(house: House) -> Iterator[str]:
-    """Each room imports the distributions that its row names, and the standard library."""
-    for file in house.core:
+def third_parties_are_those_of_the_table(sources: SourceTree) -> Iterator[str]:
+    """Each package imports the distributions that its row names, and the standard library."""
+    for file in sources.core:
         beside = BESIDE_THE_ROOMS.get(file.module, frozenset())
-        allowed = house.rooms[file.room].third_parties if file.room else beside
+        allowed = sources.packages[file.top_package].third_parties if file.top_package else beside
         for found in file.imports:
             top = found.module.split(".")[0]
             if top and top != "roadlang" and top not in sys.stdlib_module_names | allowed:
                 yield _at(file, found.line, f"imports {top}")
 
 
-def polygons_are_joined_in_one_package(house: House) -> Iterator[str]:
+def polygons_are_joined_in_one_package(sources: SourceTree) -> Iterator[str]:
     """shapely is imported by `geometry/junctions` alone, when a plan is made."""
-    for file in house.files.values():
+    for file in sources.files.values():
         for found in file.imports:
             if found.module.split(".")[0] != "shapely":
                 continue
@@ -131,13 +133,13 @@ def polygons_are_joined_in_one_package(house: House) -> Iterator[str]:
                 yield _at(file, found.line, f"imports {found.module} before it is needed")
 
 
-def private_names_stay_in_their_file(house: House) -> Iterator[str]:
+def private_names_stay_in_their_file(sources: SourceTree) -> Iterator[str]:
     """A name with a leading underscore is used by the module that defines it alone: also a member
     of a class, such as what it remembers."""
-    for file in house.files.values():
+    for file in sources.files.values():
         for found in file.imports:
             last = found.name or found.module
-            if house.target(found) is not None and re.search(r"(^|\.)_[a-zA-Z]", last):
+            if sources.target(found) is not None and re.search(r"(^|\.)_[a-zA-Z]", last):
                 yield _at(file, found.line, f"imports the private {last}")
         own = {"_exit", *_names_defined(file)}  # `os._exit` is public
         for node in file.nodes(ast.Attribute):
@@ -147,11 +149,11 @@ def private_names_stay_in_their_file(house: House) -> Iterator[str]:
                 yield _at(file, node.lineno, f"uses the private {dotted(node) or node.attr}")
 
 
-def no_circles(house: House) -> Iterator[str]:
+def no_circles(sources: SourceTree) -> Iterator[str]:
     """No file imports another that imports it, over any number of steps, at any time. What a
-    facade imports when it is called makes one circle in its own room, of the files known here."""
+    facade imports when it is called makes one circle in its package, of the files listed here."""
     facades = {path for facade in FACADES.values() for path in facade.files}
-    whole, without_facades = _imported(house, frozenset()), _imported(house, facades)
+    whole, without_facades = _imported(sources, frozenset()), _imported(sources, facades)
     for circle in _circles(without_facades):
         yield f"{len(circle)} files in a circle: {', '.join(sorted(circle))}"
     allowed = dict(FACADES)
@@ -161,20 +163,20 @@ def no_circles(house: House) -> Iterator[str]:
             yield f"{len(circle)} files in a circle with a facade: {', '.join(sorted(circle))}"
 
 
-def facades_are_few_and_explained(house: House) -> Iterator[str]:
+def facades_are_few_and_explained(sources: SourceTree) -> Iterator[str]:
     """A facade says in its docstring what it is."""
     if len(FACADES) > 3:
         yield f"{len(FACADES)} facades"
     for path in (path for facade in FACADES.values() for path in facade.files):
-        if "facade" not in (ast.get_docstring(house.files[path].tree) or ""):
+        if "facade" not in (ast.get_docstring(sources.files[path].tree) or ""):
             yield f"{path} does not say that it is a facade"
 
 
-def no_clock_and_no_global_random_numbers(house: House) -> Iterator[str]:
-    """A pass is a pure function: not in the rooms (but `cli`), and not in the kinds that ship but
-    those of Godot, an engine that answers in its own time."""
-    shipped = [f for f in house.plugins if "roadlang_godot" not in f.path]
-    core = (f for f in house.core if f.room != "cli" and f.path != CLOCK)
+def no_clock_and_no_global_random_numbers(sources: SourceTree) -> Iterator[str]:
+    """A pass is a pure function: not in the packages (except `cli`), nor in the kinds that ship
+    except those of Godot, an engine that answers in its own time."""
+    shipped = [f for f in sources.plugins if "roadlang_godot" not in f.path]
+    core = (f for f in sources.core if f.top_package != "cli" and f.path != CLOCK)
     for file in (*core, *shipped):
         for found in file.imports:
             if found.module.split(".")[0] in _UNREPEATABLE_MODULES:
@@ -186,9 +188,9 @@ def no_clock_and_no_global_random_numbers(house: House) -> Iterator[str]:
                 yield _at(file, node.lineno, f"calls {name}")
 
 
-def shipped_kinds_use_the_public_api(house: House) -> Iterator[str]:
+def shipped_kinds_use_the_public_api(sources: SourceTree) -> Iterator[str]:
     """The plugins in the wheel are written as a stranger's are."""
-    for file in house.plugins:
+    for file in sources.plugins:
         for found in file.imports:
             name = found.module
             public = name.startswith(PUBLIC) or (name == "roadlang" and found.name != "_")
@@ -196,9 +198,9 @@ def shipped_kinds_use_the_public_api(house: House) -> Iterator[str]:
                 yield _at(file, found.line, f"imports {name}")
 
 
-def rooms_that_compute_read_no_files(house: House) -> Iterator[str]:
+def packages_that_compute_read_no_files(sources: SourceTree) -> Iterator[str]:
     """Geometry, formulas and values are functions of their arguments."""
-    for file in house.core:
+    for file in sources.core:
         if not file.path.startswith(WITHOUT_FILES):
             continue
         for found in file.imports:
@@ -209,10 +211,10 @@ def rooms_that_compute_read_no_files(house: House) -> Iterator[str]:
                 yield _at(file, node.lineno, f"calls {_called(node)}")
 
 
-def the_core_names_no_shipped_kind(house: House) -> Iterator[str]:
+def the_core_names_no_shipped_kind(sources: SourceTree) -> Iterator[str]:
     """What the core has to know of a kind, the kind says itself."""
-    kinds = shipped_kinds(house) - {word for words in WORDS.values() for word in words.split()}
-    for file in house.core:
+    kinds = shipped_kinds(sources) - {word for words in WORDS.values() for word in words.split()}
+    for file in sources.core:
         prose = _docstrings(file)
         for node in file.nodes(ast.Constant):
             if not isinstance(node.value, str):
@@ -222,9 +224,9 @@ def the_core_names_no_shipped_kind(house: House) -> Iterator[str]:
                 yield _at(file, node.lineno, f'names the kind "{node.value}"')
 
 
-def files_and_functions_are_small(house: House) -> Iterator[str]:
+def files_and_functions_are_small(sources: SourceTree) -> Iterator[str]:
     """Tables, which are read by looking up, may be longer."""
-    for file in house.files.values():
+    for file in sources.files.values():
         count = file.text.count("\n")
         if count > MOST_LINES and file.path not in TABLES:
             yield f"{file.path} has {count} lines"
@@ -234,16 +236,16 @@ def files_and_functions_are_small(house: House) -> Iterator[str]:
                 yield _at(file, node.lineno, f"{node.name} has {lines} lines")
 
 
-def every_file_says_what_it_is_for(house: House) -> Iterator[str]:
+def every_file_says_what_it_is_for(sources: SourceTree) -> Iterator[str]:
     """The first line of its docstring."""
-    for file in house.files.values():
+    for file in sources.files.values():
         if not ast.get_docstring(file.tree):
             yield f"{file.path} has no docstring"
 
 
 TABLES = ("src/roadlang/syntax/tree/nodes.py",)
 RULES: tuple[Rule, ...] = (
-    rooms_import_downward,
+    packages_import_downward,
     the_core_imports_no_kind_and_no_api,
     third_parties_are_those_of_the_table,
     polygons_are_joined_in_one_package,
@@ -252,7 +254,7 @@ RULES: tuple[Rule, ...] = (
     facades_are_few_and_explained,
     no_clock_and_no_global_random_numbers,
     shipped_kinds_use_the_public_api,
-    rooms_that_compute_read_no_files,
+    packages_that_compute_read_no_files,
     the_core_names_no_shipped_kind,
     files_and_functions_are_small,
     every_file_says_what_it_is_for,
@@ -284,13 +286,13 @@ def _docstrings(file: SourceFile) -> set[ast.AST]:
     return {n.value for n in file.nodes(ast.Expr) if isinstance(n.value, ast.Constant)}
 
 
-def _imported(house: House, not_late: Collection[str]) -> dict[str, set[str]]:
+def _imported(sources: SourceTree, not_late: Collection[str]) -> dict[str, set[str]]:
     """The modules that each module imports, in functions too but those of the files `not_late`."""
     graph: dict[str, set[str]] = {}
-    for file in house.files.values():
+    for file in sources.files.values():
         edges = graph.setdefault(file.module, set())
         for found in file.imports:
-            target = house.target(found)
+            target = sources.target(found)
             is_left_out = found.late and file.path in not_late
             if target is not None and target != file.module and not is_left_out:
                 edges.add(target)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 
-from tests.architecture.house import House, dotted
+from tests.architecture.source_tree import SourceTree, dotted
 
 WORDS = {
     "columns of traces, fields of scenes and networks": (
@@ -40,10 +40,10 @@ scene in a notebook. A choice of the front door, which a kind cannot make for it
 agents and objects have the names of the kinds that are nothing but that."""
 
 
-def shipped_kinds(house: House) -> frozenset[str]:
+def shipped_kinds(sources: SourceTree) -> frozenset[str]:
     """The names of the kinds in the wheel."""
     names = set()
-    for file in house.plugins:
+    for file in sources.plugins:
         for node in file.nodes(ast.AnnAssign):
             value = node.value.value if isinstance(node.value, ast.Constant) else None
             if dotted(node.target) == "name" and isinstance(value, str):

@@ -1,36 +1,36 @@
-"""Each rule of the house, broken on purpose in a copy of it, is noticed."""
+"""Each rule is noticed when it is broken on purpose in a copy of the sources."""
 
 from __future__ import annotations
 
 import pytest
 
 from tests.architecture import rules
-from tests.architecture.house import house
 from tests.architecture.rules import Rule
+from tests.architecture.source_tree import source_tree
 
-HOUSE = house()
+SOURCES = source_tree()
 KIND = "plugins/standard/roadlang_standard/perturb_sine.py"
 BREAKS: tuple[tuple[Rule, str, str], ...] = (
-    (rules.rooms_import_downward, "geometry/curve.py", "from ..diagnostics import Code"),
+    (rules.packages_import_downward, "geometry/curve.py", "from ..diagnostics import Code"),
     (
-        rules.rooms_import_downward,
+        rules.packages_import_downward,
         "stl/formula/terms.py",
         "def f():\n    from ...world import roads",
     ),
-    (rules.rooms_import_downward, "geometry/width.py", "from roadlang import world"),
+    (rules.packages_import_downward, "geometry/width.py", "from roadlang import world"),
     (
-        rules.rooms_import_downward,
+        rules.packages_import_downward,
         "geometry/road.py",
         "import importlib\nimportlib.import_module('roadlang.world.roads')",
     ),
-    (rules.rooms_import_downward, "ir/units.py", "__import__('roadlang.scenes.sampling')"),
+    (rules.packages_import_downward, "ir/units.py", "__import__('roadlang.scenes.sampling')"),
     (
-        rules.rooms_import_downward,
+        rules.packages_import_downward,
         "world/roads.py",
         "from importlib import import_module\nimport_module('..scenes.sampling', __package__)",
     ),
     (
-        rules.rooms_import_downward,
+        rules.packages_import_downward,
         "world/roads.py",
         "import importlib\nimportlib.import_module('roadlang.' + 'scenes')",
     ),
@@ -99,10 +99,14 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
         "plugins/godot/roadlang_godot/engines/engine.py",
         "def f():\n    import roadlang.world.roads",
     ),
-    (rules.rooms_that_compute_read_no_files, "geometry/road.py", "open('road.csv').read()"),
-    (rules.rooms_that_compute_read_no_files, "evaluate/evaluation.py", "from pathlib import Path"),
+    (rules.packages_that_compute_read_no_files, "geometry/road.py", "open('road.csv').read()"),
     (
-        rules.rooms_that_compute_read_no_files,
+        rules.packages_that_compute_read_no_files,
+        "evaluate/evaluation.py",
+        "from pathlib import Path",
+    ),
+    (
+        rules.packages_that_compute_read_no_files,
         "stl/evaluate/sliding_and_until.py",
         "np.load('kernels.npy')",
     ),
@@ -122,7 +126,7 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
 @pytest.mark.parametrize(("rule", "path", "lines"), BREAKS)
 def test_a_break_is_noticed(rule: Rule, path: str, lines: str) -> None:
     full = path if path.startswith("plugins/") else f"src/roadlang/{path}"
-    broken = HOUSE.with_lines(full, lines) if lines else HOUSE.with_text(full, "")
+    broken = SOURCES.with_lines(full, lines) if lines else SOURCES.with_text(full, "")
     assert any(full in fault or _module(full) in fault for fault in rule(broken))
 
 

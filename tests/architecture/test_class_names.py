@@ -6,9 +6,9 @@ import ast
 from collections import defaultdict
 from dataclasses import replace
 
-from tests.architecture.house import House, SourceFile, house
+from tests.architecture.source_tree import SourceFile, SourceTree, source_tree
 
-HOUSE = house()
+SOURCES = source_tree()
 TWICE = {
     "Scene": "roadlang.Scene is what Python users get; its `record` is the roadlang.api.Scene that"
     " plugins get and files hold",
@@ -16,10 +16,10 @@ TWICE = {
 """Names that stand for two things, and why."""
 
 
-def modules_of_classes(house: House) -> dict[str, list[str]]:
+def modules_of_classes(sources: SourceTree) -> dict[str, list[str]]:
     """The modules that define each public class."""
     found = defaultdict(list)
-    for file in house.files.values():
+    for file in sources.files.values():
         for node in file.tree.body:
             if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
                 found[node.name].append(file.module)
@@ -27,13 +27,13 @@ def modules_of_classes(house: House) -> dict[str, list[str]]:
 
 
 def test_a_class_name_stands_for_one_thing() -> None:
-    twice = {name: where for name, where in modules_of_classes(HOUSE).items() if len(where) > 1}
+    twice = {name: where for name, where in modules_of_classes(SOURCES).items() if len(where) > 1}
     assert {name: where for name, where in twice.items() if name not in TWICE} == {}
     assert twice.keys() >= TWICE.keys(), "an exception is not needed any more"
 
 
 def test_a_name_that_is_used_again_is_noticed() -> None:
     path = "src/roadlang/world/roads.py"
-    text = HOUSE.files[path].text + "\n\nclass JunctionPlan:\n    pass\n"
-    house = replace(HOUSE, files={**HOUSE.files, path: SourceFile(path, text)})
-    assert len(modules_of_classes(house)["JunctionPlan"]) == 2
+    text = SOURCES.files[path].text + "\n\nclass JunctionPlan:\n    pass\n"
+    sources = replace(SOURCES, files={**SOURCES.files, path: SourceFile(path, text)})
+    assert len(modules_of_classes(sources)["JunctionPlan"]) == 2

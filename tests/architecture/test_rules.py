@@ -1,4 +1,4 @@
-"""The house as it stands keeps every rule of docs/architecture.md."""
+"""The sources keep every rule of docs/architecture.md."""
 
 from __future__ import annotations
 
@@ -7,49 +7,51 @@ import re
 
 import pytest
 
-from tests.architecture.house import ROOT, house
 from tests.architecture.rules import RULES, Rule
 from tests.architecture.shipped_kinds import DEFAULT_KINDS, WORDS, shipped_kinds
+from tests.architecture.source_tree import ROOT, source_tree
 
-HOUSE = house()
+SOURCES = source_tree()
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
 def test_the_house_keeps(rule: Rule) -> None:
-    assert not list(rule(HOUSE))
+    assert not list(rule(SOURCES))
 
 
 @pytest.mark.parametrize("group", WORDS)
 def test_each_name_that_is_exempt_is_a_kind_and_in_the_core(group: str) -> None:
     strings = {
         node.value
-        for file in HOUSE.core
+        for file in SOURCES.core
         for node in file.nodes(ast.Constant)
         if isinstance(node.value, str)
     }
-    assert set(WORDS[group].split()) <= shipped_kinds(HOUSE) & strings
+    assert set(WORDS[group].split()) <= shipped_kinds(SOURCES) & strings
 
 
 def test_each_default_kind_is_named_where_it_is_allowed() -> None:
     for path, kinds in DEFAULT_KINDS.items():
-        assert kinds <= shipped_kinds(HOUSE)
-        assert all(f'"{kind}"' in HOUSE.files[path].text for kind in kinds)
+        assert kinds <= shipped_kinds(SOURCES)
+        assert all(f'"{kind}"' in SOURCES.files[path].text for kind in kinds)
 
 
 def test_every_room_is_in_the_table() -> None:
     folders = {path.parent.name for path in (ROOT / "src" / "roadlang").glob("*/__init__.py")}
-    assert folders == set(HOUSE.rooms)
+    assert folders == set(SOURCES.packages)
 
 
 def test_the_table_has_no_circle() -> None:
     below: set[str] = set()
-    for name, room in HOUSE.rooms.items():
-        assert room.rooms <= below, f"{name} imports {room.rooms - below}, which stand above it"
+    for name, package in SOURCES.packages.items():
+        assert package.packages <= below, (
+            f"{name} imports {package.packages - below}, which stand above it"
+        )
         below.add(name)
 
 
 def test_what_the_page_says_is_somewhere_is_there() -> None:
-    section = HOUSE.page.partition("## Where to find things")[2].partition("\n## ")[0]
+    section = SOURCES.page.partition("## Where to find things")[2].partition("\n## ")[0]
     rows = [line.split("|")[2] for line in section.splitlines() if line.startswith("| ")][1:]
     paths = [path for row in rows for path in re.findall(r"`([^`]+)`", row)]
     assert len(paths) > len(rows) >= 20

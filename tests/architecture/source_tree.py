@@ -1,4 +1,4 @@
-"""The source tree as data: its files, the table of rooms, and what each file imports."""
+"""The source tree as data: its files, the table of packages, and what each file imports."""
 
 from __future__ import annotations
 
@@ -70,8 +70,8 @@ class SourceFile:
         return self.module if is_package else self.module.rpartition(".")[0]
 
     @property
-    def room(self) -> str | None:
-        """The folder below `src/roadlang`; None of the files beside the rooms and of plugins."""
+    def top_package(self) -> str | None:
+        """The folder below `src/roadlang`; None of the files beside the packages and of plugins."""
         parts = self.path.split("/")
         return parts[2] if self.path.startswith(f"{CORE}/") and len(parts) > 3 else None
 
@@ -81,15 +81,15 @@ class SourceFile:
 
 
 @dataclass(frozen=True)
-class House:
-    """All Python files of the core and of the plugins in the wheel, and the page of rooms."""
+class SourceTree:
+    """All Python files of the core and of the plugins in the wheel, and the page of packages."""
 
     files: Mapping[str, SourceFile]
     page: str
 
     @classmethod
-    def read(cls, root: Path = ROOT) -> House:
-        """The house as it stands on disk."""
+    def read(cls, root: Path = ROOT) -> SourceTree:
+        """The sources on disk."""
         paths = [p for folder in (CORE, *SHIPPED_PLUGINS) for p in (root / folder).rglob("*.py")]
         files = {}
         for path in sorted(paths):
@@ -97,12 +97,12 @@ class House:
             files[name] = SourceFile(name, path.read_text(encoding="utf-8"))
         return cls(files, (root / PAGE).read_text(encoding="utf-8"))
 
-    def with_lines(self, path: str, lines: str) -> House:
+    def with_lines(self, path: str, lines: str) -> SourceTree:
         """A copy in which `lines` are added to a file, or are a new one."""
         before = self.files[path].text if path in self.files else '"""New."""\n'
         return self.with_text(path, f"{before}\n{lines}\n")
 
-    def with_text(self, path: str, text: str) -> House:
+    def with_text(self, path: str, text: str) -> SourceTree:
         """A copy in which a file has another text."""
         return replace(self, files={**self.files, path: SourceFile(path, text)})
 
@@ -116,15 +116,15 @@ class House:
         return tuple(file for file in self.files.values() if file.path.startswith("plugins/"))
 
     @cached_property
-    def rooms(self) -> dict[str, Room]:
+    def packages(self) -> dict[str, Package]:
         """The table of the page, from the bottom to the top."""
-        table: dict[str, Room] = {}
+        table: dict[str, Package] = {}
         for line in self.page.splitlines():
             cells = [cell.strip() for cell in line.strip("|").split("|")]
             if len(cells) == 4 and re.fullmatch(r"`\w+/`", cells[0]):
                 name = cells[0].strip("`/")
-                rooms = frozenset(table) if cells[2] == "all" else _words(cells[2])
-                table[name] = Room(rooms, _words(cells[3]))
+                packages = frozenset(table) if cells[2] == "all" else _words(cells[2])
+                table[name] = Package(packages, _words(cells[3]))
         return table
 
     @cached_property
@@ -140,10 +140,10 @@ class House:
 
 
 @dataclass(frozen=True)
-class Room:
-    """What a room may import: other rooms, and distributions of third parties."""
+class Package:
+    """What a package may import: other packages, and distributions of third parties."""
 
-    rooms: frozenset[str]
+    packages: frozenset[str]
     third_parties: frozenset[str]
 
 
@@ -171,9 +171,9 @@ def _imports(text: str, package: str) -> tuple[Import, ...]:
 
 
 @cache
-def house() -> House:
-    """The house, read once in each process."""
-    return House.read()
+def source_tree() -> SourceTree:
+    """The sources, read once in each process."""
+    return SourceTree.read()
 
 
 def forget_trees() -> None:
