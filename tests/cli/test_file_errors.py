@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -54,3 +57,46 @@ def test_a_search_without_a_scene_says_which_requirement_rejects(
     told = capsys.readouterr().err
     assert "error[RL601]: none of 4 candidates" in told
     assert "long: length(main) > 149.9999m  4 of 4    100.0%" in told
+
+
+LONG = "b" * 300
+ROAD = "road main { draw with segments { pieces: [straight(100m)] } }\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["view", f"{LONG}.osm"], "RL400"),
+        (["convert", f"{LONG}.osm", "map.xodr"], "RL400"),
+        (["report", LONG], "RL720"),
+        (["extract", f"{LONG}.png"], "RL400"),
+        (["monitor", f"{LONG}.csv", "x > 0"], None),
+        (["explain", LONG], "RL925"),
+    ],
+)
+def test_a_name_that_is_too_long_for_a_file_is_no_bug(
+    words: list[str],
+    code: str | None,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(words) in (1, 2)
+    told = capsys.readouterr().err
+    assert "RL900" not in told
+    assert code is None or f"error[{code}]" in told
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names of files are text elsewhere")
+def test_the_name_of_a_scene_file_may_hold_bytes_that_are_no_text(tmp_path: Path) -> None:
+    folder = tmp_path / os.fsdecode(b"caf\xe9")
+    folder.mkdir()
+    scene = folder / os.fsdecode(b"stra\xdfe.rl")
+    agent = "agent ego is car on main at 5m { drive with pure_pursuit { speed: 9m/s } }\n"
+    scene.write_text(f"{ROAD}{agent}simulate with builtin {{ duration: 1s }}\n")
+    assert run(["compile", str(scene), "-o", str(folder / "out"), "--emit", "json, svg"]) == 0
+    assert run(["run", str(scene), "-o", str(folder / "drives")]) == 0
+    manifest = json.loads((folder / "out" / "manifest.json").read_text())
+    assert manifest["source"].endswith(r"caf\xe9/stra\xdfe.rl")
+    assert manifest["name"] == r"stra\xdfe"

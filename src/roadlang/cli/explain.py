@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import click
@@ -102,7 +103,7 @@ def _where_else(wanted: str) -> tuple[str, ...]:
     if wanted in COMMANDS:
         return (f"`roadlang {wanted} --help` explains the command",)
     folder = Path(wanted)
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         return ("`roadlang explain` lists all codes, `roadlang plugins` all kinds",)
     scenes = sorted((folder / "failures").glob("[0-9]*.json")) or sorted(
         folder.glob("scene-*[0-9].json")

@@ -20,7 +20,7 @@ def edit_roads(image: str, scene: str, scale: float | None, opens_browser: bool)
     from ..correcting.server import CorrectionServer
 
     path = Path(scene)
-    if not path.exists():
+    if not os.path.exists(path):
         _write_scene(path, image, scale)
     elif scale is not None:
         raise click.UsageError("`--scale` is for a new scene file; this one has its own scale.")

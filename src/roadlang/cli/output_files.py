@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -31,10 +32,10 @@ class FormatFile(click.Path):
 
 def keep_inputs(written: Iterable[str | Path], read: Iterable[str | Path]) -> None:
     """Raises `click.UsageError` where a file would be written over one that is read."""
-    inputs = [Path(name) for name in read if Path(name).exists()]
+    inputs = [Path(name) for name in read if os.path.exists(name)]
     for path in map(Path, written):
         for source in inputs:
-            if path.exists() and path.samefile(source):
+            if os.path.exists(path) and path.samefile(source):
                 raise click.UsageError(
                     f"{path.name} would overwrite {source}, from which it is made: choose "
                     "another name for the output"

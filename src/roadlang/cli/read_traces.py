@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -37,7 +38,7 @@ def read_samples(path: str, agent: str | None) -> Columns:
 
 def refuse_swapped(formula: str) -> None:
     """`click.UsageError` where the formula is the name of a file."""
-    if Path(formula).suffix.lower() in (".csv", ".json") and Path(formula).exists():
+    if Path(formula).suffix.lower() in (".csv", ".json") and os.path.exists(formula):
         raise click.UsageError(f"{formula} is a file: FORMULA comes first, then TRACE...")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fnmatch
+import os
 from pathlib import Path
 
 
@@ -12,11 +13,11 @@ def files_matching(path: Path) -> list[Path]:
     `*` and `?` in the last part of `path` stand for any characters and for any one character,
     unless there is a file of that very name. A path without them stands for itself, there or not.
     """
-    if not ("*" in path.name or "?" in path.name) or path.exists():
+    if not ("*" in path.name or "?" in path.name) or os.path.exists(path):
         return [path]
     pattern = path.name.replace("[", "[[]")
     try:
         found = [each for each in path.parent.iterdir() if fnmatch.fnmatchcase(each.name, pattern)]
     except OSError:
         return []
-    return sorted(each for each in found if each.is_file())
+    return sorted(each for each in found if os.path.isfile(each))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
@@ -28,7 +29,7 @@ def read_record(folder: Path) -> ResultsRecord:
     Raises `DiagnosticError` RL720 where the folder has none.
     """
     path = folder / RESULTS_FILE
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise _no_results(folder)
     return parsed(path, _record)
 
@@ -36,13 +37,13 @@ def read_record(folder: Path) -> ResultsRecord:
 def _no_results(folder: Path) -> DiagnosticError:
     """What is there instead, and the folder that is meant, if one is near."""
     reason, help_ = f"there is no {RESULTS_FILE}", f"`roadlang run FILE -o {folder}` makes them"
-    if folder.is_file():
+    if os.path.isfile(folder):
         reason, help_ = "it is a file", "`roadlang run FILE -o DIR` makes a folder with results"
-    elif not folder.exists():
+    elif not os.path.exists(folder):
         reason = "there is no such folder"
-    if (folder.parent / RESULTS_FILE).is_file():
+    if os.path.isfile(folder.parent / RESULTS_FILE):
         help_ = f"did you mean `{folder.parent}`?"
-    elif (folder / JOURNAL_FILE).is_file():
+    elif os.path.isfile(folder / JOURNAL_FILE):
         help_ = "it was interrupted: run the same command again with `--resume`"
     return DiagnosticError(diagnose(Code.NO_RESULTS, path=str(folder), reason=reason, help=help_))
 
@@ -100,7 +101,7 @@ def reason_of(error: Exception) -> str:
 
 def broken(path: Path, reason: str) -> DiagnosticError:
     """RL721, to be raised."""
-    has_command = any((folder / RESULTS_FILE).is_file() for folder in path.parents[:2])
+    has_command = any(os.path.isfile(folder / RESULTS_FILE) for folder in path.parents[:2])
     help: str | tuple[()] = ()
     if path.name == RESULTS_FILE:  # which has the command, but cannot be read
         help = "create the folder again, with the same command"

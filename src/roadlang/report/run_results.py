@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,14 +24,14 @@ _RUN = "run-[0-9]*"
 
 def results_folder(folder: Path) -> Path:
     """The folder whose `provenance.json` stands for all: that of the first run of several."""
-    if (folder / RESULTS_FILE).exists():
+    if os.path.exists(folder / RESULTS_FILE):
         return folder
     return next(iter(_runs(folder)), folder)
 
 
 def read_run(folder: Path, record: ResultsRecord, registry: Registry) -> Results:
     """The results of a run, or of all runs of a list of params. Raises `DiagnosticError` RL721."""
-    runs = [folder] if (folder / RESULTS_FILE).exists() else _runs(folder)
+    runs = [folder] if os.path.exists(folder / RESULTS_FILE) else _runs(folder)
     entries = [entry for run in runs for entry in _entries(run, "" if run == folder else run.name)]
     rows = [entry.result_row(number) for number, entry in enumerate(entries)]
     failing, safe = _chosen(entries, rows)
@@ -83,7 +84,9 @@ class _Entry:
 
 
 def _runs(folder: Path) -> list[Path]:
-    return sorted(path for path in folder.glob(_RUN) if (path / RESULTS_FILE).is_file())
+    if not os.path.isdir(folder):
+        return []
+    return sorted(path for path in folder.glob(_RUN) if os.path.isfile(path / RESULTS_FILE))
 
 
 def _entries(folder: Path, run: str) -> Iterator[_Entry]:

@@ -18,6 +18,7 @@ from ..evaluate.draw_names import draw_place
 from ..evaluate.evaluation import evaluate, named
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.read_only import FrozenDict
+from ..ir.recorded_names import recorded_name
 from ..ir.scenario import Input, ScenarioConstraint
 from ..ir.scene import Call, Provenance, Scene, SceneSignal, Verdict
 from ..ir.times_of_day import TIMES_OF_DAY
@@ -273,7 +274,7 @@ def _provenances(
 def _scene_file(scenario: IndexedScenario) -> str:
     """The name of the scene file, wherever it lies; empty for a scenario that is of no file."""
     inputs = scenario.source.inputs
-    return PurePath(inputs[0].path).name if inputs else ""
+    return recorded_name(PurePath(inputs[0].path).name) if inputs else ""
 
 
 def _inputs(candidates: CandidateBatch) -> list[Input]:
@@ -281,9 +282,8 @@ def _inputs(candidates: CandidateBatch) -> list[Input]:
     scenario = candidates.scenario
     networks = [network_root(network, candidates) for network in scenario.networks.values()]
     roads = [road_root(name, candidates) for name in scenario.roads]
-    found = {item for network in networks for item in network.inputs}
-    found |= {item for road in roads for item in road.inputs}
-    return sorted(found, key=lambda item: item.path)
+    inputs = [root.inputs for root in networks] + [root.inputs for root in roads]
+    return sorted({item for items in inputs for item in items}, key=lambda item: item.path)
 
 
 def _units(scenario: IndexedScenario, draws: Mapping[str, Any]) -> dict[str, str]:

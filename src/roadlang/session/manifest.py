@@ -13,6 +13,7 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.kind_instance import KindInstance
 from ..files.reading import UnreadableFile, read_file
 from ..ir.manifest import MANIFEST_SCHEMA, Manifest, OutputFile, RequirementRecord
+from ..ir.recorded_names import recorded_name
 from ..ir.scenario import Scenario
 from ..scenes.emitting import Output
 from ..scenes.sampling import SamplingResult
@@ -38,7 +39,7 @@ def manifest_of(
         name=scenario.header.name,
         title=scenario.header.title,
         roadlang=__version__,
-        source=str(loaded.path),
+        source=recorded_name(loaded.path),
         seed=seed,
         scenes=result.accepted,
         requested=result.wanted,
@@ -73,10 +74,10 @@ def scene_file_digests(scenario: Scenario) -> dict[str, str]:
     for source in scenario.inputs:
         path = Path(source.path)
         if source.sha256:
-            digests[source.path] = source.sha256
+            digests[recorded_name(source.path)] = source.sha256
         else:
             with contextlib.suppress(UnreadableFile):
-                digests[source.path] = hashlib.sha256(read_file(path)).hexdigest()
+                digests[recorded_name(source.path)] = hashlib.sha256(read_file(path)).hexdigest()
     return digests
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..ir.encoding import to_json
+from ..ir.recorded_names import recorded_name
 from ..ir.results_record import ResultsRecord
 from ..version import __version__
 from .manifest import scene_file_digests
@@ -34,10 +35,10 @@ def record_of_run(
     return to_json(
         ResultsRecord(
             command="run",
-            again=shlex.join(["roadlang", "run", str(loaded.path), *words]),
+            again=shlex.join(["roadlang", "run", recorded_name(loaded.path), *words]),
             name=scenario.header.name,
             title=scenario.header.title,
-            source=str(loaded.path),
+            source=recorded_name(loaded.path),
             seed=seed,
             roadlang=__version__,
             engine=engine,
@@ -99,10 +100,10 @@ def record_of_search(search: Falsification) -> str:
     return to_json(
         ResultsRecord(
             command="falsify",
-            again=shlex.join(["roadlang", "falsify", str(loaded.path), *words]),
+            again=shlex.join(["roadlang", "falsify", recorded_name(loaded.path), *words]),
             name=scenario.header.name,
             title=scenario.header.title,
-            source=str(loaded.path),
+            source=recorded_name(loaded.path),
             seed=plan.seed,
             roadlang=__version__,
             engine=drives.engine,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -66,7 +67,7 @@ def command(source: str, target: str, kind: str | None) -> None:
 
 def _named_file(target: str) -> Path:
     """Raises `click.UsageError` for a folder or nothing."""
-    if not target or Path(target).is_dir():
+    if not target or os.path.isdir(target):
         problem = f"{target} is a folder" if target else "OUTPUT is empty"
         example = Path(target or ".") / "town.xodr"
         raise click.UsageError(f"{problem}: name a file, such as {example}")

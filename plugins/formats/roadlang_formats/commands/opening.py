@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -49,10 +50,10 @@ def _scene_of_map(path: Path) -> roadlang.Scene:
 
     from ..map_xml import LARGEST
 
-    if not str(path.name) or path.is_dir():
+    if not str(path.name) or os.path.isdir(path):
         raise click.UsageError(f"FILE is a folder, {path}: name a map, a scene or a scene file")
     text = _scenario(path)
-    if not path.exists() and not set("*?") & set(str(path)):
+    if not os.path.exists(path) and not set("*?") & set(str(path)):
         read_input(path, LARGEST)  # RL400
     try:
         scenes = roadlang.loads(text, folder=path.parent).sample(1)

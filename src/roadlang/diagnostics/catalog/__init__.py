@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -34,7 +35,7 @@ class UnknownCode(KeyError):
 def page(code: str) -> Page:
     """Read the page of `code`. Raises `UnknownCode`."""
     path = _FOLDER / f"{code}.md"
-    if not path.is_file():
+    if not os.path.isfile(path):
         raise UnknownCode(code)
     head, _, body = path.read_text(encoding="utf-8").partition("\n\n")
     heading, *lines = head.split("\n")

@@ -6,6 +6,7 @@ from typing import Any
 
 from ...diagnostics import Code, Label
 from ...ir import scenario as ir
+from ...ir.recorded_names import recorded_name
 from ..checker import Checker
 from ..names.definition_order import definition_order
 from ..names.program import PlacedStatement
@@ -64,7 +65,7 @@ def _lower_statement(checker: Checker, declaration: PlacedStatement) -> Any:
 def _header(checker: Checker) -> ir.ScenarioHeader:
     program = checker.program
     if not program.headers:
-        return ir.ScenarioHeader(program.path.stem)
+        return ir.ScenarioHeader(recorded_name(program.path.stem))
     header = program.headers[0]
     return ir.ScenarioHeader(header.name.text, header.title.value if header.title else "")
 
