@@ -17,6 +17,8 @@ from .places import JunctionSite
 from .sweeping import road_beyond, strip, stub
 
 _SIMPLIFIED = 1e-3
+_ROUND = 0.01
+"""Meters between the round curb of a corner and the chords that it is drawn with"""
 _SAME = 1e-6
 _APRON = 0.5
 """Meters."""
@@ -47,7 +49,8 @@ def surface(
     base = shapely.union_all(parts)
     radii = [corner.radius for corner in place.arms.corners if corner.radius is not None]
     radius = max(radii, default=NOSE)
-    closed = base.buffer(radius, quad_segs=6).buffer(-radius, quad_segs=6)
+    rounds = {"quad_segs": _chords_of_quarter(radius)}
+    closed = base.buffer(radius, **rounds).buffer(-radius, **rounds)
     if found.faces:
         base = base.union(closed.intersection(_hull_of_faces(found)))
     roads = [road_beyond(arm, trims) for arm in found.arms]
@@ -56,6 +59,11 @@ def surface(
     parts = [part for part in shapely.get_parts(area) if part.geom_type == "Polygon"]
     largest = max(parts, key=lambda part: float(part.area))
     return shapely.Polygon(largest.exterior)
+
+
+def _chords_of_quarter(radius: float) -> int:
+    """How many chords stay within the tolerance of a quarter of a circle."""
+    return math.ceil(0.25 * math.pi / math.acos(max(0.0, 1.0 - _ROUND / radius)))
 
 
 def _corner_of_bend(found: Connected) -> Any:
