@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+import pytest
 
 from roadlang_standard.extraction.classical import roads_by_ribbons
 from roadlang_standard.extraction.drawing import has_edge_lines
@@ -11,6 +12,7 @@ from roadlang_standard.extraction.drawn_confidence import with_doubts
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
+from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
 
 from .paper_drawings import drawn, photographed, sheet, wave
 
@@ -141,3 +143,63 @@ def test_lines_of_text_are_no_edges_of_roads() -> None:
         line = " ".join(rng.choice([*words.split(), "without", "testing"], 10))[:62]
         cv2.putText(page, line, (20, row), cv2.FONT_HERSHEY_SIMPLEX, 0.4, (20, 20, 20), 1, 16)
     assert not has_edge_lines(page[..., 0] < 128)
+
+
+def _found(page: np.ndarray) -> FoundNetwork:
+    return roads_by_contour(page, ContourSteps())
+
+
+def _page(height: int = 480, width: int = 480) -> np.ndarray:
+    return np.full((height, width, 3), 255, np.uint8)
+
+
+def test_a_chessboard_is_no_sure_road() -> None:
+    """Ways through its fields explain less of it than roads of an even width do."""
+    page = _page()
+    for row in range(8):
+        for column in range(row % 2, 8, 2):
+            page[60 * row : 60 * row + 60, 60 * column : 60 * column + 60] = 40
+    assert all(road.confidence < 0.5 for road in _found(page).roads)
+
+
+@pytest.mark.parametrize("thick", [2, 8])
+def test_a_frame_with_a_wall_is_no_sure_road_but_a_round_ring_is(thick: int) -> None:
+    page, ring = _page(), _page()
+    cv2.rectangle(page, (70, 90), (400, 380), (0, 0, 0), thick)
+    cv2.line(page, (240, 90), (240, 300), (0, 0, 0), thick)
+    cv2.circle(ring, (240, 240), 140, (0, 0, 0), thick, cv2.LINE_AA)
+    cv2.line(ring, (240, 100), (240, 300), (0, 0, 0), thick)
+    assert all(road.confidence < 0.5 for road in _found(page).roads)
+    assert all(road.confidence > 0.9 for road in _found(ring).roads)
+
+
+def test_streets_of_straight_lines_are_sure_though_they_cross_at_right_angles() -> None:
+    page = _page()
+    for place in (120, 240, 360):
+        cv2.line(page, (place, 0), (place, 480), (0, 0, 0), 4)
+        cv2.line(page, (0, place), (480, place), (0, 0, 0), 4)
+    assert all(road.confidence > 0.9 for road in _found(page).roads)
+
+
+def test_the_bar_of_a_window_and_a_scribble_are_no_sure_roads() -> None:
+    bar, scribble = _page(), _page()
+    bar[:20] = 90
+    x = np.linspace(200, 272, 400)
+    wave = np.column_stack([x, 240 + 18 * np.sin(x / 2.4)]).astype(np.int32)
+    cv2.polylines(scribble, [wave], False, (0, 0, 0), 2, cv2.LINE_AA)
+    for page in (bar, scribble):
+        assert all(road.confidence < 0.5 for road in _found(page).roads)
+    below = np.roll(bar, 30, axis=0)
+    assert [round(road.confidence, 2) for road in _found(below).roads] == [1.0]
+
+
+def test_a_shore_beside_dark_water_is_a_photo() -> None:
+    """Water is even and has one color on half of the picture, as the ground of a drawing has."""
+    shore = np.full((300, 400, 3), (17, 28, 18), float)
+    land = 80 + 26 * _texture(1.2, 5) + 12 * _texture(8, 6)
+    shore[:, 220:] = land[:, 220:, None] * np.array([0.75, 1.0, 0.95])
+    shore += np.random.default_rng(7).normal(0, 0.5, shore.shape)
+    assert picture_kind(np.clip(shore, 0, 255).astype(np.uint8)).name == PHOTO
+    filled = shore.copy()
+    filled[:, 220:] = (60, 80, 76)
+    assert picture_kind(np.clip(filled, 0, 255).astype(np.uint8)).name != PHOTO

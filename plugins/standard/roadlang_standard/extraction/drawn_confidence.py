@@ -10,6 +10,8 @@ from scipy.sparse.csgraph import connected_components
 
 from roadlang.geometry import Floats
 
+from .box_lines import are_boxes
+from .explained_surface import explained_shares
 from .found_network import FoundNetwork, FoundRoad
 
 _LONG, _SLENDER = 0.6, 3.0
@@ -18,28 +20,65 @@ picture, and each so long in widths; the confidence of less is lowered in propor
 _MANY, _MOSTLY = 6, 0.7
 """So many parts that hang together are words unless at least this share of their length is in long
 ones; the confidence of all is lowered in proportion, and leaving the picture excuses none."""
+_FOLDED, _REACH = 3.5, 0.3
+"""Roads so many times as long as they reach, more than a ring is, have to reach that far, in
+shorter sides; else they are a scribble, and their confidence is lowered in proportion."""
+_NOTHING, _SURE = 0.7, 0.9
+"""Roads are as wide as measured on this share of their surface or more; with the first share or
+less, as on a chessboard, it consists of no roads."""
+_NO_ROAD = 0.45
+"""The confidence of boxes and bars."""
+_ALONG, _TOUCHING = 0.7, 1.5
+"""A bar touches the border, but for so many pixels, on this share of its length."""
 _RIM = 3.0
 """Pixels from the border at which a road leaves the picture: how long it is there is unknown."""
 
 
-def with_doubts(found: FoundNetwork) -> FoundNetwork:
-    """The same roads, those less sure that are short, alone, or hardly longer than wide."""
+def with_doubts(found: FoundNetwork, drawn: bool = True) -> FoundNetwork:
+    """The same roads, those less sure that are short, alone, or hardly longer than wide; and, if
+    they were `drawn` and not rendered as a map, what is a box or leaves its surface unexplained."""
     side = min(found.mask.shape)
     factors: dict[int, float] = {}
     parts = connected_parts(found.roads)
     mostly = _share_in_long(parts, _LONG * side) if len(parts) >= _MANY else 1.0
     words = mostly < _MOSTLY
-    for part in parts:
-        lengths = np.array([road.length for road in part])
-        widths = np.array([float(np.median(road.widths)) for road in part])
-        total = max(float(lengths.sum()), 1e-9)
-        slender = float((lengths**2).sum() / max(float(lengths @ widths), 1e-9))
+    explained = explained_shares(found.mask, parts) if drawn else [1.0] * len(parts)
+    for part, share in zip(parts, explained, strict=True):
         leaves = not words and any(_at_rim(road, found.mask.shape) for road in part)
-        factor = min(1.0, slender / _SLENDER) * (1.0 if leaves else min(1.0, total / side / _LONG))
+        factor = _slender(part) * (1.0 if leaves else _extended(part, side))
         factor *= min(1.0, mostly / _MOSTLY)
+        if drawn:
+            factor *= float(np.clip((share - _NOTHING) / (_SURE - _NOTHING), 0.0, 1.0))
+            if are_boxes(part, side) or all(_is_bar(road, found.mask.shape) for road in part):
+                factor *= _NO_ROAD
         factors.update((id(road), factor) for road in part)
     roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
     return replace(found, roads=roads)
+
+
+def _slender(part: list[FoundRoad]) -> float:
+    """How sure roads that hang together are by their length over their width."""
+    lengths = np.array([road.length for road in part])
+    widths = np.array([float(np.median(road.widths)) for road in part])
+    slender = float((lengths**2).sum() / max(float(lengths @ widths), 1e-9))
+    return min(1.0, slender / _SLENDER)
+
+
+def _extended(part: list[FoundRoad], side: int) -> float:
+    """How sure they are by their length in all, and by how far they reach: a scribble is long."""
+    total = max(sum(road.length for road in part), 1e-9)
+    corners = np.concatenate([[r.points.min(axis=0), r.points.max(axis=0)] for r in part])
+    reach = float(np.ptp(corners, axis=0).max())
+    long = min(1.0, total / side / _LONG)
+    return long if total < _FOLDED * reach else min(long, reach / side / _REACH)
+
+
+def _is_bar(road: FoundRoad, shape: tuple[int, ...]) -> bool:
+    """Whether a road lies along the border of the picture (h, w), as the bar of a window does."""
+    near = _TOUCHING + 0.5 * float(np.median(road.widths))
+    last = np.array(shape[::-1]) - 1
+    off = np.minimum(road.points, last - road.points)
+    return bool(max((off <= near).mean(axis=0)) > _ALONG)
 
 
 def _share_in_long(parts: list[list[FoundRoad]], least: float) -> float:

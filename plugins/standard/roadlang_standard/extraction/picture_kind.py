@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +13,7 @@ from roadlang.geometry import Booleans
 
 from .drawing import has_edge_lines, has_long_edge_lines
 from .exact_colors import has_exact_colors, is_shaded
+from .map_tones import flat_colors
 from .nodata import nodata
 from .tones import Image, away_from, flatness, thinned, tones
 
@@ -28,6 +30,9 @@ _FLAT = 0.55
 _LIT, _INDEX = 215, 12
 """A mask has a tone lighter than the first on black, or nothing but indices below the second: dark
 maps have neither."""
+_SAME, _BRUSH, _BROAD = 8, 15, 0.25
+"""What differs by more gray levels from the most frequent color, and holds a square of so many
+pixels, is broad; where more than this share of a picture is, that tells what the picture is."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +79,7 @@ def picture_kind(image: Image) -> PictureKind:
         return PictureKind(PHOTO, flat)
     plan = tones(image, most=12)
     few = np.sort(plan.shares)[-6:].sum()
-    if few < 0.85 or (not exact and (is_shaded(image) or _photo_with_margins(image))):
+    if few < 0.85 or (not exact and (is_shaded(image) or _is_photo_in_part(image, flat))):
         return PictureKind(PHOTO, flat)
     paper = plan.colors[plan.paper]
     away = away_from(image, paper)
@@ -88,14 +93,30 @@ def picture_kind(image: Image) -> PictureKind:
     return PictureKind(MAP if len(pure) > 3 else FILLED, flat, exact, marked)
 
 
-def _photo_with_margins(image: Image) -> bool:
-    """Whether what lies within margins of pure black or white has the texture and the shades of a
-    photo: blocks at the rim of a map in black and white are pure as well."""
+def _is_photo_in_part(image: Image, flat: float) -> bool:
+    """Whether what lies within margins of pure black or white, or beside a lake, has the texture
+    and the shades of a photo: blocks at the rim of a map in black and white are pure as well."""
     small = np.ascontiguousarray(thinned(image, 250_000))
     margins = nodata(small)
-    if margins is None or margins.mean() > 0.75:
+    if margins is not None and margins.mean() <= 0.75 and _is_photo(small, ~margins):
+        return True
+    if flat > 1 - _BROAD * (1 - _FLAT):
         return False
-    return flatness(small, ~margins) < _FLAT and is_shaded(small, ~margins)
+    beside = _beside_land(small)
+    return bool(beside.mean() > _BROAD) and _is_photo(small, beside)
+
+
+def _is_photo(image: Image, within: Booleans) -> bool:
+    return flatness(image, within) < _FLAT and is_shaded(image, within)
+
+
+def _beside_land(image: Image) -> Booleans:
+    """What is broad (h, w) of a picture (h, w, 3) and not of its most frequent color."""
+    land = flat_colors(image)[:1]
+    if not land:
+        return np.zeros(image.shape[:2], bool)
+    other = (away_from(image, land[0]) > _SAME).astype(np.uint8)
+    return np.asarray(cv2.morphologyEx(other, cv2.MORPH_OPEN, np.ones((_BRUSH,) * 2, np.uint8)) > 0)
 
 
 def _unmixed(colors: NDArray[np.float64]) -> list[NDArray[np.float64]]:
