@@ -145,6 +145,21 @@ def test_marks_of_arc_length_stand_every_round_length_at_the_right_edge() -> Non
     assert (box.top, box.bottom) == pytest.approx((300.6, 309.4), abs=0.02)
 
 
+def test_marks_of_arc_length_avoid_other_roads() -> None:
+    """A road below covers the numbers from 40 m on: they stand above the road instead. Where
+    another lies above, too, as many are covered there: those are left out."""
+    below = np.array([(400.0, 300.0), (1100.0, 300.0), (1100.0, 330.0), (400.0, 330.0)])
+    above = below - (0.0, 120.0)
+    drawn = furniture.station_marks(straight_ribbon(), PAGE, FONT, [below])
+    places = {label: y for label, _, y in written(drawn)}
+    assert len(places) == 21
+    assert places["20"] == places["60"] == pytest.approx(197.8, abs=0.02)
+    between = furniture.station_marks(straight_ribbon(), PAGE, FONT, [below, above])
+    assert [label for label, _, _ in written(between)] == ["0 m", *map(str, range(5, 40, 5))]
+    boxes = furniture.station_boxes(straight_ribbon(), PAGE, FONT, [below, above])
+    assert len(list(boxes)) == 8
+
+
 def test_marks_count_from_the_root_of_a_road() -> None:
     """Half of the root is left: its marks begin at 50 m, at the start of the road."""
     straight_road = straight()

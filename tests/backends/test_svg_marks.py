@@ -10,6 +10,7 @@ import pytest
 
 from roadlang.ir.scene import RoadPlace, Verdict, ViolatedSegment
 from roadlang_standard.svg import palette
+from roadlang_standard.svg.labels import PixelBox
 from roadlang_standard.svg.ribbon import ribbon_of
 from roadlang_standard.svg.tightest import tight_places
 from roadlang_standard.svg.violations import violations
@@ -92,6 +93,15 @@ def test_a_pin_stands_at_the_left_edge_with_the_name_beyond() -> None:
     assert (x, y) == near(500, 194.5)
     hints = [shape.text for shape in of(drawn, "title")]
     assert hints == ["r0 is tightest here: \N{GREEK SMALL LETTER RHO} = 4"]
+
+
+def test_a_pin_is_longer_where_its_name_would_be_on_a_number() -> None:
+    verdict = replace(bend().requirements[0], name="r0", tightest=RoadPlace("main", 50.0))
+    scene = replace(bend(), requirements=(verdict,), expectations=())
+    number = PixelBox(490, 185, 510, 195)
+    for taken, y in (([], 194.5), ([number], 182.5), ([PixelBox(0, 0, 1000, 500)], 194.5)):
+        drawn = tight_places(scene, {"main": straight_ribbon()}, FONT, taken)
+        assert [spot for _, _, spot in written(drawn)] == near(y)
 
 
 def test_pins_nearer_than_34_pixels_share_one() -> None:

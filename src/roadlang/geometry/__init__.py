@@ -15,7 +15,7 @@ Nothing is imported until a name is used.
 - junctions as maps state them: `MapJunction`, `MapTurn`, `MapControl`, `LaneEnd`; their
   plans:
   `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`, `minor_roads`;
-  triangles of their areas: `triangulated`
+  triangles of their areas, distance from these: `triangulated`, `outside_ring`
 - lanes of a network, and how one leads into others: `LaneGraph`, `RoutePlace`
 - lines painted along lanes: `border_lines`, `BorderLine`, `DashPattern`, `parking_lines`,
   `LINE_WIDTH`, `PARKING_LINE_WIDTH`, `PARKING_SPACE`; as figures draw them: `lane_strokes`,
@@ -97,6 +97,7 @@ if TYPE_CHECKING:
     from .paths import Step as Step
     from .polylines import network_of_polylines as network_of_polylines
     from .profile import OffsetProfile as OffsetProfile
+    from .rings import outside_ring as outside_ring
     from .road import Road as Road
     from .routes.lane_graph import LaneGraph as LaneGraph
     from .routes.legs import RoutePlace as RoutePlace
@@ -147,6 +148,7 @@ _HOMES = {
     "over": "window",
     "fade": "window",
     "ease": "window",
+    "outside_ring": "rings",
     "triangulated": "triangulation",
     "WidthProfile": "width",
     "OffsetProfile": "profile",

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from roadlang.api import shown_junctions
+
 from . import actors, furniture, ghost, labels, palette, photo, profiles
 from .agent_routes import agent_routes
 from .ids import network_ids
@@ -20,6 +22,7 @@ from .violations import violations
 
 if TYPE_CHECKING:
     from roadlang.api import Picture, Scene
+    from roadlang.geometry import Floats
 
 
 @dataclass(frozen=True)
@@ -74,7 +77,12 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
     """The map alone, clipped to its rectangle."""
     selection = select(scene)
     ribbons = Ribbons(scene, viewport)
-    measured = _measured(scene, selection, ribbons) if style.stations else []
+    measured = _measured(scene, selection, ribbons, viewport) if style.stations else []
+    numbers = [
+        box
+        for ribbon, others in measured
+        for box in furniture.station_boxes(ribbon, viewport, style.font, others)
+    ]
     parts = [
         furniture.ground(viewport),
         photo.beneath(style.photo, viewport, style.fade) if style.photo is not None else "",
@@ -87,14 +95,17 @@ def map_of(scene: Scene, viewport: Viewport, style: Style, clip: str = "map") ->
         ghost.ghost_lines(ribbons[name] for name in selection.ghosts) if style.ghost else "",
         violations(scene, ribbons),
         actors.objects(scene, viewport),
-        *(furniture.station_marks(ribbon, viewport, style.font) for ribbon in measured),
+        *(
+            furniture.station_marks(ribbon, viewport, style.font, others)
+            for ribbon, others in measured
+        ),
         network_ids(scene, selection.full, viewport, style.font) if style.ids else "",
         agent_routes(scene, viewport, style.font),
         actors.agents(scene, viewport),
-        tight_places(scene, ribbons, style.font) if style.profiles and style.labels else "",
-        labels.actor_labels(scene, viewport, style.font, _taken(measured, viewport, style))
-        if style.labels
+        tight_places(scene, ribbons, style.font, numbers)
+        if style.profiles and style.labels
         else "",
+        labels.actor_labels(scene, viewport, style.font, numbers) if style.labels else "",
     ]
     return group(parts, class_="map", clip_path=f"url(#{clip})")
 
@@ -109,18 +120,22 @@ def _road_names(
     return labels.road_names((ribbons[name] for name in full), style.font)
 
 
-def _measured(scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon]) -> list[Ribbon]:
-    """What is drawn with marks of its arc length."""
-    return [
-        ribbons[road.name]
-        for road in scene.roads
-        if road.name in selection.measured and not road.network
+def _measured(
+    scene: Scene, selection: Selection, ribbons: Mapping[str, Ribbon], viewport: Viewport
+) -> list[tuple[Ribbon, list[Floats]]]:
+    """What is drawn with marks of its arc length, each with the surfaces of all other roads."""
+    names = [
+        road.name for road in scene.roads if road.name in selection.measured and not road.network
     ]
-
-
-def _taken(measured: list[Ribbon], viewport: Viewport, style: Style) -> list[labels.PixelBox]:
+    if not names:
+        return []
+    areas = [viewport.place(place.area) for place in shown_junctions(scene, set(selection.full))]
     return [
-        box for ribbon in measured for box in furniture.station_boxes(ribbon, viewport, style.font)
+        (
+            ribbons[name],
+            [ribbons[other].outline() for other in selection.full if other != name] + areas,
+        )
+        for name in names
     ]
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
+
+from roadlang.api import geometry
 
 from . import palette
 from .labels import PixelBox
@@ -12,7 +14,11 @@ from .markup import element, group, text
 from .wrapping import LETTER
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from roadlang.api import Scene
+    from roadlang.geometry import Floats
 
     from .ribbon import Ribbon
     from .viewport import Viewport
@@ -100,11 +106,14 @@ def _world_parts(world: Mapping[str, object]) -> Iterator[str]:
         yield f"friction {friction:.2f}"
 
 
-def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:
-    """Ticks at round arc lengths of the root road, the positions of the requirements."""
-    spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
+def station_marks(
+    ribbon: Ribbon, viewport: Viewport, size: float, surfaces: Sequence[Floats] = ()
+) -> str:
+    """Ticks at round arc lengths of the root road, the positions of the requirements: beside the
+    right edge, or beside the left one where fewer numbers would be on the `surfaces` of other
+    roads (polygons in pixels). Numbers that would still be on one are left out."""
     return group(
-        _marks(ribbon, spacing, size),
+        _marks(ribbon, viewport, size, surfaces),
         class_="stations",
         font_size=0.8 * size,
         fill=palette.MUTED_INK,
@@ -112,38 +121,64 @@ def station_marks(ribbon: Ribbon, viewport: Viewport, size: float) -> str:
     )
 
 
-def _marks(ribbon: Ribbon, spacing: float, size: float) -> Iterator[str]:
-    for label, (x1, y1, x2, y2), (x, y) in _places(ribbon, spacing, size):
+def _marks(
+    ribbon: Ribbon, viewport: Viewport, size: float, surfaces: Sequence[Floats]
+) -> Iterator[str]:
+    for label, (x1, y1, x2, y2), (x, y) in _places(ribbon, viewport, size, surfaces):
         yield element("line", x1=x1, y1=y1, x2=x2, y2=y2, stroke_width=0.9)
         if math.isfinite(x) and math.isfinite(y):
             yield text(label, x, y + 0.28 * size, text_anchor="middle",
                        stroke=palette.GROUND, stroke_width=2.6, paint_order="stroke")  # fmt: skip
 
 
-def station_boxes(ribbon: Ribbon, viewport: Viewport, size: float) -> Iterator[PixelBox]:
+def station_boxes(
+    ribbon: Ribbon, viewport: Viewport, size: float, surfaces: Sequence[Floats] = ()
+) -> Iterator[PixelBox]:
     """What the numbers of `station_marks` take up."""
-    spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
-    for label, _, (x, y) in _places(ribbon, spacing, size):
+    for label, _, (x, y) in _places(ribbon, viewport, size, surfaces):
         yield PixelBox.around(x, y + 0.28 * size, LETTER * 0.8 * size * len(label), 0.8 * size)
 
 
 def _places(
-    ribbon: Ribbon, spacing: float, size: float
+    ribbon: Ribbon, viewport: Viewport, size: float, surfaces: Sequence[Floats]
 ) -> Iterator[tuple[str, list[float], list[float]]]:
     """Of each mark: what is written, both ends of its tick, the middle of its text."""
     import numpy as np
 
+    spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
     last = float(ribbon.reference[-1])
     # On a closed road the last mark would stand on the first.
     furthest = last - 0.6 * spacing if ribbon.closed else last
     places = spacing * np.arange(int(furthest / spacing + 1e-9) + 1, dtype=np.float64)
     marks = ribbon.at(places, by_reference=True)
-    edge, out = marks.line(-1.0), -marks.left
-    lines = np.column_stack([edge + 1.5 * out, edge + 6.0 * out]).tolist()
-    spots = edge + (6.0 + 0.9 * size) * out
-    for s, line, spot in zip(places.tolist(), lines, spots.tolist(), strict=True):
-        label = _length_text(s) if s == 0 or s + spacing > last else _bare(s, last)
-        yield label, line, spot
+    sides = []
+    for side in (-1.0, 1.0):
+        edge, out = marks.line(side), side * marks.left
+        lines = np.column_stack([edge + 1.5 * out, edge + 6.0 * out])
+        spots = edge + (6.0 + 0.9 * size) * out
+        sides.append((lines, spots, _covered(spots, 0.4 * size, surfaces)))
+        if not sides[-1][-1].any():
+            break
+    lines, spots, covered = min(sides, key=lambda side: side[-1].sum())
+    for s, line, spot, is_covered in zip(
+        places.tolist(), lines.tolist(), spots.tolist(), covered.tolist(), strict=True
+    ):
+        if not is_covered:
+            label = _length_text(s) if s == 0 or s + spacing > last else _bare(s, last)
+            yield label, line, spot
+
+
+def _covered(spots: Floats, reach: float, surfaces: Sequence[Floats]) -> NDArray[np.bool_]:
+    """(n,) whether spots (n, 2) are on one of the surfaces, or nearer than `reach` pixels."""
+    import numpy as np
+
+    found = np.zeros(len(spots), dtype=np.bool_)
+    for surface in surfaces:
+        near = (spots > surface.min(axis=0) - reach) & (spots < surface.max(axis=0) + reach)
+        asked = near.all(axis=1) & ~found
+        if asked.any():
+            found[asked] = geometry.outside_ring(surface, *spots[asked].T) < reach
+    return found
 
 
 def round_length(meters: float) -> float:

@@ -14,6 +14,7 @@ from .wrapping import BOLD_LETTER
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor
+    from roadlang.geometry import Floats
 
     from .ribbon import Ribbon
     from .viewport import Viewport
@@ -92,7 +93,11 @@ def _named(actors: Sequence[SceneActor]) -> list[tuple[SceneActor, str]]:
 def _labels(
     actors: Sequence[SceneActor], viewport: Viewport, size: float, taken: list[PixelBox]
 ) -> Iterator[str]:
+    import numpy as np
+
     drawn = [_square(actor, viewport) for actor in actors]
+    centers = viewport.place(np.reshape([(actor.x, actor.y) for actor in actors], (-1, 2)))
+    groups = np.array([actor.group for actor in actors])
     for actor, label in _named(actors):
         x, y = viewport.place([actor.x, actor.y]).tolist()
         reach = _reach(actor, viewport)
@@ -112,9 +117,28 @@ def _labels(
             free and not any(box.overlaps(other) for other in drawn)
             for free, box in zip(readable, boxes, strict=True)
         ]
-        chosen = next((free.index(True) for free in (clear, readable) if any(free)), 0)
+        others = centers[groups != actor.group] if label != actor.name else centers
+        own = _are_nearest(spots, actor, others, viewport, size)
+        wishes = [[a and b for a, b in zip(free, own, strict=True)] for free in (clear, readable)]
+        chosen = next((free.index(True) for free in (*wishes, clear, readable) if any(free)), 0)
         taken.append(boxes[chosen])
         yield text(label, *spots[chosen], text_anchor="middle")
+
+
+def _are_nearest(
+    spots: Sequence[tuple[float, float]],
+    actor: SceneActor,
+    others: Floats,
+    viewport: Viewport,
+    slack: float,
+) -> list[bool]:
+    """Whether a label at each spot is nearer to what it names than to all `others` (n, 2), but for
+    `slack` pixels."""
+    import numpy as np
+
+    off = np.array(spots)[:, None] - np.concatenate([viewport.place([[actor.x, actor.y]]), others])
+    away = np.hypot(off[..., 0], off[..., 1])
+    return [bool(near) for near in away[:, 0] <= away.min(axis=1) + slack]
 
 
 def _reach(actor: SceneActor, viewport: Viewport) -> float:

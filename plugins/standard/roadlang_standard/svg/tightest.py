@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from . import palette
+from .labels import PixelBox
 from .markup import element, group, rho, text, title
+from .wrapping import LETTER
 
 if TYPE_CHECKING:
     from roadlang.api import Scene, Verdict
@@ -17,19 +19,26 @@ if TYPE_CHECKING:
 
 _CLOSE = 34.0
 """Pixels under which two places share one mark."""
+_LENGTHS = (1.1, 2.3, 3.5)
+"""Font sizes, of pins: the first whose name is clear of what else is written"""
+_NAME_SIZE = 0.85
+"""Font sizes, of the names"""
 
 
-def tight_places(scene: Scene, ribbons: Mapping[str, Ribbon], size: float) -> str:
-    """A pin beside the road at each place, with the names of the constraints that are tight."""
+def tight_places(
+    scene: Scene, ribbons: Mapping[str, Ribbon], size: float, taken: Sequence[PixelBox] = ()
+) -> str:
+    """A pin beside the road at each place, with the names of the constraints that are tight: long
+    enough that the names are clear of what is `taken`, where that is possible."""
     verdicts = [
         verdict
         for verdict in (*scene.requirements, *scene.expectations)
         if verdict.satisfied and verdict.tightest and verdict.tightest.road in ribbons
     ]
     return group(
-        _pins(verdicts, ribbons, size),
+        _pins(verdicts, ribbons, size, taken),
         class_="tightest",
-        font_size=0.85 * size,
+        font_size=_NAME_SIZE * size,
         fill=palette.TIGHT,
         paint_order="stroke",
         stroke=palette.GROUND,
@@ -49,7 +58,12 @@ class Pin:
     verdicts: list[Verdict]
 
 
-def _pins(verdicts: Sequence[Verdict], ribbons: Mapping[str, Ribbon], size: float) -> Iterator[str]:
+def _pins(
+    verdicts: Sequence[Verdict],
+    ribbons: Mapping[str, Ribbon],
+    size: float,
+    taken: Sequence[PixelBox],
+) -> Iterator[str]:
     pins: list[Pin] = []
     for verdict in verdicts:
         pin = _pin_of(verdict, ribbons)
@@ -61,7 +75,7 @@ def _pins(verdicts: Sequence[Verdict], ribbons: Mapping[str, Ribbon], size: floa
         else:
             pins.append(pin)
     for pin in pins:
-        yield from _drawn(pin, size)
+        yield from _drawn(pin, size, taken)
 
 
 def _pin_of(verdict: Verdict, ribbons: Mapping[str, Ribbon]) -> Pin | None:
@@ -74,13 +88,21 @@ def _pin_of(verdict: Verdict, ribbons: Mapping[str, Ribbon]) -> Pin | None:
     return Pin(x, y, dx, dy, [verdict]) if math.isfinite(x + y) else None
 
 
-def _drawn(pin: Pin, size: float) -> Iterator[str]:
+def _drawn(pin: Pin, size: float, taken: Sequence[PixelBox]) -> Iterator[str]:
     hint = "; ".join(
         f"{verdict.name} is tightest here: {rho(verdict.robustness)}"
         for verdict in pin.verdicts
         if verdict.robustness is not None
     )
-    x, y = pin.x + 1.1 * size * pin.dx, pin.y + 1.1 * size * pin.dy
+    label = ", ".join(verdict.name for verdict in pin.verdicts)
+    anchor = "start" if pin.dx > 0.35 else "end" if pin.dx < -0.35 else "middle"
+    heads = [(pin.x + long * size * pin.dx, pin.y + long * size * pin.dy) for long in _LENGTHS]
+    clear = (
+        head
+        for head in heads
+        if not any(_name_box(pin, head, label, size).overlaps(box) for box in taken)
+    )
+    x, y = next(clear, heads[0])
     line = {"stroke": palette.TIGHT, "stroke_width": 1.2}
     yield element(
         "g",
@@ -88,7 +110,17 @@ def _drawn(pin: Pin, size: float) -> Iterator[str]:
         element("line", x1=pin.x, y1=pin.y, x2=x, y2=y, **line),
         element("circle", cx=pin.x, cy=pin.y, r=0.24 * size, stroke=palette.TIGHT),
     )
-    anchor = "start" if pin.dx > 0.35 else "end" if pin.dx < -0.35 else "middle"
-    below = 0.75 * size if pin.dy > 0.35 else -0.15 * size if pin.dy < -0.35 else 0.3 * size
-    label = ", ".join(verdict.name for verdict in pin.verdicts)
-    yield text(label, x + 0.25 * size * pin.dx, y + below, text_anchor=anchor)
+    yield text(label, x + 0.25 * size * pin.dx, y + _below(pin, size), text_anchor=anchor)
+
+
+def _name_box(pin: Pin, head: tuple[float, float], label: str, size: float) -> PixelBox:
+    """What the name takes up with the head of its pin there."""
+    wide = LETTER * _NAME_SIZE * size * len(label)
+    aside = 0.5 if pin.dx > 0.35 else -0.5 if pin.dx < -0.35 else 0.0
+    x = head[0] + 0.25 * size * pin.dx + aside * wide
+    return PixelBox.around(x, head[1] + _below(pin, size), wide, _NAME_SIZE * size)
+
+
+def _below(pin: Pin, size: float) -> float:
+    """Pixels from the head of a pin down to the baseline of its name."""
+    return 0.75 * size if pin.dy > 0.35 else -0.15 * size if pin.dy < -0.35 else 0.3 * size
