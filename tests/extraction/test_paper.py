@@ -163,3 +163,11 @@ def test_a_scan_with_little_noise_is_a_drawing_on_paper() -> None:
     found = Auto().extract(Picture(scan, 1.0))
     assert found.remarks[0] == "read as a drawing on paper"
     assert len(found.network.edges) == 1
+
+
+def test_a_crayon_that_leaves_grain_is_one_stroke() -> None:
+    """Paper shows through wax; the holes are no blocks between streets."""
+    grain = cv2.GaussianBlur(np.random.default_rng(4).normal(0, 1, (360, 480)), (0, 0), 1.5)
+    crayon = drawn(sheet(), wave(), pen=18)
+    crayon[grain < -0.9 * grain.std()] = sheet()[0, 0]
+    assert_one_road_along(photographed(cv2.GaussianBlur(crayon, (0, 0), 0.8)), wave())

@@ -13,6 +13,7 @@ from .counted_colors import color_codes, counted_colors
 from .drawing import between_lines
 from .even_ground import has_even_ground
 from .found_network import FoundNetwork
+from .grain import without_grain
 from .hysteresis import hysteresis
 from .masks import roads_of_surface
 from .ruling import without_ruling
@@ -164,4 +165,4 @@ def _strokes(sheet: Sheet) -> Booleans:
     long[0] = False
     if lengths[long].sum() < _LITTLE * side:
         return np.zeros(marked.shape, bool)
-    return np.asarray(long[parts])
+    return without_grain(np.asarray(long[parts]))
