@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-_HOLE, _MANY, _OFTEN = 40, 20, 500
+_HOLE, _MANY, _OFTEN = 60, 12, 600
 """Holes have fewer pixels; strokes with at least so many of them, and one in so many pixels, have
 grain. Letters have few, and what lies between streets is larger."""
 _REACH = 4
