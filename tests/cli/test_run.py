@@ -255,3 +255,23 @@ def test_without_a_scene_it_says_what_is_in_the_way(capsys: pytest.CaptureFixtur
     Path("bend.rl").write_text(TEXT + crowd)
     assert run(["run", "bend.rl"]) == 3
     assert "copies of `crowd` are in the way of each other" in capsys.readouterr().err
+
+
+def test_a_run_removes_the_files_of_an_earlier_run_and_no_others() -> None:
+    assert run(["run", "bend.rl", "-n", "4"]) == 4
+    mine = Path("out/notes.txt")
+    mine.write_text("mine")
+    assert run(["run", "bend.rl", "-n", "2"]) in (0, 4)
+    assert sorted({path.name[:10] for path in Path("out").glob("scene-*")}) == [
+        "scene-0000",
+        "scene-0001",
+    ]
+    assert mine.read_text() == "mine"
+
+
+def test_what_compile_wrote_stays_where_an_earlier_run_had_a_scene_of_that_number() -> None:
+    assert run(["run", "bend.rl", "-n", "3"]) == 4
+    assert run(["compile", "bend.rl", "-n", "3", "--emit", "json"]) == 0
+    assert run(["run", "bend.rl", "-n", "1"]) in (0, 4)
+    assert Path("out/scene-0002.json").exists()
+    assert not Path("out/scene-0002.trace.csv").exists()

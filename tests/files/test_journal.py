@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -86,3 +87,25 @@ def test_another_file_is_no_journal(path: Path, header: bytes) -> None:
     path.write_bytes(header + b'\n{"a": 1}\n')
     with pytest.raises(ValueError, match="it is not a journal of roadlang"):
         read_lines(path)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="files are not locked there")
+@pytest.mark.parametrize("resume", [False, True])
+def test_a_journal_that_another_process_writes_is_left_alone(path: Path, resume: bool) -> None:
+    import fcntl
+
+    JournalFile(path, "key", resume=False, parse=bytes).append([b"1"])
+    before = path.read_bytes()
+    with path.open("rb") as other:  # a lock of another open file is as that of another process
+        fcntl.flock(other, fcntl.LOCK_EX)
+        with pytest.raises(DiagnosticError, match="another `roadlang run`") as caught:
+            JournalFile(path, "key", resume=resume, parse=bytes)
+        assert caught.value.diagnostics[0].code == "RL460"
+        assert path.read_bytes() == before
+    JournalFile(path, "key", resume=True, parse=bytes).append([b"2"])
+
+
+def test_journals_of_one_process_are_not_in_the_way_of_each_other(path: Path) -> None:
+    first = JournalFile(path, "key", resume=False, parse=bytes)
+    first.append([b"1"])
+    assert JournalFile(path, "key", resume=True, parse=bytes).entries == [b"1"]

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from .locking import FileLock
 from .not_written import not_written
 from .writing import write_file
 
@@ -31,7 +32,7 @@ class JournalFile(Generic[T]):
     `resume` says to go on with it; otherwise the file is begun anew. A line that `parse` refuses
     with ValueError, KeyError, TypeError or AttributeError was changed: it is taken out of the file,
     and `diagnostics` warns of it (RL724). Raises `DiagnosticError` RL702 where the file has another
-    key, RL460 where it cannot be written.
+    key, RL460 where it cannot be written, or another process writes it.
     """
 
     def __init__(self, path: Path, key: str, resume: bool, parse: Callable[[bytes], T]) -> None:
@@ -41,10 +42,23 @@ class JournalFile(Generic[T]):
         self.diagnostics: tuple[Diagnostic, ...] = ()
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            if resume and path.exists():
+            goes_on = resume and path.exists()
+            self._lock = FileLock(path)
+            if goes_on:
                 self._read(header, parse)
+                self._lock = FileLock(path)  # which may be another file of that name now
             else:
                 path.write_bytes(header + b"\n")
+        except BlockingIOError as error:
+            raise DiagnosticError(
+                diagnose(
+                    Code.OUTPUT_NOT_WRITTEN,
+                    path=str(path),
+                    file=str(path),
+                    reason="another `roadlang run` or `roadlang falsify` is writing it",
+                    help="wait until it has ended, or choose another folder with `-o`",
+                )
+            ) from error
         except OSError as error:
             raise not_written(path, error) from error
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+import weakref
 from collections.abc import Iterator
 from pathlib import Path
+from typing import ClassVar
 
 
 @contextlib.contextmanager
@@ -55,3 +57,45 @@ def may_be_held(folder: Path) -> bool:
     finally:
         os.close(handle)
     return False
+
+
+class FileLock:
+    """The lock of a file, until nothing refers to it any more; the file is made where it is not.
+
+    Raises `BlockingIOError` where another process has it. All of one process share it; where files
+    cannot be locked (Windows, some network file systems) everyone has it.
+    """
+
+    _held: ClassVar[weakref.WeakValueDictionary[tuple[int, int], FileLock]] = (
+        weakref.WeakValueDictionary()
+    )
+
+    def __new__(cls, path: Path) -> FileLock:
+        """The lock that this process has, or a new one."""
+        handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
+        state = os.fstat(handle)
+        known = cls._held.get((state.st_dev, state.st_ino))
+        if known is not None or sys.platform == "win32":
+            os.close(handle)
+        if known is not None:
+            return known
+        lock = super().__new__(cls)
+        if sys.platform != "win32":
+            _lock_at_once(handle)
+            weakref.finalize(lock, os.close, handle)
+        cls._held[state.st_dev, state.st_ino] = lock
+        return lock
+
+
+def _lock_at_once(handle: int) -> None:
+    if sys.platform == "win32":
+        return
+    import fcntl
+
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(handle)
+        raise
+    except OSError:
+        return  # a file system without locks

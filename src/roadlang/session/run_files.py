@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Diagnostic
+from ..diagnostics import Diagnostic, DiagnosticError
 from ..drive.input_files import input_files
 from ..drive.reading_files import reading_files
 from ..falsification.descriptors import measures, protagonist
-from ..files.journal import JOURNAL_FILE, JournalFile
+from ..files.journal import JOURNAL_FILE, UNUSABLE, JournalFile, read_lines
+from ..files.transaction import is_plain
 from ..files.writing import write_all, write_file
+from ..ir.manifest import MANIFEST_FILE
 from ..ir.results_record import RESULTS_FILE
 from ..ir.scene import file_stem
 from ..scenes.emitting import outputs_of_drive
 from .drives import Drive
 from .falsification_files import FINDINGS
+from .manifest import files_named_in
 
 if TYPE_CHECKING:
     from ..evaluate.kind_instance import KindInstance
@@ -31,7 +35,8 @@ _RESERVED = frozenset(ending[1:] for ending in (*_ENDINGS, *FINDINGS))
 
 class RunFolder:
     """A folder of drives. `key` stands for all that they depend on, `provenance` says it to people;
-    `resume`: what is there of an earlier run with the same key is kept. `backends` write files of
+    `resume`: what is there of an earlier run with the same key is kept; otherwise its files are
+    removed. `backends` write files of
     drives beside the traces.
 
     `finished` holds the rows of scenes by their number. Raises `DiagnosticError` RL702 where the
@@ -48,7 +53,10 @@ class RunFolder:
     ) -> None:
         self._folder = folder
         self._backends = backends
+        earlier = [] if resume else _files_of_earlier_run(folder)
         self._journal = JournalFile(folder / JOURNAL_FILE, key, resume, _entry)
+        for path in earlier:
+            path.unlink(missing_ok=True)
         write_file(folder / RESULTS_FILE, provenance)
         self.finished: dict[int, Mapping[str, Any]] = {
             entry["row"]["scene"]: entry
@@ -114,6 +122,22 @@ class RunFolder:
         stem = file_stem(entry["row"]["scene"])
         paths = [*(stem + end for end in _ENDINGS), *entry.get("files", ())]
         return all((self._folder / path).is_file() for path in paths)
+
+
+def _files_of_earlier_run(folder: Path) -> list[Path]:
+    """The files of the scenes that the journal in a folder names, but for those that `compile` has
+    written there."""
+    found: list[str] = []
+    with contextlib.suppress(OSError, *UNUSABLE):
+        for _, line in read_lines(folder / JOURNAL_FILE):
+            entry = _entry(line)
+            stem = file_stem(entry["row"]["scene"])
+            found += [stem + ending for ending in (*_ENDINGS, *FINDINGS)]
+            found += map(str, entry.get("files", ()))
+    kept: set[str] = set()
+    with contextlib.suppress(DiagnosticError):
+        kept.update(files_named_in(folder / MANIFEST_FILE))
+    return [folder / name for name in found if is_plain(name) and name not in kept]
 
 
 def _entry(line: bytes) -> Mapping[str, Any]:
