@@ -180,7 +180,7 @@ def test_another_file_in_the_place_of_the_marker_is_not_replaced(tmp_path: Path)
 
     for text in ('{"name": "my web page"}', "[]", '{"schema": "roadlang.scene/2", "files": []}'):
         (tmp_path / "manifest.json").write_text(text)
-        with pytest.raises(DiagnosticError, match="roadlang has not written it"):
+        with pytest.raises(DiagnosticError, match="was not written by roadlang"):
             write_set(tmp_path, {"manifest.json": ""}, "manifest.json", files_named_in)
         assert (tmp_path / "manifest.json").read_text() == text
 
