@@ -7,8 +7,6 @@ from typing import Any
 
 from roadlang.api import Code, DiagnosticError, diagnose
 
-EXIT_CODE = 5
-"""Of a command that failed because an outside part did."""
 _NAMED = 8
 """Things that are named at most, of those that an engine has not built."""
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-DATASET_FILE = "dataset.json"
 DATASET_SCHEMA = "roadlang.dataset/1"
 
 

@@ -85,10 +85,6 @@ class LaneletMap:
         points = self.borders[side.border].points
         return points[::-1] if side.backward else points
 
-    def successors(self, lanelet: int) -> tuple[int, ...]:
-        """The lanelets that it leads into."""
-        return tuple(target for source, target in self.links if source == lanelet)
-
     def predecessors(self, lanelet: int) -> tuple[int, ...]:
         """The lanelets that lead into it."""
         return tuple(source for source, target in self.links if target == lanelet)

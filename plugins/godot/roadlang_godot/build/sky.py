@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-NOON = 12.0
 HIGHEST_SUN = math.radians(58)
 STRONG_RAIN = 10e-3 / 3600
 """Meters a second: 10 mm/h, which looks two thirds as dense as a cloudburst."""

@@ -87,11 +87,6 @@ class EvaluationPlan:
         return cls(tuple(steps), _spent(graph), time_major or reaching, graph.infinite)
 
     @property
-    def reverses(self) -> bool:
-        """Whether any window is empty and counts the other way."""
-        return any(step is not None and step.reversed_at is not None for step in self.steps)
-
-    @property
     def width(self) -> int:
         """The most samples that any node is computed at."""
         return max(step.span[1] - step.span[0] + 1 for step in self.steps if step is not None)

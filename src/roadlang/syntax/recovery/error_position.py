@@ -75,11 +75,6 @@ class ErrorPosition:
         """Whether only white space precedes the token on its line."""
         return starts_line(self.source, self.token(offset))
 
-    def same_line(self, first: int, second: int) -> bool:
-        """Whether two tokens, by offset, stand on one line."""
-        between = self.source.text[self.token(first)[3] : self.token(second)[2]]
-        return "\n" not in between
-
     def expects(self, *kinds: str) -> bool:
         """Whether these terminals, one after the other, would be accepted here."""
         return accepts(self.tables, self.states, *kinds)
