@@ -13,6 +13,7 @@ from roadlang.geometry import (
     compiled_rows,
     compiling,
     displace,
+    pushed_batch,
     row_loops,
 )
 from roadlang.geometry.arrays import Floats
@@ -31,6 +32,13 @@ def compiled(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     used = [True]
     monkeypatch.setattr(compiled_rows, "pays", lambda numbers: used[0])
     return used
+
+
+@pytest.fixture
+def by_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rows go through all their moves by numpy, few at a time."""
+    monkeypatch.setattr(compiled_rows, "pays", lambda numbers: False)
+    monkeypatch.setattr(pushed_batch, "_MANY", 0)
 
 
 def waves(stations: Floats, length: float, size: float) -> list[Floats]:
@@ -64,6 +72,20 @@ def test_compiled_they_are_the_same_to_the_last_bit(
         assert getattr(fast, name).tobytes() == getattr(slow, name).tobytes(), name
     assert slow.folded.any() == (size > 1.0)
     assert not slow.folded.all()
+
+
+@pytest.mark.parametrize("size", [0.5, 6.0])
+@pytest.mark.parametrize("closed", [False, True])
+def test_by_numpy_they_are_the_same_to_the_last_bit(
+    closed: bool, size: float, by_numpy: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fast = pushed(closed, size, [True], fast=True)
+    monkeypatch.setattr(pushed_batch, "_MANY", 1 << 30)
+    slow = pushed(closed, size, [True], fast=True)
+    assert isinstance(fast, PushedBatch)
+    assert isinstance(slow, MovedBatch)
+    for name in KNOWN:
+        assert getattr(fast, name).tobytes() == getattr(slow, name).tobytes(), name
 
 
 def test_rows_of_them_are_those_rows_before_and_after_they_are_computed(

@@ -29,8 +29,9 @@ class Kernel:
     def __init__(self, mean: float) -> None:
         self._mean = mean
         self.weights = _none()
-        self._singles: tuple[Singles, Singles, Singles] | None = None
-        """of the last fit what predictions take: points, weights and the factor of the kernel"""
+        self._singles: tuple[Singles, Singles, Singles, Singles] | None = None
+        """of the last fit what predictions take: points, their squares, weights, and the factor of
+        the kernel"""
         self._variance = 0.0
         """of the values, as the process has it that the kernel stands for"""
 
@@ -48,7 +49,7 @@ class Kernel:
         factor = cho_factor(kernel, lower=True, overwrite_a=True, check_finite=False)
         self.weights = cho_solve(factor, values - self._mean, check_finite=False)
         known, weights = points.astype(np.float32), self.weights.astype(np.float32)
-        self._singles = known, weights, factor[0].astype(np.float32)
+        self._singles = known, squares(known), weights, factor[0].astype(np.float32)
         self._variance = float((values - self._mean) @ self.weights) / len(values)
         return np.asarray(decay)
 
@@ -67,8 +68,8 @@ class Kernel:
         from scipy.linalg import solve_triangular
 
         assert self._singles is not None
-        known, weights, factor = self._singles
-        apart = squares_apart(points, known)
+        known, of_known, weights, factor = self._singles
+        apart = squares_apart(points, known, of_known)
         apart *= 3.0
         np.sqrt(apart, out=apart)
         kernel = np.exp(-apart)
@@ -119,15 +120,24 @@ class LearnedKernel:
         return self._kernel.predicted(self.mapped(vectors), optimism)
 
 
-def squares_apart(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
-    """(n, m) squared distances of rows (n, D) and (m, D), to rounding."""
+def squares_apart(
+    a: NDArray[Any], b: NDArray[Any], of_b: NDArray[Any] | None = None
+) -> NDArray[Any]:
+    """(n, m) squared distances of rows (n, D) and (m, D), to rounding; `of_b`: the `squares` of b,
+    where they are known."""
     import numpy as np
 
     square = a @ b.T
     square *= -2.0
-    square += (a * a).sum(axis=1)[:, None]
-    square += (b * b).sum(axis=1)
+    square += squares(a)[:, None]
+    square += squares(b) if of_b is None else of_b
     return np.asarray(np.maximum(square, 0.0, out=square))
+
+
+def squares(rows: NDArray[Any]) -> NDArray[Any]:
+    """(n,) squared lengths of rows (n, D)."""
+    found: NDArray[Any] = (rows * rows).sum(axis=1)
+    return found
 
 
 def _scaled(root: Floats, vectors: Floats) -> Floats:

@@ -24,7 +24,7 @@ from . import exit_codes
 from .commands import LazyGroup
 from .standard_output import claim_standard_output, open_closed_streams
 
-_COLLECTED_AFTER = (20_000, 20, 100)
+_COLLECTED_AFTER = (400_000, 20, 100)
 """Thresholds of the garbage collector, above its defaults: most objects of a command live until it
 ends, so that frequent collections find nothing."""
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.rings import outside_ring
+from ..ir.read_only import row_of
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
 from ..ir.trace import AgentTrace, Trace
 from ..judging.deciding_moment import first_violation
@@ -21,6 +22,7 @@ CURVATURE = 0.008
 SPEED, STATION = 10.0, 100.0
 """Differences beyond which the behavior at the deciding moment is distinct, m/s and meters."""
 _DECIMALS = 6
+_PARTS = np.arange(ROAD_PLACES, dtype=np.float64)
 
 
 def moment_of(verdict: Verdict, scene: Scene, trace: Trace, registry: Registry) -> Moment | None:
@@ -53,8 +55,10 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
     road = road_of(scene, name)
     curvature = np.zeros(ROAD_PLACES)
     if road is not None:
-        places = np.linspace(0.0, road.stations[-1], ROAD_PLACES)
-        curvature = np.interp(places, road.stations, road.curvature)
+        end = road.stations[-1]
+        places = _PARTS * (end / _PARTS[-1])  # `linspace` is slow
+        places[-1] = end
+        curvature = np.interp(places, row_of(road.stations), row_of(road.curvature))
     agent = trace.agents.get(name)
     speed = station = closing = 0.0
     if moment is None:
@@ -75,7 +79,7 @@ def measures(scene: Scene, trace: Trace, name: str) -> dict[str, float | None]:
     road, agent = road_of(scene, name), trace.agents.get(name)
     found: dict[str, float | None] = {"curvature": None, "speed": None, "gap": None}
     if road is not None:
-        found["curvature"] = float(np.abs(road.curvature).max())
+        found["curvature"] = float(np.abs(row_of(road.curvature)).max())
     if agent is not None and len(trace.time):
         found["speed"] = _finite(agent.speed.max())
         others = [other for other in trace.agents.values() if other is not agent]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import compiled_rows
+from . import compiled_rows, row_numbers
 from .arrays import Booleans, Floats, cached_array, read_only
 from .batch import CurveBatch
 from .differences import differences_on
@@ -17,14 +17,16 @@ from .displaced_curvature import SLOWEST
 from .moved_batch import heading_of_rows, moved_along_normal
 from .smooth_moves import limits
 
-_AT_ONCE = 48
+_AT_ONCE, _AT_ONCE_BY_NUMPY = 48, 20
 """Rows that are moved together: all that is known of them fits into a cache."""
+_MANY = 1 << 15
+"""Numbers that are displaced from which on numpy is faster with few rows at a time."""
 
 
 def pushed(base: CurveBatch, displacement: Floats) -> CurveBatch:
     """A batch displaced by (V or 1, S) meters along its left normals. What it is to the last bit
     does not depend on whether it is computed by compiled loops, which is where that pays."""
-    if compiled_rows.pays(displacement.size):
+    if compiled_rows.pays(displacement.size) or displacement.size >= _MANY:
         if isinstance(base, PushedBatch) and base.can_grow:
             return base.grown(displacement)
         if differences_on(base.stations, base.period).stencil is not None:
@@ -145,8 +147,9 @@ class PushedBatch(CurveBatch):
         return read_only(found[0]), read_only(found[1]), read_only(found[2])
 
     def _parts(self) -> Iterator[tuple[slice, NDArray[Any]]]:
-        for first in range(0, self.variants, _AT_ONCE):
-            part = slice(first, first + _AT_ONCE)
+        count = _AT_ONCE if compiled_rows.pays(0) else _AT_ONCE_BY_NUMPY
+        for first in range(0, self.variants, count):
+            part = slice(first, first + count)
             yield part, self._rows[part]
 
     def _end(self, rows: NDArray[Any], smooth: Booleans) -> Floats:
@@ -166,10 +169,18 @@ class PushedBatch(CurveBatch):
         state[:, :2] = np.moveaxis(root.points[of_root], 2, 1)
         for column, array in enumerate(arrays, 2):
             state[:, column] = array[of_root]
-        stencil = differences_on(self.stations, self.period).stencil
+        differences = differences_on(self.stations, self.period)
+        bounds = (*limits(self.gaps), self.closed)
+        if not compiled_rows.pays(0):
+            for distance in self._pushes:
+                row_numbers.pushed(
+                    state, distance, rows, differences, SLOWEST, bounds, smooth, velocity
+                )
+                yield state
+            return
+        stencil = differences.stencil
         assert stencil is not None
         numbers = stencil[0], SLOWEST, stencil[1]
-        bounds = (*limits(self.gaps), self.closed)
         for distance in self._pushes:
             compiled_rows.pushed(state, distance, rows, numbers, bounds, smooth, velocity)
             yield state

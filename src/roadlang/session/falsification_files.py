@@ -103,14 +103,15 @@ def _write_safe(search: Falsification, folder: Path) -> None:
     write_set(folder, contents, INDEX, _files_of)
 
 
-def _drive_files(number: int, drive: Drive, is_drawn: bool = True) -> dict[str, str]:
+def _drive_files(number: int, drive: Drive, is_drawn: bool = True) -> dict[str, bytes]:
+    """As bytes: hundreds of texts would be in memory twice when they are written."""
     contents = {
         ".json": drive.scene.to_json(),
         ".trace.csv": drive.to_csv(),
         ".trace.json": drive.to_json(),
         **({_FIGURE: drive.svg()} if is_drawn else {}),
     }
-    return {f"{number:04d}{end}": text for end, text in contents.items()}
+    return {f"{number:04d}{end}": text.encode() for end, text in contents.items()}
 
 
 def _record(failure: Failure) -> dict[str, Any]:
