@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
 from .error_position import Edit, ErrorPosition, Mistake
-from .token_names import expectation, finding
+from .token_names import finding
+from .unexpected import unexpected
 
 CONDITIONAL = (
     "there are no conditional expressions: `choice(a, b)` draws one of several values, and "
@@ -17,7 +18,7 @@ def conditional(place: ErrorPosition) -> Mistake | None:
     words = {place.word(-1), place.word()}
     if not words & {"if", "then", "else", "elif"} or place.kind(-1) in ("COLON", "COMMA"):
         return None
-    return _refused(place, CONDITIONAL, hopeless=True)
+    return unexpected(place, CONDITIONAL, hopeless=True)
 
 
 def membership(place: ErrorPosition) -> Mistake | None:
@@ -25,9 +26,9 @@ def membership(place: ErrorPosition) -> Mistake | None:
     if place.first_kind not in ("REQUIRE", "EXPECT", "LET") or place.kind(-1) != "NAME":
         return None
     if place.word() == "in":
-        return _refused(place, "a value within limits is written `low <= x <= high`")
+        return unexpected(place, "a value within limits is written `low <= x <= high`")
     if place.word() == "at":
-        return _refused(place, f"a place is a comparison: `{place.word(-1)}.station > 100m`")
+        return unexpected(place, f"a place is a comparison: `{place.word(-1)}.station > 100m`")
     return None
 
 
@@ -36,7 +37,7 @@ def function_definition(place: ErrorPosition) -> Mistake | None:
     if place.first_kind not in ("LET", "PARAM") or place.index != 2 or place.kind() != "LPAR":
         return None
     help = f"there are no functions with arguments: write `{place.word(-2)} {place.word(-1)} = ...`"
-    return _refused(place, help, hopeless=True)
+    return unexpected(place, help, hopeless=True)
 
 
 def position_range(place: ErrorPosition) -> Mistake | None:
@@ -95,11 +96,11 @@ def emit_target(place: ErrorPosition) -> Mistake | None:
         )
         return Mistake(found, Edit(1, 2, (("NAME", meant, span.start, span.end),)))
     if place.kind() == "COMMA":
-        return _refused(place, "write an `emit` of its own for each output", hopeless=True)
+        return unexpected(place, "write an `emit` of its own for each output", hopeless=True)
     if place.kind() not in ("NAME", "STRING") or place.kind(-1) != "NAME":
         return None
     help = "the command line names the output folder: `roadlang compile scene.rl -o DIR`"
-    return _refused(place, help, hopeless=True)
+    return unexpected(place, help, hopeless=True)
 
 
 def specifier(place: ErrorPosition) -> Mistake | None:
@@ -113,7 +114,7 @@ def specifier(place: ErrorPosition) -> Mistake | None:
     if around == ["AT", "NUMBER", "COMMA", "NUMBER"]:
         return _point_without_parentheses(place)
     help = "options are written in braces: `at 5m { heading: 30deg, drive with pure_pursuit }`"
-    return _refused(place, help, hopeless=True)
+    return unexpected(place, help, hopeless=True)
 
 
 def _point_without_parentheses(place: ErrorPosition) -> Mistake:
@@ -166,7 +167,7 @@ def _relative(place: ErrorPosition, first: int, other: int, function: str) -> Mi
     else:
         return None
     meant = f"at {function}({place.word(other)}, {'right' if function == 'beside' else gap})"
-    return _refused(place, f"a position relative to another is written `{meant}`", hopeless=True)
+    return unexpected(place, f"a position relative to another is written `{meant}`", hopeless=True)
 
 
 def typed_value(place: ErrorPosition) -> Mistake | None:
@@ -175,7 +176,7 @@ def typed_value(place: ErrorPosition) -> Mistake | None:
     if place.first_kind not in ("PARAM", "LET") or not named:
         return None
     statement = f"{place.word(-2)} {place.word()} = ..."
-    found = _refused(place, f"values are declared without a type: write `{statement}`").diagnostic
+    found = unexpected(place, f"values are declared without a type: write `{statement}`").diagnostic
     return Mistake(found, Edit(1, 2))
 
 
@@ -203,7 +204,7 @@ def options_in_parentheses(place: ErrorPosition) -> Mistake | None:
     if place.kind() != "LPAR" or not place.expects("LBRACE") or place.kind(-1) != "NAME":
         return None
     kind = place.word(-1)
-    return _refused(place, f"options are written in braces: `{kind} {{ option: value }}`")
+    return unexpected(place, f"options are written in braces: `{kind} {{ option: value }}`")
 
 
 def options_in_list(place: ErrorPosition) -> Mistake | None:
@@ -213,7 +214,7 @@ def options_in_list(place: ErrorPosition) -> Mistake | None:
     if place.in_block or place.kind(-2) not in ("LSQB", "COMMA") or place.kind(2) != "COLON":
         return None
     meant = f"{place.word(-1)}({place.word(1)}: {place.word(3)})"
-    return _refused(place, f"in a list, options are written in parentheses: `{meant}`")
+    return unexpected(place, f"in a list, options are written in parentheses: `{meant}`")
 
 
 def method_call(place: ErrorPosition) -> Mistake | None:
@@ -221,29 +222,18 @@ def method_call(place: ErrorPosition) -> Mistake | None:
     name = place.word(-1)
     if place.kind() != "LPAR" or place.kind(-2) != "DOT" or name not in ("abs", "min", "max"):
         return None
-    return _refused(place, f"a function is written before its argument: `{name}(x)`")
+    return unexpected(place, f"a function is written before its argument: `{name}(x)`")
 
 
 def title_of_scenario(place: ErrorPosition) -> Mistake | None:
     """`scenario "A bend"` and `scenario hairpin A bend`."""
     if place.first_kind != "SCENARIO" or place.index not in (1, 2):
         return None
-    return _refused(place, 'a scenario has a name and a title: `scenario hairpin "A bend"`')
+    return unexpected(place, 'a scenario has a name and a title: `scenario hairpin "A bend"`')
 
 
 def absolute_value(place: ErrorPosition) -> Mistake | None:
     """`|x|`, read as `or`."""
     if place.word() != "|" or not place.wants_value:
         return None
-    return _refused(place, "the absolute value of x is written `abs(x)`")
-
-
-def _refused(place: ErrorPosition, help: str, hopeless: bool = False) -> Mistake:
-    found = diagnose(
-        Code.UNEXPECTED_TOKEN,
-        place.span(),
-        expected=expectation(place),
-        found=finding(place),
-        help=help,
-    )
-    return Mistake(found, hopeless=hopeless)
+    return unexpected(place, "the absolute value of x is written `abs(x)`")

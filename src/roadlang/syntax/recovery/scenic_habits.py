@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from ...diagnostics import Code, diagnose
 from .error_position import ErrorPosition, Mistake
-from .token_names import expectation, finding
+from .unexpected import unexpected
 
 _BRACES = "options are written in braces: `at 5m { heading: 30deg, drive with pure_pursuit }`"
 _IN_BLOCK = "write an option as `start_speed: 10m/s`, a controller as `drive with KIND { ... }`"
@@ -24,7 +23,7 @@ def controllers_in_turn(place: ErrorPosition) -> Mistake | None:
     words = [text for _, text, *_ in place.tokens[: place.index]]
     has_controller = "drive" in words and place.first_kind == "AGENT" and place.in_block
     if has_controller and (words[-1] in ("then", "for") or place.word() in ("then", "until")):
-        return _refused(place, _IN_TURN)
+        return unexpected(place, _IN_TURN, hopeless=True)
     return None
 
 
@@ -33,21 +32,25 @@ def scenic_placement(place: ErrorPosition) -> Mistake | None:
     if place.first_kind not in ("AGENT", "OBJECT"):
         return None
     if place.kind() == "WITH" and place.in_block and not place.expects("COMMA"):
-        return _refused(place, _IN_BLOCK, hopeless=False)
+        return unexpected(place, _IN_BLOCK)
     if place.in_block or place.kind() != "NAME":
         return None
     word, after = place.word(), place.word(1)
     if word == "following":
-        return _refused(place, _following(place))
+        return unexpected(place, _following(place), hopeless=True)
     if word == "facing":
-        return _refused(place, _BRACES)
+        return unexpected(place, _BRACES, hopeless=True)
     if word in ("left", "right") and after == "of":
-        return _refused(place, f"write `at beside({place.word(2)}, {word})`")
+        return unexpected(place, f"write `at beside({place.word(2)}, {word})`", hopeless=True)
     if word == "offset" and after in ("by", "along"):
-        return _refused(place, f"an offset is an option: `{{ offset: {place.word(2)} }}`")
+        return unexpected(
+            place, f"an offset is an option: `{{ offset: {place.word(2)} }}`", hopeless=True
+        )
     if word == "visible":
-        return _refused(
-            place, "positions do not depend on what is seen: write a range, `at 20m..60m`"
+        return unexpected(
+            place,
+            "positions do not depend on what is seen: write a range, `at 20m..60m`",
+            hopeless=True,
         )
     return None
 
@@ -66,20 +69,9 @@ def _following(place: ErrorPosition) -> str:
 def scenic_operator(place: ErrorPosition) -> Mistake | None:
     """`ego can see lead`, `distance from ego to lead`, `distance to lead`."""
     if place.word() == "can" and place.word(1) == "see":
-        return _refused(place, _SIGHT)
+        return unexpected(place, _SIGHT, hopeless=True)
     is_measured = place.first_kind in ("REQUIRE", "EXPECT") and place.word() in ("from", "to")
     if not is_measured or place.kind(-1) != "NAME" or place.kind(1) != "NAME":
         return None
     names = [place.word(1), place.word(3)] if place.word(2) == "to" else ["AGENT", place.word(1)]
-    return _refused(place, f"write `{place.word(-1)}({', '.join(names)})`")
-
-
-def _refused(place: ErrorPosition, help: str, hopeless: bool = True) -> Mistake:
-    found = diagnose(
-        Code.UNEXPECTED_TOKEN,
-        place.span(),
-        expected=expectation(place),
-        found=finding(place),
-        help=help,
-    )
-    return Mistake(found, hopeless=hopeless)
+    return unexpected(place, f"write `{place.word(-1)}({', '.join(names)})`", hopeless=True)

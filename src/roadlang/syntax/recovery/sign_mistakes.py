@@ -5,7 +5,8 @@ from __future__ import annotations
 from ...diagnostics import Code, Fix, diagnose
 from ..words import CLOSERS
 from .error_position import Edit, ErrorPosition, Mistake
-from .token_names import expectation, finding
+from .token_names import finding
+from .unexpected import unexpected
 
 _NAMED = ("IMAGE", "NETWORK", "ROAD", "AGENT", "OBJECT")
 """Statements whose name is followed by a word."""
@@ -106,14 +107,7 @@ def extra_sign(place: ErrorPosition) -> Mistake | None:
     help = "leave it out"
     if place.kind() == "WITH" and place.kind(1) == "NAME":
         help = f"write `{place.word(-1)} {place.word(1)}`"
-    found = diagnose(
-        Code.UNEXPECTED_TOKEN,
-        place.span(),
-        expected=expectation(place),
-        found=finding(place),
-        help=help,
-    )
-    return Mistake(found, Edit(place.index, place.index + 1))
+    return unexpected(place, help, edit=Edit(place.index, place.index + 1))
 
 
 def power_of_python(place: ErrorPosition) -> Mistake | None:
