@@ -1,4 +1,4 @@
-"""Gaps and contacts of agents on one road, in compiled loops: the same bits as with numpy."""
+"""Gaps between agents on one road, in compiled loops: the same bits as with numpy."""
 
 from __future__ import annotations
 
@@ -6,13 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.surroundings.close_pairs import close_pairs
 from roadlang.simulation.surroundings.leaders import Pairing
-from roadlang.simulation.surroundings.road_gaps import gaps_on_roads
+from roadlang.simulation.surroundings.road_gaps import RoadColumns
 from roadlang.simulation.vehicles import compiled
 
 from .test_same_bytes import records
@@ -54,17 +51,6 @@ def test_compiled_gaps_are_the_same(
     world.motion.sine = straying * random.uniform(-0.4, 0.4, count)
     world.present = world.present & (random.uniform(size=count) > 0.1)
     pairs = Pairing.of(world).on_road
-    fast, plain = both(monkeypatch, lambda: gaps_on_roads(world, pairs))
+    fast, plain = both(monkeypatch, lambda: RoadColumns.of(world).gaps(pairs))
     assert fast.tobytes() == plain.tobytes()
     assert 0.05 < np.isfinite(fast).mean() < 0.7
-
-
-@given(st.integers(0, 2**32 - 1), st.integers(2, 40))
-def test_compiled_pairs_that_are_close_are_the_same(seed: int, agents: int) -> None:
-    random = np.random.default_rng(seed)
-    x, y = random.uniform(0.0, 30.0, (2, agents)).round(1)
-    around = random.uniform(1.0, 4.0, agents).round(1)
-    first, second = np.triu_indices(agents, 1)
-    with pytest.MonkeyPatch.context() as patch:
-        fast, plain = both(patch, lambda: close_pairs((first, second), x, y, around))
-    assert fast.tolist() == plain.tolist()

@@ -43,9 +43,10 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
     sources: list[LineSource] = []
     routes: list[RouteLine] = []
     found: list[_Slot] = []
+    lines_of: dict[int, dict[Any, int]] = {}  # by the identity of scenes, of which some are equal
     for scene in scenes:
         names = {road.name: number for number, road in enumerate(scene.roads)}
-        rows: dict[Any, int] = {}
+        rows = lines_of.setdefault(id(scene), {})
         for place in range(slots):
             actor = scene.agents[place] if place < len(scene.agents) else None
             found.append(_slot(actor, scene, names, rows, (sources, routes)))

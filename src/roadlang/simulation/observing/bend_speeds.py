@@ -16,15 +16,19 @@ from ..vehicles.motion import Track
 
 
 class BendSpeeds:
-    """The plans of the agents of a world, each made when its limits are first needed."""
+    """The plans of the agents of a world, each made when its limits are first needed; agents that
+    follow one line with the same limits share one."""
 
     def __init__(self, world: World) -> None:
         count, cells = len(world.present), world.track.lines.cells
         self._agents = np.arange(count)
         self._limits = np.zeros((2, count))
         self._guides = np.full(count, -1)
-        self._plans = np.zeros((count, cells))
-        self._first = self._agents * cells - world.track.first
+        self._plans = np.zeros((0, cells))
+        self._plan_of = np.full(count, -1)
+        """the plan of each agent"""
+        self._first = -world.track.first
+        """by how much the cells of its plan are further on than those of its line"""
         self._made = 0
         """how often plans were made"""
         self._latest: tuple[Any, ...] = ()
@@ -82,18 +86,46 @@ class BendSpeeds:
         if new.any():
             self._made += 1
             self._limits[:, rows], self._guides[rows] = limits, guides
+            line, fresh, guide = track.row[new], limits[:, new], guides[new]
+            first, group = _groups((*fresh, guide, line))
             agents = self._agents[rows][new]
-            bend = _bend_beside(world, track.row[new], guides[new])
-            fresh = limits[:, new]
-            self._plans[agents] = planned(track.lines, track.row[new], fresh[0], fresh[1], bend)
+            places = self._put(agents, group, len(first))
+            self._first[agents] = self._plan_of[agents] * self._plans.shape[1] - track.first[new]
+            bend = _bend_beside(world, line[first], guide[first])
+            least = fresh[:, first]
+            self._plans[places] = planned(track.lines, line[first], least[0], least[1], bend)
+
+    def _put(self, agents: Integers, group: Integers, count: int) -> Integers:
+        """Places for `count` new plans, those of the groups of agents; others that nobody needs
+        any more are overwritten."""
+        self._plan_of[agents] = -1
+        is_free = np.ones(len(self._plans), dtype=bool)
+        is_free[self._plan_of[self._plan_of >= 0]] = False
+        free = np.flatnonzero(is_free)[:count]
+        more = np.zeros((count - len(free), self._plans.shape[1]))
+        places = np.append(free, len(self._plans) + np.arange(len(more)))
+        if len(more):
+            self._plans = np.concatenate((self._plans, more))
+        self._plan_of[agents] = places[group]
+        return places
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         self._agents = np.arange(len(agents))
-        self._limits, self._plans = self._limits[:, agents], self._plans[agents]
-        self._guides = self._guides[agents]
-        moved = (self._agents - agents) * self._plans.shape[1]
-        self._first, self._latest = self._first[agents] + moved, ()
+        self._limits, self._guides = self._limits[:, agents], self._guides[agents]
+        self._plan_of, self._first = self._plan_of[agents], self._first[agents]
+        self._latest = ()
+
+
+def _groups(columns: tuple[Any, ...]) -> tuple[Integers, Integers]:
+    """Of rows (N,) that are equal in all columns: the first of each group, and of each row the
+    number of its group."""
+    order = np.lexsort(columns)
+    begins = np.ones(len(order), dtype=bool)
+    begins[1:] = np.logical_or.reduce([np.diff(column[order]) != 0 for column in columns])
+    group = np.empty(len(order), dtype=np.int64)
+    group[order] = np.cumsum(begins) - 1
+    return order[begins], group
 
 
 def _is_same(one: Any, other: Any) -> bool:

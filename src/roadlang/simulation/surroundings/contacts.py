@@ -16,9 +16,11 @@ from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
 from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.poses import Poses
-from .close_pairs import close_pairs
 from .levels import ground_heights, standing_heights
 from .outlines import Outlines
+
+_ROUNDING = 1e-6
+"""Meters."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,8 @@ class ContactDetector:
         self._pairs, self._near = self._apart(world)
         self._next_check = np.zeros(len(self._near[0]))
         self._traveled = np.zeros(len(world.present))
+        self._fastest = 0.0  # meters that whoever went farthest in each step has gone, together
+        self._next_look = np.zeros(len(self._pairs[0]))  # of pairs: not until `_fastest` is that
 
     def _apart(self, world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
         """The pairs that do not overlap at the start."""
@@ -81,7 +85,7 @@ class ContactDetector:
         before = self._before or poses
         self._before = poses
         shift_x, shift_y = poses.x - before.x, poses.y - before.y
-        shift = np.hypot(shift_x, shift_y)
+        shift = np.sqrt(shift_x * shift_x + shift_y * shift_y)
         self._traveled += shift
         found = self._of_agents(world, poses, (shift_x, shift_y, shift))
         found += self._of_objects(world, poses, (shift_x, shift_y))
@@ -89,6 +93,9 @@ class ContactDetector:
 
     def seen(self, poses: Poses) -> None:
         """Agents were moved to where they touched something."""
+        if self._before is not None:
+            back_x, back_y = poses.x - self._before.x, poses.y - self._before.y
+            self._fastest += float(np.sqrt(back_x * back_x + back_y * back_y).max())
         self._before = poses
 
     def restart(self, agents: Integers, poses: Poses) -> None:
@@ -97,6 +104,7 @@ class ContactDetector:
         back[agents] = True
         self._traveled[agents] = 0.0
         self._next_check[back[self._near[0]]] = 0.0
+        self._next_look[back[self._pairs[0]]] = 0.0
         self._before = poses
 
     def take(self, agents: Integers, count: int) -> None:
@@ -104,6 +112,7 @@ class ContactDetector:
         place = inverse_index(agents, count)
         remaining = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
         self._pairs = (place[self._pairs[0][remaining]], place[self._pairs[1][remaining]])
+        self._next_look = self._next_look[remaining]
         remaining = place[self._near[0]] >= 0
         self._near = (place[self._near[0][remaining]], self._near[1][remaining])
         self._next_check = self._next_check[remaining]
@@ -117,7 +126,7 @@ class ContactDetector:
         first, second = self._pairs
         if not len(first):
             return []
-        close = close_pairs(self._pairs, poses.x, poses.y, self._radius + shift[2])
+        close = self._close_pairs(poses, shift[2])
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]
             close = close[world.present[first[close]] & world.present[second[close]]]
@@ -135,6 +144,23 @@ class ContactDetector:
             (float(share[i]), int(agent[i]), int(partner[i]), -1, float(length[i]))
             for i in np.flatnonzero(share <= 1.0)
         ]
+
+    def _close_pairs(self, poses: Poses, shift: Floats) -> Integers:
+        """The numbers of pairs whose circles have met in a step in which agents have gone `shift`
+        meters. Those that are far apart need not be looked at until they can have come so far."""
+        step = float(np.fmax.reduce(shift))
+        self._fastest += step
+        looked = np.flatnonzero(self._next_look <= self._fastest + step)
+        if not len(looked):
+            return looked
+        first, second = self._pairs[0].take(looked), self._pairs[1].take(looked)
+        off_x = poses.x.take(first) - poses.x.take(second)
+        off_y = poses.y.take(first) - poses.y.take(second)
+        square = off_x * off_x + off_y * off_y
+        radius = self._radius.take(first) + self._radius.take(second)
+        self._next_look[looked] = self._fastest + 0.5 * (np.sqrt(square) - radius) - _ROUNDING
+        reach = radius + (shift.take(first) + shift.take(second))
+        return looked[square <= reach * reach]
 
     def _of_objects(self, world: World, poses: Poses, shift: tuple[Floats, Floats]) -> list[Any]:
         """An agent that is far from an object need not be looked at until it has gone that far."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -12,30 +13,46 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles.poses import Poses
 from .corridors import looks_ahead, nearest_in_corridor
+from .next_on_road import next_on_road
 from .outlines import Outlines
-from .road_gaps import gaps_on_roads
+from .road_gaps import RoadColumns
+
+MANY = 10_000
+"""Pairs: of fewer, all gaps take less time than the order of the agents."""
 
 
 @dataclass(frozen=True)
 class Leaders:
     """Who is ahead of whom."""
 
-    gaps: Floats
-    """(S, A, A) from the first to the second along the line of the first, infinite for what is not
-    in its lane ahead"""
     gap: Floats
     """(N,) to the next agent"""
     speed: Floats
     """(N,) of that one, along the lane"""
     acceleration: Floats
     """(N,) of that one, along the lane"""
-    turned: Floats
-    """(S, A, A) radians by which the second is turned from the line of the first"""
+    _all: Callable[[], tuple[Floats, Floats]]
+
+    @cached_property
+    def _of_pairs(self) -> tuple[Floats, Floats]:
+        return self._all()
+
+    @property
+    def gaps(self) -> Floats:
+        """(S, A, A) from the first to the second along the line of the first, infinite for what is
+        not in its lane ahead."""
+        return self._of_pairs[0]
+
+    @property
+    def turned(self) -> Floats:
+        """(S, A, A) radians by which the second is turned from the line of the first."""
+        return self._of_pairs[1]
 
     def without(self, world: World, pairing: Pairing, ignored: Booleans) -> Leaders:
         """Who is ahead where some agents (N,) do not count."""
-        gaps = np.where(ignored.reshape(len(self.gaps), 1, -1), math.inf, self.gaps)
-        return _next_ahead(world, pairing, gaps, self.turned)
+        gaps, turned = self._of_pairs
+        gaps = np.where(ignored.reshape(len(gaps), 1, -1), math.inf, gaps)
+        return _next_ahead(world, pairing, gaps, turned)
 
 
 @dataclass(frozen=True)
@@ -62,7 +79,14 @@ class Pairing:
         on_road = pairs & (road[:, :, None] == road[:, None, :]) & (road >= 0)[:, :, None]
         radius = 0.5 * (world.bodies.length + world.bodies.width).reshape(shape)
         scene, agent = np.ogrid[: shape[0], : shape[1]]
-        return cls(on_road, pairs & ~on_road, radius, scene, agent)
+        two = world.filled.reshape(shape)[:, :, None] & world.filled.reshape(shape)[:, None, :]
+        apart = two & ~on_road & ~np.eye(shape[1], dtype=bool)
+        against = (world.backward | world.closed) & world.filled
+        one_way = not apart.any() and not against.any() and world.followed.guides.is_empty
+        return cls(on_road, pairs & ~on_road, radius, scene, agent, one_way)
+
+    one_way: bool
+    """whether all of a scene go along one open road, in its direction"""
 
     @cached_property
     def exists(self) -> tuple[bool, bool]:
@@ -74,30 +98,53 @@ def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
     """Who is ahead in the lane of each agent. Of two on one road their stations say it; what else
     is near is looked for along the line."""
     shape = (len(world.scenes), world.slots)
-    there = world.present.reshape(shape)
     has_road_mates, has_others = pairing.exists
-    if has_road_mates:
-        gap = gaps_on_roads(world, pairing.on_road)
-    else:
-        gap = np.full((*shape, world.slots), math.inf)
     heading = poses.heading.reshape(shape)
-    turned = heading[:, None, :] - heading[:, :, None]
+    if has_road_mates:
+        columns = RoadColumns.of(world)
+        if pairing.one_way and pairing.on_road.size > MANY:
+            gap, first = next_on_road(columns)
+            turn = heading[pairing.scene, first] - heading
+            return _ahead(
+                world, pairing, (gap, first, turn),
+                lambda: (columns.gaps(pairing.on_road), _turned(heading)),
+            )  # fmt: skip
+        gaps = columns.gaps(pairing.on_road)
+    else:
+        gaps = np.full((*shape, world.slots), math.inf)
+    turned = _turned(heading)
     if has_others:
+        there = world.present.reshape(shape)
         both = there[:, :, None] & there[:, None, :]
-        _search(world, poses, (pairing.elsewhere & both, pairing.radius), gap, turned)
-    return _next_ahead(world, pairing, gap, turned)
+        _search(world, poses, (pairing.elsewhere & both, pairing.radius), gaps, turned)
+    return _next_ahead(world, pairing, gaps, turned)
 
 
-def _next_ahead(world: World, pairing: Pairing, gap: Floats, turned: Floats) -> Leaders:
+def _turned(heading: Floats) -> Floats:
+    """(S, A, A) from the headings (S, A) of the first to those of the second."""
+    return heading[:, None, :] - heading[:, :, None]
+
+
+def _next_ahead(world: World, pairing: Pairing, gaps: Floats, turned: Floats) -> Leaders:
     """The nearest of all that are ahead."""
-    shape = (len(world.scenes), world.slots)
-    first = gap.argmin(axis=2)
+    first = gaps.argmin(axis=2)
     scene, agent = pairing.scene, pairing.agent
-    least, turn = gap[scene, agent, first], turned[scene, agent, first]
+    least, turn = gaps[scene, agent, first], turned[scene, agent, first]
+    return _ahead(world, pairing, (least, first, turn), lambda: (gaps, turned))
+
+
+def _ahead(
+    world: World, pairing: Pairing, nearest: tuple[Floats, Integers, Floats],
+    of_pairs: Callable[[], tuple[Floats, Floats]],
+) -> Leaders:  # fmt: skip
+    """`nearest`: the least gaps (S, A), to whom in the scene, and by how much that one is turned;
+    `of_pairs`: the gaps and turns of all pairs."""
+    least, first, turn = nearest
+    shape, scene = least.shape, pairing.scene
     along = np.where(np.isfinite(least), np.cos(turn), 0.0)
     speed = along * world.motion.speed.reshape(shape)[scene, first]
     acceleration = along * world.motion.acceleration.reshape(shape)[scene, first]
-    return Leaders(gap, least.ravel(), speed.ravel(), acceleration.ravel(), turned)
+    return Leaders(least.ravel(), speed.ravel(), acceleration.ravel(), of_pairs)
 
 
 def _search(

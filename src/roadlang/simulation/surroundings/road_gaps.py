@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 import sys
-from functools import cache
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -63,49 +65,100 @@ def room_for_coming(aside: Any, sign: Any, drift: Any) -> Any:
     return COMING * greatest(-np.sign(aside) * sign * drift - STRAYING, 0.0)
 
 
-def gaps_on_roads(world: World, pairs: Booleans) -> Floats:
-    """(S, A, A) gap of the first to the second of pairs that are both there, on the road of the
-    first: infinite for what is behind or beside it, and of all others. `pairs`: (S, A, A)."""
-    shape = pairs.shape[:2]
-    sign, there = np.where(world.backward, -1.0, 1.0), world.present.reshape(shape)
-    bodies, motion = world.bodies, world.motion
-    columns = (
-        world.station, sign, sign * motion.offset, 0.5 * bodies.width, CLEARANCE * motion.speed,
-        _half_taken(world), sign * (motion.speed * motion.sine), bodies.length, world.length,
-    )  # fmt: skip
-    arrays = tuple(column.reshape(shape) for column in columns)
-    if compiled.is_loaded() and world.followed.guides.is_empty:
-        out = np.empty(pairs.shape)
-        offset, closed = world.line_offset.reshape(shape), world.closed.reshape(shape)
-        _compiled_loop()(arrays, offset, closed, pairs, there, out)
-        return out
-    fits, gap = _all_gaps(world, arrays)
-    both = there[:, :, None] & there[:, None, :]
-    return np.where(fits & pairs & both, gap, math.inf)
+@dataclass(frozen=True)
+class RoadColumns:
+    """What gaps on roads depend on, as (S, A) over scenes and their agents."""
+
+    station: Floats
+    sign: Floats
+    """-1 for who goes against the road"""
+    left: Floats
+    """of the road, in the direction of `sign`"""
+    own: Floats
+    clearance: Floats
+    half: Floats
+    drift: Floats
+    length: Floats
+    lap: Floats
+    offset: Floats
+    closed: Booleans
+    there: Booleans
+    offsets: Callable[[Floats], Floats] | None
+    """(S, A, A) `offset` beside others that are ahead, where lines are not parallel to the road"""
+
+    @classmethod
+    def of(cls, world: World) -> RoadColumns:
+        """Of the agents of a world, as it is now."""
+        sign, bodies, motion = np.where(world.backward, -1.0, 1.0), world.bodies, world.motion
+        shape = len(world.scenes), world.slots
+        numbers = (
+            world.station, sign, sign * motion.offset, 0.5 * bodies.width,
+            CLEARANCE * motion.speed, _half_taken(world), sign * (motion.speed * motion.sine),
+            bodies.length, world.length, world.line_offset.copy(),
+        )  # fmt: skip
+        offsets = None if world.followed.guides.is_empty else partial(_offsets_beside, world, shape)
+        flags = world.closed.reshape(shape), world.present.reshape(shape)
+        members: Any = *(column.reshape(shape) for column in numbers), *flags, offsets
+        return cls(*members)
+
+    @cached_property
+    def all_there(self) -> bool:
+        """Whether nobody has left."""
+        return bool(self.there.all())
+
+    @cached_property
+    def comes_over(self) -> bool:
+        """Whether anybody may come over into the lane of another."""
+        return bool((np.abs(self.drift) > STRAYING).any())
+
+    def gaps(self, pairs: Booleans) -> Floats:
+        """(S, A, A) gap of the first to the second of pairs that are both there, on the road of
+        the first: infinite for what is behind or beside it, and of all others. `pairs`:
+        (S, A, A)."""
+        if compiled.is_loaded() and self.offsets is None:
+            out = np.empty(pairs.shape)
+            arrays = (
+                self.station, self.sign, self.left, self.own, self.clearance, self.half,
+                self.drift, self.length, self.lap,
+            )  # fmt: skip
+            _compiled_loop()(arrays, self.offset, self.closed, pairs, self.there, out)
+            return out
+        fits, gap = self._all_gaps()
+        both = self.there[:, :, None] & self.there[:, None, :]
+        return np.where(fits & pairs & both, gap, math.inf)
+
+    def _all_gaps(self) -> tuple[Booleans, Floats]:
+        """(S, A, A) who is ahead in the lane of whom, and the gaps of all."""
+        first, second = (slice(None), slice(None), None), (slice(None), None)
+        sign = self.sign[first]
+        ahead: Floats = ahead_of(self.station[first], self.station[second], sign)
+        if np.count_nonzero(self.closed):
+            ahead = np.where(self.closed[first], within_lap(ahead, self.lap[first]), ahead)
+        offset = self.offset[first] if self.offsets is None else self.offsets(ahead)
+        gap = gap_between(ahead, self.length[first], self.length[second])
+        own = offset, self.own[first], self.clearance[first], sign
+        other = self.half[second], self.drift[second] if self.comes_over else None
+        return is_in_lane(ahead, self.left[second], own, other), gap
 
 
-def _all_gaps(world: World, arrays: tuple[Floats, ...]) -> tuple[Booleans, Floats]:
-    """(S, A, A) who is ahead in the lane of whom, and the gaps of all."""
-    station, sign, left, own, clearance, half, drift, length, lap = arrays
-    first, second = (slice(None), slice(None), None), (slice(None), None)
-    ahead: Floats = ahead_of(station[first], station[second], sign[first])
-    if world.track.has_closed:
-        closed = world.closed.reshape(sign.shape)[first]
-        ahead = np.where(closed, within_lap(ahead, lap[first]), ahead)
-    offset = _offsets_beside(world, sign.shape, ahead)
-    gap = gap_between(ahead, length[first], length[second])
-    aside = beside_line(left[second], offset, sign[first])
-    room = room_wanted(own[first], clearance[first], half[second])
-    if (np.abs(drift) > STRAYING).any():
-        room = room + room_for_coming(aside, sign[first], drift[second])
-    return (ahead > 0.0) & (np.abs(aside) < room), gap
+def is_in_lane(
+    ahead: Floats, left: Floats, own: tuple[Any, ...], other: tuple[Any, Any]
+) -> Booleans:  # fmt: skip
+    """Who is in the lane ahead of others, `ahead` of them and so far left of the road. `own`: of
+    these the offset of the line, half of the width, the clearance and the sign; `other`: how much
+    it takes to each side, and its drift (None: nobody's matters)."""
+    offset, width, clearance, sign = own
+    half, drift = other
+    aside = beside_line(left, offset, sign)
+    room = room_wanted(width, clearance, half)
+    if drift is not None:
+        room = room + room_for_coming(aside, sign, drift)
+    return np.asarray((ahead > 0.0) & (np.abs(aside) < room))
 
 
 def _offsets_beside(world: World, shape: tuple[int, ...], ahead: Floats) -> Floats:
     """(S, A, A) how far left of the center line the line of the first is beside the second, which
-    is `ahead` of it; (S, A, 1) where the lines stay where they are."""
-    if world.followed.guides.is_empty:
-        return world.line_offset.reshape(shape)[:, :, None]
+    is `ahead` of it."""
     rows = np.arange(len(world.present)).reshape(shape)[:, :, None]
     along = world.motion.along[rows] + ahead
     lap = np.where(world.closed, world.length, math.inf)[rows]
@@ -126,7 +179,8 @@ def _half_taken(world: World) -> Floats:
 def loop_over_pairs(
     arrays: Any, offset: Any, closed: Any, pairs: Any, there: Any, out: Any
 ) -> None:  # fmt: skip
-    """What `_all_gaps` gives, of pairs that are there. numba compiles it; Python never runs it."""
+    """What `RoadColumns.gaps` gives, of pairs that are there. numba compiles it; Python never runs
+    it."""
     station, sign, left, own, clearance, half, drift, length, lap = arrays
     for s in range(pairs.shape[0]):
         for i in range(pairs.shape[1]):
