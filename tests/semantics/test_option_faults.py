@@ -198,3 +198,10 @@ def test_widths_that_disagree_are_said_to_a_tenth_of_a_millimeter() -> None:
     (found,) = testing.check(text.replace("LANES", lanes))
     assert found.code == "RL246"
     assert "`main` add up to 6.6667m, but `width` is 9m" in found.message
+
+
+def test_a_member_of_agents_is_shown_as_it_is_written() -> None:
+    (found,) = testing.check(EXPECT.replace("%", "heading(ego) < 1rad"))
+    assert found.code == "RL227"
+    assert "`agent.heading`" in found.help[0]
+    assert "heading(agent)" not in found.help[0]

@@ -223,12 +223,18 @@ def _overloaded(
     given = [checker.infer(argument.value, context) for argument in call.arguments]
     if any(typed.is_unknown for typed in given):
         return unknown(call.span)
-    forms = dict.fromkeys(f"`{name}({signature(found.schema)})`" for _, found in candidates)
+    forms = dict.fromkeys(_form(name, found) for _, found in candidates)
     takes = " or ".join(forms)
     described = ", ".join(role or "a value" for role in roles)
     return checker.report(
         Code.UNDEFINED_SIGNAL, call.span, name=name, given=described, help=f"there is {takes}"
     )
+
+
+def _form(name: str, found: ResolvedKind) -> str:
+    """How a signal or number is written."""
+    parameters = signature(found.schema)
+    return f"`{parameters}.{name}`" if is_member(found) else f"`{name}({parameters})`"
 
 
 def _role(checker: Checker, value: ast.Expression) -> str | None:
