@@ -121,6 +121,10 @@ class Scene:
         self.record = record
         self._loaded = loaded
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # By its parts: the views that properties keep cannot be pickled.
+        return type(self), (self.record, self._loaded)
+
     @classmethod
     def from_json(cls, text: str | bytes, path: str | None = None) -> Scene:
         """The scene in a document that `emit json` or `to_json` wrote; `path` is the file that it
