@@ -87,7 +87,9 @@ class Traffic(Controller):
         from roadlang.api import ControlBatch
 
         seen = observations
-        boldness = np.broadcast_to(np.asarray(self.aggression, dtype=np.float64), seen.speed.shape)
+        boldness = np.asarray(self.aggression, dtype=np.float64)
+        if boldness.shape != seen.speed.shape:
+            boldness = np.full(seen.speed.shape, boldness)
         length = np.minimum(1.0, CAR_BASE / seen.wheelbase)
         most, braking = np.maximum((1.6 + 2.0 * boldness) * length, LEAST), 2.0 + 2.0 * boldness
         target = self._target(seen, braking)
@@ -99,8 +101,10 @@ class Traffic(Controller):
             self.politeness, self.aggression, around and around.passing
         )
         stop = stop if around is None else np.minimum(stop, around.stop)
-        gaps = np.stack((gap, merging, stop + STANDING_GAP))
-        ahead, merges, gentle = follow.behind(gaps, np.stack((pace, speed, np.zeros_like(stop))))
+        # `np.array` takes a seventh of the time of `np.stack`.
+        gaps = np.array((gap, merging, stop + STANDING_GAP))
+        others = np.array((pace, speed, np.zeros(len(stop))))
+        ahead, merges, gentle = follow.behind(gaps, others)
         ahead = follow.calmly(ahead, gap, pace, leading)
         ahead = np.minimum(ahead, np.maximum(merges, -MERGING * braking))
         ahead = np.minimum(ahead, follow.to_stop(stop, gentle))
@@ -134,7 +138,7 @@ class Traffic(Controller):
         # The speed comes after its target by about a second.
         soon = seen.speed_limit_ahead(0.5 * braking, FORESIGHT * seen.speed)
         limit = np.minimum(limit, soon)
-        if not np.isfinite(limit).all():
+        if np.count_nonzero(np.isfinite(limit)) < len(limit):
             limit = np.where(np.isfinite(limit), limit, seen.lane_place().default_speed)
         return np.asarray(limit * self.speed_factor)
 
@@ -145,7 +149,7 @@ def _steering(seen: ObservationBatch) -> Floats:
 
     exact = along_line(seen)
     share = np.minimum(np.maximum((seen.speed - FAST) / (FASTEST - FAST), 0.0), 1.0)
-    if not share.any():
+    if not np.count_nonzero(share):
         return exact
     calm = pursuit(seen, LOOKAHEAD * np.maximum(seen.speed, FAST))
     return np.asarray((1.0 - share) * exact + share * calm)

@@ -82,7 +82,7 @@ def going_around(seen: ObservationBatch, state: Any, target: Floats) -> GoingAro
 
     gap = seen.obstacle_ahead()
     near = gap < np.maximum(SOON * seen.speed, LEAST)
-    if not near.any() and not state[:, PHASE].any():
+    if not np.count_nonzero(near) and not np.count_nonzero(state[:, PHASE]):
         return None
     now = seen.road_offset - seen.cross_track_error
     home = np.where(state[:, PHASE] == HOME, now, state[:, LINE])

@@ -37,6 +37,12 @@ class Decision:
         return Decision(self.steering.copy(), self.acceleration.copy())
 
     @property
+    def is_plain(self) -> bool:
+        """Whether it says nothing but steering and acceleration: what a copy says too."""
+        others = (self.heading, self.pose, self.limit)
+        return not self.failures and all(column is None for column in others)
+
+    @property
     def has_open(self) -> bool:
         """Whether any agent still has something undecided."""
         if math.isfinite(self.steering.dot(self.acceleration)):  # so is every number of both

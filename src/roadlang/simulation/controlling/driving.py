@@ -56,6 +56,8 @@ class DriverGroup:
         `in_charge`"""
         self._open = Decision.open(self._in_charge >= 0)
         """what is decided before any controller is called, by the last `in_charge`"""
+        self._held: Decision | None = None
+        """the last decision, if it is the same until a controller decides anew"""
 
     def view(self, world: World, poses: Poses) -> View:
         """What the agents see, with what they sensed last."""
@@ -79,6 +81,9 @@ class DriverGroup:
             self._in_charge = in_charge
             self._chosen = _in_charge_of(self._groups, in_charge)
             self._open = Decision.open(in_charge >= 0)
+            self._held = None
+        if self._held is not None and not any(len(_due(*each, view)) for each in self._chosen):
+            return self._held.copy()
         out = self._open.copy()
         moved: list[Integers] = []
         for group, chosen, rows in self._chosen:
@@ -94,8 +99,17 @@ class DriverGroup:
             self._ask_earlier(world, in_charge, own_line, view, out)
             _keep_to_lines(world, view, out)
             out.close()
+        elif not moved and out.is_plain and self._all_hold:
+            self._held = out.copy()
         self._actuators.alter(world, self._triggers.active, out)
         return out
+
+    @property
+    def _all_hold(self) -> bool:
+        """Whether all that decide do so from time to time, and nothing changes it in between."""
+        kinds = [(group.controller.kind.interval, group.singles) for group, *_ in self._chosen]
+        hold = all(interval > self._step and not singles for interval, singles in kinds)
+        return hold and not self._actuators.faults
 
     def elementwise_controller(self, agents: int) -> Controller | None:
         """The controller of all, where nothing else decides: no condition, sensor or fault."""
@@ -105,6 +119,7 @@ class DriverGroup:
 
     def restart(self, agents: Integers) -> None:
         """Some agents are back at the start. Conditions are not: none of theirs may have any."""
+        self._held = None
         for group in self._groups:
             group.restart(agents)
         if self.sensing is not None:
@@ -113,6 +128,7 @@ class DriverGroup:
     def carry_on(self, before: DriverGroup, rows: Continued, same_network: bool) -> None:
         """Controllers and conditions of the agents that go on after an edit remember what they did
         before it. Of several of a kind, the first goes on as the first."""
+        self._held = None
         column = dict(zip(rows.after.tolist(), rows.before.tolist(), strict=True))
         known = before._members()
         places: dict[tuple[int, int], tuple[int, int]] = {}
@@ -142,6 +158,7 @@ class DriverGroup:
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
+        self._held = None
         place = inverse_index(agents, count)
         for group in self._groups:
             group.take(place)
@@ -241,14 +258,21 @@ def _decided(
         return _decided_singly(group, chosen, view)
     interval = group.controller.kind.interval
     if interval > view.step:
-        return _held(group, chosen, view, interval)
+        return _held(group, chosen, view)
     return _decided_now(group, chosen, view, lasting, moves)
 
 
-def _held(group: Group, chosen: Integers, view: View, interval: float) -> ControlBatch:
-    """What some agents decided at most `interval` seconds ago."""
+def _due(group: Group, chosen: Integers, _: Integers, view: View) -> Integers:
+    """Which of some agents of a group, whose decisions hold for a time, decide anew."""
+    least = group.controller.kind.interval - 0.5 * view.world.dt
+    found: Integers = (view.world.time - group.since[chosen] > least).nonzero()[0]
+    return found
+
+
+def _held(group: Group, chosen: Integers, view: View) -> ControlBatch:
+    """What some agents decided when they did last, or do now."""
     time = view.world.time
-    due = np.flatnonzero(time - group.since[chosen] > interval - 0.5 * view.world.dt)
+    due = _due(group, chosen, chosen, view)
     if not len(due):
         return group.last_decided(chosen)
     now = _decided_now(group, chosen[due], view)

@@ -52,7 +52,7 @@ class StopLines:
         """Whether any of all agents, whose lines are open, has crossed one: `crossed_at_red` says
         who did at red."""
         ahead = self.along - front[:, None]
-        return bool(((ahead > 0.0) & (ahead <= moved[:, None])).any())
+        return bool(np.count_nonzero((ahead > 0.0) & (ahead <= moved[:, None])))
 
     def crossed_at_red(
         self,

@@ -183,7 +183,8 @@ class RouteTable:
         there = along + on
         line = self.line[rows]
         square, begin, end = self._limits
-        rate = np.broadcast_to(np.asarray(2.0 * braking, dtype=np.float64), there.shape)
+        rate = np.asarray(2.0 * braking, dtype=np.float64)
+        rate = rate if rate.shape == there.shape else np.full(there.shape, rate)
         distance = np.maximum(begin[line] - there[:, None], 0.0)
         squares = square[line] + rate[:, None] * distance
         ahead = end[line] > there[:, None]

@@ -46,14 +46,14 @@ class InTheWay:
     @property
     def stranded(self) -> Booleans | None:
         """(N,) who was stranded when that was last looked at; None for nobody."""
-        if self._stranded is None or not self._stranded.agents.any():
+        if self._stranded is None or not np.count_nonzero(self._stranded.agents):
             return None
         return self._stranded.agents
 
     def spare(self, leaders: Leaders) -> Floats | None:
         """(N,) meters more that agents keep to the `leaders`, so that they can pull out should
         these have broken down; None for nobody."""
-        if self._stranded is None or not self._stranded.suspects.any():
+        if self._stranded is None or not np.count_nonzero(self._stranded.suspects):
             return None
         count, slots = len(leaders.gaps), leaders.gaps.shape[1]
         first = leaders.gaps.argmin(axis=2) + np.arange(count)[:, None] * slots

@@ -190,7 +190,7 @@ class View:
         along = self.world.track.wrapped(self.world.motion.along)[rows]
         ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
         routed = self.world.has_route[rows]
-        if routed.all():
+        if np.count_nonzero(routed) == len(routed):
             return ahead
         limit = self.lane_place(rows).speed_limit
         # Without a route the table knows the lane of the start, and with it the zones ahead.

@@ -66,7 +66,7 @@ class Recorder:
         self._samples.append(sample)
         done = None if self._watch is None else self._watch.done(time, sample)
         ended = (finished if done is None else finished | done) & ~self._over
-        if ended.any():
+        if np.count_nonzero(ended):
             self._over |= ended
             self._ends |= dict.fromkeys(self._rows[ended].tolist(), len(self._times))
             self.going_on = np.flatnonzero(~self._over)

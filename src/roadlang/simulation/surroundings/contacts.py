@@ -165,7 +165,9 @@ class ContactDetector:
     def _of_objects(self, world: World, poses: Poses, shift: tuple[Floats, Floats]) -> list[Any]:
         """An agent that is far from an object need not be looked at until it has gone that far."""
         agent, objects = self._near
-        pending = np.flatnonzero(self._traveled[agent] >= self._next_check)
+        if not len(agent):
+            return []
+        pending = (self._traveled[agent] >= self._next_check).nonzero()[0]
         if len(pending):
             pending = pending[~world.halted[agent[pending]] & world.present[agent[pending]]]
         if not len(pending):
@@ -180,7 +182,7 @@ class ContactDetector:
         close = free <= moved
         if self._standing is not None:
             close &= ~are_apart(ground_heights(world)[checked], self._standing[object_])
-        if not close.any():
+        if not np.count_nonzero(close):
             return []
         checked, object_ = checked[close], object_[close]
         relative = (shift[0][checked], shift[1][checked])

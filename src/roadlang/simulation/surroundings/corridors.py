@@ -94,9 +94,8 @@ def nearest_in_corridor(
 def _nearest(
     world: World, agent: Integers, target: Integers, outlines: Outlines
 ) -> tuple[Floats, Floats]:
-    gap, heading = np.full(len(agent), math.inf), np.zeros(len(agent))
     if not len(agent):
-        return gap, heading
+        return np.zeros(0), np.zeros(0)
     agents, _, column = sorted_groups(agent)
     window = Window.of(world, agents)
     half = 0.5 * world.bodies.width[agent] + outlines.half_width[target] + MARGIN
@@ -105,6 +104,7 @@ def _nearest(
         limits = CIRCLES, SAMPLE_SPACING, AHEAD
         gap, cosine, sine = compiled.gaps_in_corridors(pairs, window, outlines, limits)
         return gap, np.arctan2(sine, cosine)
+    gap, heading = np.full(len(agent), math.inf), np.zeros(len(agent))
     close = np.flatnonzero(_may_overlap(window, column, target, outlines, half))
     if not len(close):
         return gap, heading

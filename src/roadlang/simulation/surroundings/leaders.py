@@ -158,7 +158,7 @@ def _search(
     view = looks_ahead(world).reshape(shape)[:, :, None] + radius[:, None, :]
     near = pairs & (np.abs(x[:, None, :] - x[:, :, None]) < view)
     near &= np.abs(y[:, None, :] - y[:, :, None]) < view
-    scene, first, second = np.nonzero(near)
+    scene, first, second = near.nonzero()
     if not len(scene):
         return
     follower, leader = scene * world.slots + first, scene * world.slots + second

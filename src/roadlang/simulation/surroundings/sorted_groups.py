@@ -13,5 +13,5 @@ def sorted_groups(keys: Integers) -> tuple[Integers, Integers, Integers]:
     first = np.empty(len(keys), dtype=bool)
     first[:1] = True
     np.not_equal(keys[1:], keys[:-1], out=first[1:])
-    start = np.flatnonzero(first)
-    return keys[start], start, np.cumsum(first) - 1
+    start = first.nonzero()[0]
+    return keys[start], start, first.cumsum() - 1

@@ -70,7 +70,7 @@ class Stranded:
         self._looked[due] = world.time
         agents = (due[:, None] * world.slots + np.arange(world.slots)).ravel()
         may = ((world.halted | ~obeys) & world.present & ~world.bodies.walks)[agents]
-        if not may.any():
+        if not np.count_nonzero(may):
             changes = bool(self.agents[agents].any())
             self._stood[agents] = 0.0
             self.agents[agents] = self.suspects[agents] = False
@@ -86,7 +86,7 @@ class Stranded:
         self._stood[agents] = stood = np.minimum(stood, world.age[agents])
         self.suspects[agents] = stood >= SUSPECT
         before, now = self.agents[agents], stood >= PATIENCE
-        if now.any():
+        if np.count_nonzero(now):
             long = agents[now]
             why = reasons(long)
             idle = (why.to_line >= BEFORE_LINE) & (why.ahead > BEHIND)

@@ -51,4 +51,4 @@ class Crowd:
     def of_mates(self, values: Floats) -> Floats:
         """(N, A) a column of the others of the scene of each."""
         slots = self.gaps.shape[1]
-        return np.asarray(np.repeat(values.reshape(-1, slots), slots, axis=0))
+        return np.asarray(values.reshape(-1, slots).repeat(slots, axis=0))

@@ -52,7 +52,7 @@ class Asking:
         takes_part = crowd.is_moving & crowd.obeys
         asks = takes_part & (distance < ahead)
         comes = takes_part & (distance < horizon(crowd.speed, SEEN))
-        fresh = np.flatnonzero(asks & (grants.arrival[each, slot] == NEVER))
+        fresh = (asks & (grants.arrival[each, slot] == NEVER)).nonzero()[0]
         if len(fresh):
             arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
             grants.arrival[fresh, slot[fresh]] = arrival
@@ -69,19 +69,19 @@ def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
     _take_back(crowd)
     asking = Asking.of(crowd)
     coming = np.zeros(crowd.held.shape, dtype=bool)
-    if not asking.asks.any():
+    if not np.count_nonzero(asking.asks):
         return coming
-    agents = np.flatnonzero(asking.comes)
+    agents = asking.comes.nonzero()[0]
     coming[agents, asking.slot[agents]] = True
     meetings = crowd.entrants.meetings(coming | crowd.held)
     comes = meetings.is_there & meetings.of_crossings(coming)
     wants = comes & meetings.of_agents(asking.asks)
     is_first = _is_first(crowd, asking)
     could = _could(crowd, asking, meetings, wants, is_first)
-    if not could.any():
+    if not np.count_nonzero(could):
         return coming
     able = _able(crowd, asking, meetings, wants, could)
-    if not able.any():
+    if not np.count_nonzero(able):
         return coming
     passes, wave = _passes(crowd, meetings, (comes, wants, is_first), able, last_grant)
     rank = np.where(passes, _rank(crowd, asking, meetings, wave), len(asking.slot))
@@ -106,7 +106,7 @@ def _passes(
     turns = places.tables.turns[meetings.of_crossings(crowd.near.number)]
     motion = crowd.speed, crowd.entrants.length, crowd.aggression
     after = rules.goes_after(meetings, crowd.near, turns, *motion)
-    if not after.any():
+    if not np.count_nonzero(after):
         return able, np.zeros(len(scene), dtype=bool)
     first = meetings.of_agents(is_first) & ~rules.let_go(meetings, crowd.grants)
     asks = wants & first & (able | places.by_right[junction][:, None])
@@ -123,14 +123,14 @@ def _take_back(crowd: Crowd) -> None:
     """Somebody has come before one that was let go, and was not itself: it would wait for all who
     wait for the one behind it. Or an object stands there."""
     held = crowd.held
-    if not held.any():
+    if not np.count_nonzero(held):
         return
     near, (leader, gap) = crowd.near, crowd.ahead
     stops = braking_to_stop(crowd.speed[:, None], near.to_line - STOP_GAP) < COMFORTABLE
     stops &= crowd.obeys[:, None]
     crowd.grants.order[held & stops & (near.to_line > crowd.objects[:, None])] = NEVER
     behind = held & (near.to_line > (gap + crowd.entrants.length[leader])[:, None])
-    if not behind.any():
+    if not np.count_nonzero(behind):
         return
     behind &= stops
     junction = crowd.entrants.ways.crossings.junction
@@ -164,7 +164,7 @@ def _able(
     # Who waits for somebody that comes toward it cannot be helped by others that wait too.
     meets_nobody = meetings.of_agents(crowd.oncoming > asking.of_crossings(near.to_leave))
     able = could & meets_nobody
-    if meetings.has_conflicts and able.any():
+    if meetings.has_conflicts and np.count_nonzero(able):
         able &= ~rules.is_occupied(meetings, near, grants, wants)
         motion = crowd.speed, entrants.length, crowd.aggression
         able &= ~rules.is_blocked(meetings, near, grants, *motion)
@@ -220,7 +220,7 @@ def _rank(crowd: Crowd, asking: Asking, meetings: Meetings, wave: Booleans) -> I
     arrival = asking.of_crossings(crowd.grants.arrival)
     each = entrants.each
     found = meetings.of_agents(_places((each, arrival, yields)))
-    if wave.any():
+    if np.count_nonzero(wave):
         found = np.where(wave[:, None], meetings.of_agents(_places((each, arrival))), found)
     return found
 

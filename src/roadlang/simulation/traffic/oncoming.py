@@ -188,22 +188,22 @@ def _pairs(world: World, wide: WidePlaces) -> tuple[_Samples, Integers, Integers
     """The lines of agents, and the places among these of pairs that may meet where the first, or
     both, cover more than their width; None for nobody."""
     moves = world.present & world.has_road & ~world.bodies.walks
-    long = np.flatnonzero(moves & wide.may_be_ahead(world))
+    long = (moves & wide.may_be_ahead(world)).nonzero()[0]
     if not len(long):
         return None
     lines = _Samples.of(world, long)
     bends = lines.is_wide.any(axis=0)
-    if not bends.any():
+    if not np.count_nonzero(bends):
         return None
     in_bend = np.zeros(len(moves), dtype=bool)
     in_bend[long[bends]] = True
-    scene = np.flatnonzero(in_bend) // world.slots
+    scene = in_bend.nonzero()[0] // world.slots
     others = (scene[:, None] * world.slots + np.arange(world.slots)).ravel()
-    first, second = np.repeat(np.flatnonzero(in_bend), world.slots), others
+    first, second = np.repeat(in_bend.nonzero()[0], world.slots), others
     once = (first < second) | ~in_bend[second]
     keep = moves[second] & (first != second) & once
     keep &= _near(world, lines.take(np.flatnonzero(bends)), keep)
-    if not keep.any():
+    if not np.count_nonzero(keep):
         return None
     first, second = first[keep], second[keep]
     agents = np.unique(np.concatenate([first, second]))
@@ -253,7 +253,7 @@ def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats,
     meets = near & (square < room * room) & np.isfinite(one.s)[:, None] & np.isfinite(two.s)[None]
     if one.height is not None and two.height is not None:
         meets &= ~are_apart(one.height[:, None], two.height[None])
-    if not meets.any():
+    if not np.count_nonzero(meets):
         return None
     there: Booleans = np.asarray(meets.any(axis=1))
     begins = there.copy()

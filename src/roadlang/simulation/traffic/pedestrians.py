@@ -113,7 +113,7 @@ class Pedestrians:
         a rider beside them or a vehicle that backs, infinite for nobody."""
         out = np.full(len(rows), math.inf)
         backs = _backs(world)
-        exist = self._any_watched or bool(backs.any())
+        exist = self._any_watched or np.count_nonzero(backs) > 0
         watched = self._watched & world.present | backs
         if self._scenes is not world.scenes:
             self._scenes, self._crosswalks = world.scenes, Crosswalks.of(world.scenes)

@@ -166,7 +166,7 @@ class RightOfWayGrants:
         if len(scenes_to_update):
             agents = (scenes_to_update[:, None] * world.slots + np.arange(world.slots)).ravel()
             self._has_asked[agents] = self._asking[agents]
-            new = np.repeat(np.isinf(self._looked[scenes_to_update]), world.slots)
+            new = np.isinf(self._looked[scenes_to_update]).repeat(world.slots)
             self._has_asked[agents] |= new
             self._asking[agents] = False
             self._looked[scenes_to_update] = world.time
@@ -217,7 +217,7 @@ class RightOfWayGrants:
         stop = np.minimum(closed.min(axis=1), crowd.oncoming)
         gap = np.full(len(stop), math.inf)
         leader = np.full(len(stop), -1)
-        if held.any():
+        if np.count_nonzero(held):
             meetings = entrants.meetings(held | wanted)
             found = None
             if meetings.has_conflicts:
@@ -234,7 +234,7 @@ class RightOfWayGrants:
         waits.stop[rows] = traveled[rows] + stop
         waits.leader[rows] = leader
         follows = leader >= 0
-        if follows.any():
+        if np.count_nonzero(follows):
             first = np.maximum(leader, 0)
             gap = np.where(follows, gap + traveled[rows] - traveled[first], gap)
         waits.distance[rows] = gap
@@ -244,12 +244,12 @@ def _follow(meetings: Meetings, gaps: Floats, gap: Floats, leader: Integers) -> 
     """Fill in whom each of the agents (N,) follows where lanes merge, and the gap to that one.
     `gaps`: (G, P, P) of all that it might follow."""
     there = meetings.is_there
-    nearest = gaps.argmin(axis=2)
-    least = np.take_along_axis(gaps, nearest[:, :, None], axis=2)[:, :, 0]
+    least = gaps.min(axis=2)
     np.minimum.at(gap, meetings.row[there], least[there])
     follows = there & np.isfinite(least) & (least == gap[meetings.row])
-    other = np.take_along_axis(meetings.row, nearest, axis=1)
-    leader[meetings.row[follows]] = other[follows]
+    group, place = follows.nonzero()
+    other = meetings.row[group, gaps[group, place].argmin(axis=1)]
+    leader[meetings.row[group, place]] = other
 
 
 def _remember(crowd: Crowd) -> None:

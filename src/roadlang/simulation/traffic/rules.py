@@ -130,7 +130,7 @@ def lets_in(
     """(G, P) who brakes for one that has waited long where their lanes merge, unless it has itself
     waited so long that others yield to it: two would let each other go first for good."""
     has_waited = asks & (meetings.of_crossings(grants.waiting) > PATIENCE)
-    if not has_waited.any():
+    if not np.count_nonzero(has_waited):
         return has_waited
     _, waits = pairs(has_waited)
     yields = np.swapaxes(meetings.yields, 1, 2)
@@ -175,7 +175,7 @@ def zone_stops(
     infinite for no need; and where lanes merge the gap at which it follows the second. None where
     nobody meets one that was let go earlier."""
     earlier = has_earlier_grant(meetings, grants) & (meetings.conflict > 0)
-    if not earlier.any():
+    if not np.count_nonzero(earlier):
         return None
     to_line, other_line = pairs(meetings.of_crossings(near.to_line))
     other_length = meetings.of_agents(length)[:, None, :]

@@ -49,6 +49,8 @@ class Motion:
 
     def put(self, rows: Any, other: Motion) -> None:
         """Some agents move as they do in `other`."""
+        if isinstance(rows, np.ndarray) and rows.dtype == np.bool_:
+            rows = rows.nonzero()[0]  # once, and not for each column
         for name in MOTION_COLUMNS:
             column = getattr(self, name).copy()
             column[rows] = getattr(other, name)[rows]
@@ -131,7 +133,7 @@ class Track:
         part = Track(
             self.lines, self.row[rows], self.first[rows], self.last[rows], self.origin[rows],
             self.spacing[rows], self.per_meter[rows], self.length[rows], closed,
-            bool(closed.any()),
+            bool(np.count_nonzero(closed)),
         )  # fmt: skip
         if len(closed) <= _FEW:
             if len(self._parts) >= _PARTS:
