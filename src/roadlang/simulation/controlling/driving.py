@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -17,10 +16,8 @@ from ...plugins.registry import KindEntry
 from ..building.carried_state import Continued
 from ..calling.controllers import Driver
 from ..calling.decision import Decision
-from ..calling.option_columns import options_of
 from ..observing.observing import View
 from ..observing.sensing import Sensing
-from ..observing.single_agents import OthersSeen, observations
 from ..observing.surroundings import Surroundings
 from ..signals.triggers import PlacedCall, Triggers
 from ..state.world import World
@@ -28,6 +25,7 @@ from ..vehicles.line_steering import line_steering
 from ..vehicles.poses import Poses
 from .actuators import Actuators
 from .controller_groups import Group, elementwise_controller, grouped
+from .deciding import decided, due
 
 
 class DriverGroup:
@@ -82,12 +80,12 @@ class DriverGroup:
             self._chosen = _in_charge_of(self._groups, in_charge)
             self._open = Decision.open(in_charge >= 0)
             self._held = None
-        if self._held is not None and not any(len(_due(*each, view)) for each in self._chosen):
+        if self._held is not None and not any(len(due(*each, view)) for each in self._chosen):
             return self._held.copy()
         out = self._open.copy()
         moved: list[Integers] = []
         for group, chosen, rows in self._chosen:
-            found = _decided(group, chosen, view)
+            found = decided(group, chosen, view)
             out.put(rows, found)
             if found.line_offset is not None:
                 moved.append(rows)
@@ -182,7 +180,7 @@ class DriverGroup:
                 rows = group.rows[chosen]
                 accelerates = np.isnan(out.acceleration[rows])
                 moves = own_line[rows] & np.isnan(out.steering[rows])
-                found = _decided(group, chosen, view, accelerates, moves)
+                found = decided(group, chosen, view, accelerates, moves)
                 if found.line_offset is not None and moves.any():
                     own_line[rows[moves]] = False
                     _move_lines(view, rows, found, moves)
@@ -243,75 +241,3 @@ def _move_lines(
         time[rows] = found.line_time
     if world.followed.move(target, time, world.motion.along, world.motion.speed):
         view.lines_moved()
-
-
-def _decided(
-    group: Group,
-    chosen: Integers,
-    view: View,
-    lasting: Booleans | None = None,
-    moves: Booleans | None = None,
-) -> ControlBatch:
-    """What the controllers of some agents of a group decide. `lasting`: whose state goes on,
-    by default that of all. `moves`: whose state also goes on if the controllers move lines."""
-    if group.singles:
-        return _decided_singly(group, chosen, view)
-    interval = group.controller.kind.interval
-    if interval > view.step:
-        return _held(group, chosen, view)
-    return _decided_now(group, chosen, view, lasting, moves)
-
-
-def _due(group: Group, chosen: Integers, _: Integers, view: View) -> Integers:
-    """Which of some agents of a group, whose decisions hold for a time, decide anew."""
-    least = group.controller.kind.interval - 0.5 * view.world.dt
-    found: Integers = (view.world.time - group.since[chosen] > least).nonzero()[0]
-    return found
-
-
-def _held(group: Group, chosen: Integers, view: View) -> ControlBatch:
-    """What some agents decided when they did last, or do now."""
-    time = view.world.time
-    due = _due(group, chosen, chosen, view)
-    if not len(due):
-        return group.last_decided(chosen)
-    now = _decided_now(group, chosen[due], view)
-    group.hold(chosen[due], now, time)
-    failures = {int(due[place]): reason for place, reason in (now.failures or {}).items()}
-    return replace(group.last_decided(chosen), failures=failures)
-
-
-def _decided_now(
-    group: Group,
-    chosen: Integers,
-    view: View,
-    lasting: Booleans | None = None,
-    moves: Booleans | None = None,
-) -> ControlBatch:
-    rows = group.rows[chosen]
-    guarded = group.controller
-    everyone = len(chosen) == len(group.rows)
-    built = group.of_all if everyone else guarded.built(options_of(group.columns, chosen))
-    state = None if group.state is None else group.state[chosen]
-    decided = guarded.decide(built, view.of(rows), state)
-    if state is not None:
-        if lasting is not None and moves is not None and decided.line_offset is not None:
-            lasting = lasting | moves
-        last = slice(None) if lasting is None else np.flatnonzero(lasting)
-        group.state[chosen[last]] = state[last]
-    return decided
-
-
-def _decided_singly(group: Group, chosen: Integers, view: View) -> ControlBatch:
-    """Loop over agents whose controllers decide for one alone."""
-    slots = view.world.slots
-    rows = group.rows[chosen]
-    scenes = rows // slots
-    found = []
-    for scene in dict.fromkeys(scenes.tolist()):  # the rows are in the order of the scenes
-        of_scene = scenes == scene
-        others = OthersSeen(view, view.world.scenes[scene], scene * slots)
-        seen = observations(view, rows[of_scene], others)
-        found += [group.singles[index].control(observation)
-                  for index, observation in zip(chosen[of_scene], seen, strict=True)]  # fmt: skip
-    return ControlBatch.of(found)
