@@ -203,6 +203,7 @@ class Code:
     TILES_DO_NOT_FIT: Final = "RL442"
     CUT_TAPER: Final = "RL443"
     ROADS_ON_LEVELS: Final = "RL444"
+    PLACES_APART: Final = "RL445"
     MISSING_FILE: Final = "RL450"
     UNUSABLE_FILE: Final = "RL451"
     OUTPUT_NOT_WRITTEN: Final = "RL460"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
@@ -10,16 +10,17 @@ from ..geometry.junctions.model import NO_JUNCTION, JunctionPlan, Problem
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..world.networks import network_root
 from ..world.roads import road_root
+from .origin_warnings import origin_warnings
 
 _MOST = 6
 
 
 def network_warnings(
-    networks: Iterable[ScenarioNetwork], candidates: CandidateBatch
+    networks: Sequence[ScenarioNetwork], candidates: CandidateBatch
 ) -> tuple[Diagnostic, ...]:
     """What was said of their sources, and one for each junction or pair of roads; networks with
     the same junctions are one. Roads that pass above others matter where agents drive on level
-    ground."""
+    ground. One for each network with another origin on Earth than the first."""
     found: list[Diagnostic] = []
     seen: list[JunctionPlan] = []
     simulator = _with_level_ground(candidates)
@@ -33,7 +34,7 @@ def network_warnings(
             above = [problem for problem in plan.problems if problem.kind == "level"]
             if above and simulator:
                 found.append(_on_levels(network, above, simulator))
-    return tuple(found)
+    return (*found, *origin_warnings(networks, candidates))
 
 
 def joined_road_warnings(
