@@ -12,7 +12,7 @@ from roadlang_standard.extraction.drawing import between_lines, likeness, roads_
 from roadlang_standard.extraction.masks import roads_of_surface
 from roadlang_standard.extraction.picture_kind import picture_kind
 from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
-from roadlang_standard.extraction.tones import away_from, flatness, layer, thinned, tones
+from roadlang_standard.extraction.tones import away_from, flatness, layers, thinned, tones
 from tests.extraction.graph_drawings import surface
 from tests.extraction.painted_roads import band, painted, two_lines
 
@@ -73,7 +73,7 @@ def test_a_drawing_is_flat_but_for_its_edges() -> None:
 def test_on_an_edge_between_tones_a_pixel_has_its_share() -> None:
     black, white = np.zeros(3), np.full(3, 255.0)
     image = np.array([[[0] * 3, [51] * 3, [204] * 3, [255] * 3]], np.uint8)
-    assert layer(image, black, white[None])[0] == pytest.approx([1, 0.8, 0.2, 0], abs=1e-6)
+    assert layers(image, [black], white)[0][0] == pytest.approx([1, 0.8, 0.2, 0], abs=1e-6)
 
 
 # Drawings

@@ -30,10 +30,11 @@ _SQUARE, _STRAIGHT = 0.2, 0.995
 
 def are_boxes(roads: Sequence[FoundRoad], side: float) -> bool:
     """Whether roads that hang together are lines of boxes in a picture of this shorter side."""
-    width = float(np.median([np.median(road.widths) for road in roads]))
+    widths = np.array([float(np.median(road.widths)) for road in roads])
+    width = float(np.median(widths))
     if width > _THIN * side:
         return False
-    corners = sum(_corners(road) for road in roads)
+    corners = _corners(roads, widths)
     if corners >= _BOX:
         return True
     return corners > 0 and width < _HAIR * side and _upright_share(roads) > _UPRIGHT
@@ -47,30 +48,38 @@ def _upright_share(roads: Sequence[FoundRoad]) -> float:
     return float(lengths[upright].sum() / max(float(lengths.sum()), 1e-9))
 
 
-def _corners(road: FoundRoad) -> int:
-    """How many times a road turns on the spot by a right angle, straight before and after it."""
+def _corners(roads: Sequence[FoundRoad], widths: Floats) -> int:
+    """How many times roads of these widths (n,) turn on the spot by a right angle, straight before
+    and after it."""
+    steps = np.array([road.length / max(1, len(road.points) - 1) for road in roads])
+    steps = np.maximum(steps, 1e-9)
+    near = np.maximum(1, np.round((widths + _TURN) / steps)).astype(int)
+    leg = np.maximum(1, np.round(np.maximum(_LEG * widths, _LEAST_LEG) / steps)).astype(int)
+    count = 0
+    for turn, way in set(zip(near.tolist(), leg.tolist(), strict=True)):
+        alike = np.flatnonzero((near == turn) & (leg == way))
+        lines = [_around(roads[index], turn + way) for index in alike]
+        owner = np.repeat(np.arange(len(alike)), [len(line) for line in lines])
+        count += _turns(np.concatenate(lines), owner, (turn, way), steps[alike])
+    return count
+
+
+def _around(road: FoundRoad, reach: int) -> Floats:
+    """The points of a road; of a closed one, so many again before and after its first."""
     points = road.points
-    step = road.length / max(1, len(points) - 1)
-    width = float(np.median(road.widths))
-    near = max(1, round((width + _TURN) / max(step, 1e-9)))
-    leg = max(1, round(max(_LEG * width, _LEAST_LEG) / max(step, 1e-9)))
-    if road.closed:
-        points = np.concatenate([points[:-1], points[: 2 * (near + leg) + 1]])
-    if len(points) <= 2 * (near + leg):
-        return 0
-    before, after = _legs(points, near, leg)
-    long = [np.hypot(*way.T) for way in (before, after)]
-    straight = np.minimum(*long) > _STRAIGHT * leg * step
-    cosine = (before * after).sum(axis=1) / np.maximum(long[0] * long[1], 1e-9)
-    return _runs(straight & (np.abs(cosine) < _SQUARE))
+    return np.concatenate([points[:-1], points[: 2 * reach + 1]]) if road.closed else points
 
 
-def _legs(points: Floats, near: int, leg: int) -> tuple[Floats, Floats]:
-    """The ways before and after each point that has both, so many points from it and long."""
+def _turns(points: Floats, owner: NDArray[np.intp], reach: tuple[int, int], steps: Floats) -> int:
+    """The right angles along lines (n, 2), given the line (n,) of each point and its step; a corner
+    is so many points from its legs, and these are so many long."""
+    near, leg = reach
     middle = np.arange(near + leg, len(points) - near - leg)
+    middle = middle[owner[middle - near - leg] == owner[middle + near + leg]]
     before = points[middle - near] - points[middle - near - leg]
-    return before, points[middle + near + leg] - points[middle + near]
-
-
-def _runs(flags: NDArray[np.bool_]) -> int:
-    return int(np.count_nonzero(np.diff(flags.view(np.int8), prepend=0) > 0))
+    after = points[middle + near + leg] - points[middle + near]
+    long = [np.hypot(*way.T) for way in (before, after)]
+    straight = np.minimum(*long) > _STRAIGHT * leg * steps[owner[middle]]
+    cosine = (before * after).sum(axis=1) / np.maximum(long[0] * long[1], 1e-9)
+    found = middle[straight & (np.abs(cosine) < _SQUARE)]
+    return int(np.count_nonzero(np.diff(found, prepend=-2) > 1))

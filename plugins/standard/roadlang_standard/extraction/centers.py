@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter, minimum_filter1d
 
 from roadlang.geometry import Booleans, Floats
 
-from .edges import across, sides
+from .edges import Outline, across, normals, sides_of
 
 Layer = NDArray[np.float32]
 _THIN = 5.0
@@ -17,18 +19,22 @@ _STEP = 0.25
 
 
 def centers(
-    points: Floats, surface: Layer, width: float, level: float, closed: bool = False
-) -> tuple[Floats, Booleans]:
-    """Pixels (n,) from the points, about one apart, to the middle of the road, along `normals`;
-    and whether the road is as wide there as around: not so at junctions, corners and ends."""
+    lines: Sequence[Outline], surface: Layer, width: float, level: float
+) -> list[tuple[Floats, Booleans]]:
+    """Of each line, pixels (n,) from its points, about one apart, to the middle of the road, along
+    `normals`; and whether the road is as wide there as around: not so at junctions, corners and
+    ends."""
     if width < _THIN:
-        offset, wide = _centroid(points, surface, width, closed)
-    else:
-        seen = sides(points, surface, 1.1 * width + 3, level, closed)
-        offset, wide = (seen.left - seen.right) / 2, seen.left + seen.right
+        return [_steady(*_centroid(line, surface, width), width) for line in lines]
+    found = sides_of(lines, surface, 1.1 * width + 3, level)
+    return [_steady((s.left - s.right) / 2, s.left + s.right, width) for s in found]
+
+
+def _steady(offset: Floats, wide: Floats, width: float) -> tuple[Floats, Booleans]:
+    """The offsets (n,), 0 where the road is not as wide (n,) as around, and where it is."""
     known = np.isfinite(wide)
     if not known.any():
-        return np.zeros(len(points)), known
+        return np.zeros(len(offset)), known
     typical = float(np.median(wide[known]))
     around = median_filter(np.where(known, wide, typical), int(4 * width) + 41, mode="nearest")
     even = known & (np.abs(np.where(known, wide, 0) - around) < _unevenness(around))
@@ -53,10 +59,11 @@ def _without_short_runs(flags: Booleans, least: float) -> Booleans:
     return kept
 
 
-def _centroid(points: Floats, surface: Layer, width: float, closed: bool) -> tuple[Floats, Floats]:
+def _centroid(line: Outline, surface: Layer, width: float) -> tuple[Floats, Floats]:
     """Of the ink across the line, and how much of it there is, NaN without any."""
     away = np.arange(-(width / 2 + 2), width / 2 + 2 + _STEP, _STEP)
-    ink = across(points, away, surface, closed).astype(float)
+    normal = normals(line.points, line.closed)
+    ink = across(line.points, normal, away, surface).astype(float)
     total = ink.sum(axis=1)
     there = total * _STEP > 0.3
     return (ink @ away) / np.maximum(total, 1e-9), np.where(there, total * _STEP, np.nan)

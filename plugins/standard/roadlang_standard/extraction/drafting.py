@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -12,7 +13,7 @@ from roadlang.geometry import Floats
 
 from .chain_fitting import Run, fitted, through
 from .chains import chains
-from .edges import sides, typical_width, widths
+from .edges import Outline, Sides, sides_of, typical_width, widths
 from .fair_fitting import Fit
 from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
@@ -22,6 +23,8 @@ from .sampled import sampled
 from .smoothing import resample, stations
 
 Layer = NDArray[np.float32]
+_ROWS = 16384
+"""So many places are looked at at a time: OpenCV takes no longer lists."""
 
 
 @dataclass(frozen=True)
@@ -73,8 +76,13 @@ def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: st
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
+    lines = [even_points(curves[id(line)], step=2.0) for line in graph.lines]
+    outlines = [Outline(points) for points in lines]
+    seen = sides_of(outlines, surface, 1.2 * options.width + 3, options.level)
+    shown, sure = (_along(layer, lines) for layer in (surface, score))
     roads = tuple(
-        _road(line, curves[id(line)], index, surface, score, options) for line in graph.lines
+        _road(line, index, Seen(*each), options)
+        for line, *each in zip(graph.lines, lines, seen, shown, sure, strict=True)
     )
     return FoundNetwork(nodes, roads, surface >= options.level, method)
 
@@ -130,29 +138,44 @@ def _part(run: Run, place: int, near: float) -> Floats:
     return extended(part, (near, 0.0) if place == 0 else (0.0, near))
 
 
-def _road(
-    line: Line, curve: Floats, index: dict[int, int], surface: Layer, score: Layer, options: Draft
-) -> FoundRoad:
-    points = even_points(curve, step=2.0)
-    at = points.astype(np.float32).reshape(1, -1, 2)
-    seen = sides(points, surface, 1.2 * options.width + 3, options.level)
-    solid = _along(surface, at) >= options.sure
+@dataclass(frozen=True)
+class Seen:
+    """What is seen along a road: its points (n, 2), its edges beside them, and surface and score at
+    them (n,)."""
+
+    points: Floats
+    edges: Sides
+    surface: Layer
+    score: Layer
+
+
+def _road(line: Line, index: dict[int, int], seen: Seen, options: Draft) -> FoundRoad:
+    points, edges = seen.points, seen.edges
+    solid = seen.surface >= options.sure
     if solid.mean() > 0.1:
-        seen = seen.where(solid)
+        edges = edges.where(solid)
     closed = line.closed
     if options.fixed_width is not None:
         wide, spread = np.full(len(points), options.fixed_width), 0.0
     else:
-        wide, spread = widths(seen, options.width, 4 * options.waves / 2, closed)
+        wide, spread = widths(edges, options.width, 4 * options.waves / 2, closed)
         wide = np.sqrt(np.maximum(wide**2 - options.blur**2, (0.4 * wide) ** 2))
-    sure = np.clip(_along(score, at), 0, 1).astype(float) * (1 - 0.5 * line.linked)
+    sure = np.clip(seen.score, 0, 1).astype(float) * (1 - 0.5 * line.linked)
     ends = index[line.start], index[line.end]
     return FoundRoad(*ends, points, wide, spread, round(float(sure.mean()), 4), line.linked, sure)
 
 
-def _along(layer: Layer, at: Layer) -> Layer:
-    """The layer (h, w) at points (1, n, 2), (n,)."""
-    return np.asarray(sampled(layer, at[..., 0], at[..., 1])[0], np.float32)
+def _along(layer: Layer, lines: Sequence[Floats]) -> list[Layer]:
+    """The layer (h, w) at the points (n, 2) of each of the lines, (n,)."""
+    if not lines:
+        return []
+    x, y = np.concatenate(lines).astype(np.float32).T
+    places = [np.ascontiguousarray(axis)[:, None] for axis in (x, y)]
+    found = [
+        sampled(layer, *(axis[first : first + _ROWS] for axis in places))[:, 0]
+        for first in range(0, len(x), _ROWS)
+    ]
+    return np.split(np.concatenate(found), np.cumsum([len(line) for line in lines])[:-1])
 
 
 def typical_width_of(graph: Graph, mask: NDArray[np.bool_]) -> float:

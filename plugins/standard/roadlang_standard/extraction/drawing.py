@@ -21,7 +21,7 @@ from .open_edges import with_closed_ends
 from .road_markings import with_markings_filled
 from .road_regions import PaperParts, RoadRegion, road_regions
 from .skeleton import skeleton
-from .tones import Image, Layer, away_from, layer, tones, without_other_colors
+from .tones import Image, Layer, away_from, layers, tones, without_other_colors
 
 _BOLD, _THIN, _SOME = 3.5, 0.6, 0.03
 """Beside edge lines of at least so many pixels, thin lines have less than this share of their
@@ -47,11 +47,9 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
     if between is not None:
         found = roads_of_surface(between, "edge lines", width=width)
         return replace(found, mask=between >= 0.5)
-    layers = [
-        layer(image, tone, np.vstack([paper, *_rest(others, i)])) for i, tone in enumerate(others)
-    ]
-    best = most_like_roads([*layers, ink] if len(others) != 1 else layers)
-    for i, one in enumerate(layers):
+    shares = layers(image, list(others), paper)
+    best = most_like_roads([*shares, ink] if len(others) != 1 else shares)
+    for i, one in enumerate(shares):
         if one is best:
             best = without_other_colors(
                 one, image, others[i], np.vstack([paper, *_rest(others, i)])

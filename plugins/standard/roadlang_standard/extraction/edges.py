@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,8 +15,9 @@ from .smoothing import gradient, smooth_values
 
 _STEP, _FINE, _COARSE = 0.25, 9.0, 0.5
 """Pixels between what is looked at across a road, and where it is sought farther than so many."""
-_ROWS = 256
-"""So many points at a time: what is worked out for more does not stay in a processor's cache."""
+_ROWS, _TOGETHER = 256, 1024
+"""So many points at a time are looked across, and judged: what is worked out for more does not stay
+in a processor's cache."""
 
 
 @dataclass(frozen=True)
@@ -35,19 +37,42 @@ class Sides:
         return Sides(np.where(good, self.left, np.nan), np.where(good, self.right, np.nan))
 
 
-def sides(
-    points: Floats,
-    surface: NDArray[np.float32],
-    search_radius: float,
-    level: float = 0.5,
-    closed: bool = False,
-) -> Sides:
-    """Look along the normals for where the surface (h, w), 0..1, falls through `level`; NaN where
-    that is beyond its border."""
-    step = _STEP if search_radius < _FINE else _COARSE
-    away = np.arange(0, search_radius + step, step)
+@dataclass(frozen=True)
+class Outline:
+    """A polyline (n, 2); a `closed` one repeats its first point."""
+
+    points: Floats
+    closed: bool = False
+
+
+def sides_of(
+    lines: Sequence[Outline], surface: NDArray[np.float32], search_radius: float, level: float = 0.5
+) -> list[Sides]:
+    """Look along the normals of lines for where the surface (h, w), 0..1, falls through `level`;
+    NaN where that is beyond its border.
+
+    Many lines at a time: for short ones, to begin an operation of numpy takes longer than to do it.
+    """
+    if not lines:
+        return []
+    points = np.concatenate([line.points for line in lines])
+    normal = np.concatenate([normals(line.points, line.closed) for line in lines])
+    found = np.empty((2, len(points)))
+    for first in range(0, len(points), _TOGETHER):
+        rows = slice(first, first + _TOGETHER)
+        found[:, rows] = _edges(points[rows], normal[rows], surface, search_radius, level)
+    ends = np.cumsum([len(line.points) for line in lines])[:-1]
+    return [Sides(*each) for each in zip(*(np.split(side, ends) for side in found), strict=True)]
+
+
+def _edges(
+    points: Floats, normal: Floats, surface: NDArray[np.float32], radius: float, level: float
+) -> tuple[Floats, Floats]:
+    """Distances (n,) from points to the edges on their left and right, NaN where none is found."""
+    step = _STEP if radius < _FINE else _COARSE
+    away = np.arange(0, radius + step, step)
     ways = np.concatenate([away, -away])  # to the left, and to the right
-    profile = across(points, ways, surface, closed).reshape(2 * len(points), len(away))
+    profile = across(points, normal, ways, surface).reshape(2 * len(points), len(away))
     below = profile < level
     below[:, 0] = False
     first = np.argmax(below, axis=1)
@@ -57,8 +82,7 @@ def sides(
     distance = (first - 1 + part) * step
     found = np.where(below[row, first] & (profile[:, 0] >= level), distance, np.nan)
     left, right = found[::2], found[1::2]
-    normal = normals(points, closed)
-    return Sides(
+    return (
         np.where(_within(points + left[:, None] * normal, surface), left, np.nan),
         np.where(_within(points - right[:, None] * normal, surface), right, np.nan),
     )
@@ -83,11 +107,10 @@ def normals(points: Floats, closed: bool = False) -> Floats:
 
 
 def across(
-    points: Floats, away: Floats, surface: NDArray[np.float32], closed: bool = False
+    points: Floats, normal: Floats, away: Floats, surface: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """The surface (h, w) along the normals of a polyline (n, 2), (n, m), so far `away` (m,) to the
-    left of each point."""
-    normal = normals(points, closed)
+    """The surface (h, w) along the normals (n, 2) of points (n, 2), (n, m), so far `away` (m,) to
+    the left of each point."""
     found = np.empty((len(points), len(away)), np.float32)
     for first in range(0, len(points), _ROWS):
         rows = slice(first, first + _ROWS)

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from roadlang.geometry import Booleans, Floats
 
 from .centers import centers
-from .edges import normals
+from .edges import Outline, normals
 from .fair_lines import SeenOffsets
 from .fairing import FULLY, Pace, Rough, faired
 from .smoothing import curvature
@@ -80,7 +80,12 @@ def fitted_fairly(
 
     What was seen is let go, little by little, where the curve would be too tight.
     """
-    sought = [Rough(line.curve, _seen(line, surface, fit), line.closed) for line in lines]
+    outlines = [Outline(line.curve, line.closed) for line in lines]
+    middles = centers(outlines, surface, fit.width, fit.level)
+    sought = [
+        Rough(line.curve, _seen(line, *middle, fit), line.closed)
+        for line, middle in zip(lines, middles, strict=True)
+    ]
     found = [line.curve for line in lines]
     tight = list(range(len(lines)))
     for _ in range(_EASINGS):
@@ -101,10 +106,10 @@ def _eased(rough: Rough, sharp: Booleans, fit: Fit) -> Rough:
     return replace(rough, seen=replace(rough.seen, weight=weight))
 
 
-def _seen(line: Unfitted, surface: Layer, fit: Fit) -> SeenOffsets:
-    """The middle of the road beside a curve, and the traced line where it is not seen."""
+def _seen(line: Unfitted, offset: Floats, even: Booleans, fit: Fit) -> SeenOffsets:
+    """The middle of the road beside a curve, `offset` (n,) where it is `even` (n,), and the traced
+    line where it is not seen."""
     curve, traced = line.curve, line.traced
-    offset, even = centers(curve, surface, fit.width, fit.level, line.closed)
     _, nearest = cKDTree(traced.line).query(curve)
     aside = ((traced.line[nearest] - curve) * normals(curve, line.closed)).sum(axis=1)
     offset = np.where(even, offset, aside)

@@ -169,8 +169,8 @@ def frequent_colors(
     frequent first."""
     flat = counted_colors(color_codes(image)[within])
     blue, green, red = (flat.colors >> _BITS).astype(np.int32).T
-    cell = (blue * _LEVELS + green) * _LEVELS + red
-    counts = flat.binned(cell, _LEVELS**3)
+    cells, cell = np.unique((blue * _LEVELS + green) * _LEVELS + red, return_inverse=True)
+    counts = flat.binned(cell, len(cells))
     least = 0.5 * _LEAST * image.shape[0] * image.shape[1]
     frequent = np.flatnonzero(counts >= least)
     left = np.ones(len(cell), bool)

@@ -42,11 +42,12 @@ def with_markings_filled(surface: Layer, image: Image | None = None) -> Layer:
 
     `image`: (h, w, 3), where lines may have a color of their own, as of a yellow center line.
     """
-    mask = (surface >= 0.5).astype(np.uint8)
-    filled = _plain_gaps(mask)
+    mask = (surface >= 0.5).view(np.uint8)
+    depth = cv2.distanceTransform(mask, cv2.DIST_L2, 5)
+    filled = _plain_gaps(mask, depth)
     colored = None if image is None else _colored(image, mask)
     if colored is not None:
-        filled = filled | _colored_gaps(mask, colored)
+        filled = filled | _colored_gaps(mask, depth, colored)
     if not filled.any():
         return surface
     road = cv2.distanceTransform(mask | filled.view(np.uint8), cv2.DIST_L2, 5)
@@ -73,17 +74,17 @@ def _colored(image: Image, mask: NDArray[np.uint8]) -> Booleans | None:
     return np.asarray(near & (mask == 0))
 
 
-def _plain_gaps(mask: NDArray[np.uint8]) -> Booleans:
+def _plain_gaps(mask: NDArray[np.uint8], depth: Layer) -> Booleans:
     """(h, w) thin parts that are no road, and are short or as thin as lines."""
-    gaps = _gaps(mask, mask == 0, _BESIDE, _LARGEST)
+    gaps = _gaps((mask, depth), mask == 0, _BESIDE, _LARGEST)
     length = gaps.areas[gaps.keys] / gaps.thickness
     is_marking = (gaps.thinner > _THIN) & (length < _SHORT * gaps.width) | (gaps.thinner > _LINE)
     return gaps.union(gaps.keys[is_marking])
 
 
-def _colored_gaps(mask: NDArray[np.uint8], colored: Booleans) -> Booleans:
+def _colored_gaps(mask: NDArray[np.uint8], depth: Layer, colored: Booleans) -> Booleans:
     """(h, w) thin parts within roads that have a color, however long."""
-    gaps = _gaps(mask, colored, _BESIDE_COLORED, _MOST_COLORED)
+    gaps = _gaps((mask, depth), colored, _BESIDE_COLORED, _MOST_COLORED)
     if not len(gaps.keys):
         return np.zeros(mask.shape, bool)
     # The smaller label where two meet: there are few such pixels.
@@ -117,11 +118,15 @@ class _Gaps:
         return _union(self.labels, self.areas, keys)
 
 
-def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float, largest: float) -> _Gaps:
-    """The parts of the `gaps` (h, w) of a road (h, w) that are less than a share of the picture.
+def _gaps(
+    within: tuple[NDArray[np.uint8], Layer], gaps: Booleans, least: float, largest: float
+) -> _Gaps:
+    """The parts of the `gaps` (h, w) of a road that are less than a share of the picture; the road
+    is a mask (h, w), and how far it goes on from each pixel (h, w).
 
     The road is at least so many times as wide beside them as they are thick: else the blocks of a
     town, which are one wide road once all of them are filled, would be lines upon it."""
+    mask, beside = within
     labels, areas, keys = _small_parts(gaps, largest)
     none = np.zeros(0)
     if not len(keys):
@@ -129,7 +134,6 @@ def _gaps(mask: NDArray[np.uint8], gaps: Booleans, least: float, largest: float)
     parts = _union(labels, areas, keys).view(np.uint8)
     inner = cv2.distanceTransform(parts, cv2.DIST_L2, 5)
     thickness = _most(inner, labels, parts, len(areas))
-    beside = cv2.distanceTransform(mask, cv2.DIST_L2, 5)
     keys = keys[least * thickness[keys] <= 2 * float(beside.max(initial=0.0)) - 1]
     windows = find_objects(labels) if len(keys) else []
     wide = [_width_about(beside, windows[key - 1], thickness[key]) for key in keys.tolist()]

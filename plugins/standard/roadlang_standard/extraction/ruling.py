@@ -137,5 +137,5 @@ def _shifted(
     along: NDArray[np.intp], across: NDArray[np.intp], slope: float, length: int, count: int
 ) -> NDArray[np.intp]:
     """Where lines of a slope through these places cross the middle of the sheet, pixels."""
-    place = np.round(across - (along - length / 2) * slope)
-    return np.asarray(np.clip(place, 0, count - 1), np.intp)
+    aside = np.round((length / 2 - np.arange(length)) * slope).astype(np.intp)
+    return np.clip(across + aside[along], 0, count - 1)

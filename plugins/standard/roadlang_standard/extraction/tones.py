@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -95,17 +96,37 @@ def flatness(image: Image, within: NDArray[np.bool_] | None = None) -> float:
     return float((spreads <= spread).mean())
 
 
-def layer(image: Image, color: NDArray[np.float64], others: NDArray[np.float64]) -> Layer:
-    """How much of each pixel (h, w) is of `color` rather than of the nearest of `others`, 0..1.
+def layers(
+    image: Image, colors: Sequence[NDArray[np.float64]], paper: NDArray[np.float64]
+) -> list[Layer]:
+    """How much of each pixel (h, w) is of each of the `colors` rather than of the nearest of the
+    others and of the `paper`, 0..1.
 
-    On an anti-aliased edge between two tones this is the covered share of the pixel.
+    On an anti-aliased edge between two tones this is the covered share of the pixel. Most pixels
+    have exactly the color of the paper: one of them tells for all.
     """
-    pixels = image.astype(np.float32)
-    result = np.ones(image.shape[:2], np.float32)
+    plain = np.clip(paper, 0, 255).round().astype(np.float32)
+    drawn = np.flatnonzero(away_from(image, paper))
+    pixels = np.vstack([image.reshape(-1, 3).take(drawn, axis=0), plain]).astype(np.float32)
+    found = []
+    for index, color in enumerate(colors):
+        others = [paper, *(other for i, other in enumerate(colors) if i != index)]
+        share = _shares(pixels, color, others)
+        result = np.full(image.shape[:2], share[-1], np.float32)
+        result.ravel()[drawn] = share[:-1]
+        found.append(result)
+    return found
+
+
+def _shares(
+    pixels: Layer, color: NDArray[np.float64], others: Sequence[NDArray[np.float64]]
+) -> Layer:
+    """Of pixels (n, 3), as in `layers` (n,)."""
+    result = np.ones(len(pixels), np.float32)
     for other in others:
         axis = (color - other).astype(np.float32)
         along = ((pixels - other.astype(np.float32)) @ axis) / max(float(axis @ axis), 1e-6)
-        result = np.minimum(result, np.clip(along, 0, 1))
+        np.minimum(result, np.clip(along, 0, 1), out=result)
     return result
 
 
