@@ -8,7 +8,7 @@ import pytest
 
 from roadlang_standard.extraction.drafting import Draft, draft, typical_width_of
 from roadlang_standard.extraction.edges import (
-    Outline,
+    CenterLine,
     Sides,
     normals,
     sides_of,
@@ -33,7 +33,7 @@ from tests.extraction.painted_roads import band
 
 def test_the_edges_of_a_road_are_where_the_surface_falls_through_one_half() -> None:
     """A line at row 47 is 7.5 px from the upper edge and 12.5 px from the lower one."""
-    seen = sides_of([Outline(dense((20, 47), (180, 47)))], band(40, 60), 20.0)[0]
+    seen = sides_of([CenterLine(dense((20, 47), (180, 47)))], band(40, 60), 20.0)[0]
     assert seen.left == pytest.approx(np.full(161, 12.5), abs=0.15)
     assert seen.right == pytest.approx(np.full(161, 7.5), abs=0.15)
     assert typical_width(seen) == pytest.approx(20, abs=0.1)
@@ -41,10 +41,10 @@ def test_the_edges_of_a_road_are_where_the_surface_falls_through_one_half() -> N
 
 
 def test_an_edge_beyond_the_radius_or_a_line_beside_the_road_is_not_seen() -> None:
-    near = sides_of([Outline(dense((20, 47), (180, 47)))], band(40, 60), 10.0)[0]
+    near = sides_of([CenterLine(dense((20, 47), (180, 47)))], band(40, 60), 10.0)[0]
     assert np.isnan(near.left).all()
     assert np.isfinite(near.right).all()
-    beside = sides_of([Outline(dense((20, 20), (180, 20)))], band(40, 60), 50.0)[0]
+    beside = sides_of([CenterLine(dense((20, 20), (180, 20)))], band(40, 60), 50.0)[0]
     assert not beside.seen.any()
     assert np.isnan(typical_width(beside))
 
@@ -53,7 +53,7 @@ def test_the_level_of_an_edge_may_be_set() -> None:
     """A slope from 1 at row 50 down to 0 at row 70: 0.25 is at row 65."""
     slope = np.clip((70 - np.arange(100.0)) / 20, 0, 1)[:, None].repeat(200, axis=1)
     for level, distance in ((0.25, 15), (0.75, 5)):
-        line = Outline(dense((50, 50), (150, 50)))
+        line = CenterLine(dense((50, 50), (150, 50)))
         (seen,) = sides_of([line], slope.astype(np.float32), 30.0, level)
         assert seen.left[50] == pytest.approx(distance, abs=0.2)
 
@@ -240,7 +240,7 @@ def test_a_thin_line_is_as_sure_as_a_thick_one(thickness: int) -> None:
 def test_lines_that_are_looked_at_together_do_not_know_of_each_other() -> None:
     bent = np.column_stack([np.linspace(20, 180, 90), 50 + 4 * np.sin(np.linspace(0, 6, 90))])
     straight = (dense((20, 47), (180, 47)), dense((30, 55), (90, 52)))
-    lines = [Outline(line) for line in (*straight, bent)]
+    lines = [CenterLine(line) for line in (*straight, bent)]
     together = sides_of(lines * 30, band(40, 60), 20.0)
     for index, seen in enumerate(together):
         (alone,) = sides_of([lines[index % 3]], band(40, 60), 20.0)

@@ -10,7 +10,7 @@ from scipy.ndimage import median_filter, minimum_filter1d
 
 from roadlang.geometry import Booleans, Floats
 
-from .edges import Outline, across, normals, sides_of
+from .edges import CenterLine, across, normals, sides_of
 
 Layer = NDArray[np.float32]
 _THIN = 5.0
@@ -19,7 +19,7 @@ _STEP = 0.25
 
 
 def centers(
-    lines: Sequence[Outline], surface: Layer, width: float, level: float
+    lines: Sequence[CenterLine], surface: Layer, width: float, level: float
 ) -> list[tuple[Floats, Booleans]]:
     """Of each line, pixels (n,) from its points, about one apart, to the middle of the road, along
     `normals`; and whether the road is as wide there as around: not so at junctions, corners and
@@ -59,7 +59,7 @@ def _without_short_runs(flags: Booleans, least: float) -> Booleans:
     return kept
 
 
-def _centroid(line: Outline, surface: Layer, width: float) -> tuple[Floats, Floats]:
+def _centroid(line: CenterLine, surface: Layer, width: float) -> tuple[Floats, Floats]:
     """Of the ink across the line, and how much of it there is, NaN without any."""
     away = np.arange(-(width / 2 + 2), width / 2 + 2 + _STEP, _STEP)
     normal = normals(line.points, line.closed)

@@ -13,7 +13,7 @@ from roadlang.geometry import Floats
 
 from .chain_fitting import Run, fitted, through
 from .chains import chains
-from .edges import Outline, Sides, sides_of, typical_width, widths
+from .edges import CenterLine, Sides, sides_of, typical_width, widths
 from .fair_fitting import Fit
 from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
@@ -77,11 +77,11 @@ def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: st
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
     lines = [even_points(curves[id(line)], step=2.0) for line in graph.lines]
-    outlines = [Outline(points) for points in lines]
+    outlines = [CenterLine(points) for points in lines]
     seen = sides_of(outlines, surface, 1.2 * options.width + 3, options.level)
     shown, sure = (_along(layer, lines) for layer in (surface, score))
     roads = tuple(
-        _road(line, index, Seen(*each), options)
+        _road(line, index, RoadEvidence(*each), options)
         for line, *each in zip(graph.lines, lines, seen, shown, sure, strict=True)
     )
     return FoundNetwork(nodes, roads, surface >= options.level, method)
@@ -139,7 +139,7 @@ def _part(run: Run, place: int, near: float) -> Floats:
 
 
 @dataclass(frozen=True)
-class Seen:
+class RoadEvidence:
     """What is seen along a road: its points (n, 2), its edges beside them, and surface and score at
     them (n,)."""
 
@@ -149,7 +149,7 @@ class Seen:
     score: Layer
 
 
-def _road(line: Line, index: dict[int, int], seen: Seen, options: Draft) -> FoundRoad:
+def _road(line: Line, index: dict[int, int], seen: RoadEvidence, options: Draft) -> FoundRoad:
     points, edges = seen.points, seen.edges
     solid = seen.surface >= options.sure
     if solid.mean() > 0.1:

@@ -38,7 +38,7 @@ class Sides:
 
 
 @dataclass(frozen=True)
-class Outline:
+class CenterLine:
     """A polyline (n, 2); a `closed` one repeats its first point."""
 
     points: Floats
@@ -46,7 +46,7 @@ class Outline:
 
 
 def sides_of(
-    lines: Sequence[Outline], surface: NDArray[np.float32], search_radius: float, level: float = 0.5
+    lines: Sequence[CenterLine], surface: NDArray[np.float32], radius: float, level: float = 0.5
 ) -> list[Sides]:
     """Look along the normals of lines for where the surface (h, w), 0..1, falls through `level`;
     NaN where that is beyond its border.
@@ -60,7 +60,7 @@ def sides_of(
     found = np.empty((2, len(points)))
     for first in range(0, len(points), _TOGETHER):
         rows = slice(first, first + _TOGETHER)
-        found[:, rows] = _edges(points[rows], normal[rows], surface, search_radius, level)
+        found[:, rows] = _edges(points[rows], normal[rows], surface, radius, level)
     ends = np.cumsum([len(line.points) for line in lines])[:-1]
     return [Sides(*each) for each in zip(*(np.split(side, ends) for side in found), strict=True)]
 

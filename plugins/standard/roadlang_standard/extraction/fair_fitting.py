@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from roadlang.geometry import Booleans, Floats
 
 from .centers import centers
-from .edges import Outline, normals
+from .edges import CenterLine, normals
 from .fair_lines import SeenOffsets
 from .fairing import FULLY, Pace, Rough, faired
 from .smoothing import curvature
@@ -80,7 +80,7 @@ def fitted_fairly(
 
     What was seen is let go, little by little, where the curve would be too tight.
     """
-    outlines = [Outline(line.curve, line.closed) for line in lines]
+    outlines = [CenterLine(line.curve, line.closed) for line in lines]
     middles = centers(outlines, surface, fit.width, fit.level)
     sought = [
         Rough(line.curve, _seen(line, *middle, fit), line.closed)
