@@ -58,7 +58,7 @@ def _corners(roads: Sequence[FoundRoad], widths: Floats) -> int:
     count = 0
     for turn, way in set(zip(near.tolist(), leg.tolist(), strict=True)):
         alike = np.flatnonzero((near == turn) & (leg == way))
-        lines = [_around(roads[index], turn + way) for index in alike]
+        lines = [_around(roads[index], turn + way) for index in alike.tolist()]
         owner = np.repeat(np.arange(len(alike)), [len(line) for line in lines])
         count += _turns(np.concatenate(lines), owner, (turn, way), steps[alike])
     return count

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import cv2
 import numpy as np
@@ -25,7 +26,7 @@ class CountedColors:
         """How many pixels have one of the `chosen` (n,) colors."""
         return int(self.counts[chosen].sum())
 
-    def binned(self, bins: NDArray[np.int32], size: int) -> NDArray[np.int64]:
+    def binned(self, bins: NDArray[np.integer[Any]], size: int) -> NDArray[np.int64]:
         """How many pixels (size,) there are in each bin, given the bin (n,) of each color."""
         return np.bincount(bins, weights=self.counts, minlength=size).astype(np.int64)
 

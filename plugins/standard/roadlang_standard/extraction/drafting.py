@@ -77,12 +77,12 @@ def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: st
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
     lines = [even_points(curves[id(line)], step=2.0) for line in graph.lines]
-    outlines = [CenterLine(points) for points in lines]
-    seen = sides_of(outlines, surface, 1.2 * options.width + 3, options.level)
+    centers = [CenterLine(points) for points in lines]
+    edges = sides_of(centers, surface, 1.2 * options.width + 3, options.level)
     shown, sure = (_along(layer, lines) for layer in (surface, score))
+    evidence = map(RoadEvidence, lines, edges, shown, sure)
     roads = tuple(
-        _road(line, index, RoadEvidence(*each), options)
-        for line, *each in zip(graph.lines, lines, seen, shown, sure, strict=True)
+        _road(line, index, seen, options) for line, seen in zip(graph.lines, evidence, strict=True)
     )
     return FoundNetwork(nodes, roads, surface >= options.level, method)
 

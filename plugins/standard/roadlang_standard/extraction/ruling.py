@@ -138,4 +138,4 @@ def _shifted(
 ) -> NDArray[np.intp]:
     """Where lines of a slope through these places cross the middle of the sheet, pixels."""
     aside = np.round((length / 2 - np.arange(length)) * slope).astype(np.intp)
-    return np.clip(across + aside[along], 0, count - 1)
+    return np.asarray(np.clip(across + aside[along], 0, count - 1), np.intp)
