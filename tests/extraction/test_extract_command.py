@@ -182,3 +182,11 @@ def test_roads_are_not_written_under_the_name_of_another_format(circuit: Any, na
     assert "this writes JSON or GeoJSON: name a file that ends in `.json`" in done.output
     assert "--overlay" in done.output
     assert not (folder / name).exists()
+
+
+def test_what_else_is_remarked_of_a_picture_is_shown(tmp_path: Path) -> None:
+    town = Path(__file__).parents[2] / "examples" / "town.png"
+    done = run(town, "-o", tmp_path / "roads.json")
+    assert done.exit_code == 0, done.output
+    assert "note: there are spots of other colors (6 of #b71c1c)" in done.output
+    assert "`legend: {" in done.output

@@ -10,7 +10,7 @@ import click
 
 from ..diagnostics import Code
 from . import exit_codes
-from .console import echo, report
+from .console import echo, note, report
 from .finite_range import FiniteRange
 from .output_files import FormatFile, keep_inputs
 from .quantities import pixel_size, pixels
@@ -242,6 +242,8 @@ def _report(found: Extraction, wrote: bool) -> None:
         roads = f"{count} road{'' if count == 1 else 's'}"
         about = f"{found.remarks[0]}, " if found.remarks else ""
         echo(f"{roads} ({about}{found.confidence:.0%} sure)")
+        for remark in found.remarks[1:]:
+            note(f"note: {remark}")
     if not found.network.edges:
         report([diagnose(Code.NO_ROAD_IN_IMAGE, help=(*found.remarks, _SAY_MORE))])
         click.get_current_context().exit(exit_codes.SCENARIO_HAS_ERRORS)
