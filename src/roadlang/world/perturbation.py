@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import DiagnosticError
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import build, evaluate
 from ..evaluate.kind_instance import KindInstance, row_of_kind
@@ -102,15 +102,15 @@ def displacement_by(
 
 
 def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch, count: int) -> None:
-    """Raises RL474 for what is not finite, beyond what the kind states, or beyond all measure."""
+    """Raises RL474 for what is not finite, or beyond what the kind states, RL472 for what is
+    beyond all measure."""
     sizes = displacement if displacement.ndim == 2 else np.hypot(*np.moveaxis(displacement, -1, 0))
     greatest = np.maximum(sizes.max(axis=1, initial=0.0), -sizes.min(axis=1, initial=0.0))
     if not np.isfinite(greatest).all():
         fault = "gave displacements that are not finite numbers"
         raise wrong_result(built.entry, built.call.span, fault)
     if greatest.max(initial=0.0) > FARTHEST:
-        fault = f"moved `{road.name}` by more than {FARTHEST:g} m"
-        raise wrong_result(built.entry, built.call.span, fault)
+        raise _too_far(built, road)
     bound = displacement_bound(built, count)
     beyond = greatest > bound + _ROUNDING * np.maximum(1.0, bound)
     if beyond.any():
@@ -118,6 +118,13 @@ def _check_size(displacement: Floats, built: KindInstance, road: RoadBatch, coun
         moved, stated = (float(np.broadcast_to(v, beyond.shape)[row]) for v in (greatest, bound))
         fault = f"moved `{road.name}` by {moved:g} m, beyond its bound of {stated:g} m"
         raise wrong_result(built.entry, built.call.span, fault)
+
+
+def _too_far(built: KindInstance, road: RoadBatch) -> DiagnosticError:
+    """RL472: the options decide how far a road is moved."""
+    what, span = f"{built.call.verb} with {built.entry.name}", built.call.span
+    reason = f"it moves `{road.name}` by more than {FARTHEST / 1000.0:,.0f} km"
+    return DiagnosticError(diagnose(Code.IMPOSSIBLE_GEOMETRY, span, what=what, reason=reason))
 
 
 def _row(built: KindInstance, road: RoadBatch, random: BatchRandom, row: int) -> Floats:

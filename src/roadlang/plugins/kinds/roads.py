@@ -105,8 +105,8 @@ class Perturber(Kind):
     def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
         """The displacement of one variant; the arrays of `road` have one row.
 
-        Returns (stations,) or (stations, 2) finite real meters, at most 1,000 km; anything else is
-        RL474. `over` and `taper` are applied to it afterwards.
+        Returns (stations,) or (stations, 2) finite real meters; anything else is RL474, and more
+        than 1,000 km are RL472. `over` and `taper` are applied to it afterwards.
         """
         raise NotImplementedError
 
