@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from ...diagnostics import Code, Diagnostic, Span, diagnose, did_you_mean
+from ...diagnostics import Code, Diagnostic, Fix, Span, diagnose, did_you_mean
 from ...files.matching import files_matching
 from ...files.picture_formats import NEEDED, READABLE, other_content, picture_format
 from ...files.reading import UnreadableFile, read_start
@@ -18,12 +18,25 @@ PICTURE_SUFFIXES = (
 
 
 def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnostic:
-    """RL450, with the nearest name in the folder."""
+    """RL450, with the nearest name in the folder, or with `/` where that names a file."""
     present = _files_in(folder, span, written)
     if isinstance(present, Diagnostic):
         return present
+    with_slashes = _with_slashes(folder, span)
+    if with_slashes is not None:
+        fixes = [Fix(span, f'"{with_slashes}"')]
+        help_ = (f"write `{with_slashes}`: folders are separated by `/` on every system",)
+        return diagnose(Code.MISSING_FILE, span, file=written, what="file", help=help_, fixes=fixes)
     help_ = did_you_mean(name, present) or (f"looked in `{folder}`",)
     return diagnose(Code.MISSING_FILE, span, file=written, what="file", help=help_)
+
+
+def _with_slashes(folder: Path, span: Span) -> str | None:
+    r"""The path, written as `sub\photo.jpg` in the file, with `/`, where a file has that name."""
+    path = span.text.strip('"').replace("\\\\", "/").replace("\\", "/")
+    if "\\" not in span.text or not os.path.isfile(folder / path):
+        return None
+    return path
 
 
 def _files_in(folder: Path, span: Span, written: str) -> list[str] | Diagnostic:
