@@ -200,6 +200,12 @@ def test_widths_that_disagree_are_said_to_a_tenth_of_a_millimeter() -> None:
     assert "`main` add up to 6.6667m, but `width` is 9m" in found.message
 
 
+def test_a_condition_of_a_controller_is_written_in_its_block() -> None:
+    (found,) = testing.check(OPTIONS.replace("%", "drive with brake, when: lead.speed < 1m/s"))
+    assert found.code == "RL220"
+    assert "write it in the block of `drive with`" in found.help[0]
+
+
 def test_a_member_of_agents_is_shown_as_it_is_written() -> None:
     (found,) = testing.check(EXPECT.replace("%", "heading(ego) < 1rad"))
     assert found.code == "RL227"

@@ -240,6 +240,8 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
         return (_DRIVE_OPTIONS[name],)
     if verb == "drive" and name in {option.name for option in common_options("agent")}:
         return (f"`{name}` is an option of the agent: write it beside `drive with`",)
+    if verb == "agent" and name in {option.name for option in common_options("drive")}:
+        return (f"`{name}` is an option of a controller: write it in the block of `drive with`",)
     if _SETTINGS.get((verb, name)) in known:
         return (f"it is called `{_SETTINGS[verb, name]}`",)
     if verb == "read" and name in ("file", "path", "map"):

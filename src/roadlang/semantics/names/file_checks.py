@@ -25,8 +25,10 @@ def missing_file(folder: Path, name: str, span: Span, written: str) -> Diagnosti
     with_slashes = _with_slashes(folder, span)
     if with_slashes is not None:
         fixes = [Fix(span, f'"{with_slashes}"')]
-        help_ = (f"write `{with_slashes}`: folders are separated by `/` on every system",)
-        return diagnose(Code.MISSING_FILE, span, file=written, what="file", help=help_, fixes=fixes)
+        slashes = f"write `{with_slashes}`: folders are separated by `/` on every system"
+        return diagnose(
+            Code.MISSING_FILE, span, file=written, what="file", help=slashes, fixes=fixes
+        )
     help_ = did_you_mean(name, present) or (f"looked in `{folder}`",)
     return diagnose(Code.MISSING_FILE, span, file=written, what="file", help=help_)
 
