@@ -11,10 +11,10 @@ import pytest
 
 import roadlang
 from roadlang.api import Picture, Scene
+from roadlang.geometry import round_length
 from roadlang.geometry.pixel_map import PixelMap
 from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.svg import palette
-from roadlang_standard.svg.furniture import round_length
 from roadlang_standard.svg.markup import element, group, number, path_data, rho, text
 from roadlang_standard.svg.photo import beneath
 from roadlang_standard.svg.profiles import profiles, rows_of

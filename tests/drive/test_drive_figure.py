@@ -9,7 +9,8 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from roadlang.drive.figure import color_shares, drive_figure, robustness_color
+from roadlang.drive.figure import drive_figure
+from roadlang.drive.robustness_colors import color_shares, robustness_color
 from roadlang.geometry import Marking
 from roadlang.ir.scene import SceneActor, SceneNetwork, SceneRoad
 from roadlang.ir.scene_junctions import SceneArm, SceneJunction
@@ -52,7 +53,7 @@ def test_roads_and_paths_are_drawn_to_scale_with_y_up() -> None:
     assert ego.get("stroke-width") == "1.5"
     assert line(ego) == [(24 + 200 * i, 58) for i in range(5)]
     assert line(other)[0] == (24, 108)
-    assert (root.get("width"), root.get("height")) == ("900", "132")
+    assert (root.get("width"), root.get("height")) == ("900", "152")
     assert [text.text for text in root.findall("text")] == ["a < b"]
 
 
@@ -72,7 +73,7 @@ def test_a_figure_is_of_what_it_shows_wherever_that_is(shown: str) -> None:
     assert [line(part)[0] for part in root.findall("polyline")] == (
         [(24, 58)] if shown == "agents" else []
     )
-    assert float(root.get("height") or 0) == 34 + 48
+    assert float(root.get("height") or 0) == 34 + 48 + 20
 
 
 def test_a_road_is_as_wide_as_its_drivable_lanes_at_each_place() -> None:
@@ -125,8 +126,9 @@ def test_objects_are_drawn_in_their_size() -> None:
 
 
 def test_the_path_has_the_color_of_its_robustness() -> None:
-    """Runs of one color, each up to the first point of the next; 0.35 of the agent's 2 m wide."""
-    *runs, _ = figure([1.0, 1.0, 0.0, -1.0, -2.0]).findall("polyline")
+    """Above other paths: runs of one color, each up to the first point of the next; 0.35 of the
+    agent's 2 m wide."""
+    _, *runs = figure([1.0, 1.0, 0.0, -1.0, -2.0]).findall("polyline")
     assert [(run.get("stroke"), len(line(run))) for run in runs] == [
         (GREEN, 3), (YELLOW, 2), (RED, 2), (RED, 1)
     ]  # fmt: skip
@@ -135,7 +137,7 @@ def test_the_path_has_the_color_of_its_robustness() -> None:
 
 def test_the_path_of_a_thin_agent_can_be_seen() -> None:
     main = road("main", lambda x: 0.0, 8520.0)
-    *runs, _ = figure([1.0] * 5, roads=(main,)).findall("polyline")
+    _, *runs = figure([1.0] * 5, roads=(main,)).findall("polyline")
     assert [run.get("stroke-width") for run in runs] == ["2.0"]
 
 

@@ -58,5 +58,5 @@ def test_a_color_is_blue_green_and_red(name: str, color: tuple[int, int, int]) -
 
 @pytest.mark.parametrize("name", ["mauve", "2e7d32", "#12345", "#"])
 def test_what_is_no_color_is_refused(name: str) -> None:
-    with pytest.raises(ValueError, match="is no color"):
+    with pytest.raises(ValueError, match="is not a color"):
         bgr(name)

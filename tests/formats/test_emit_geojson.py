@@ -215,7 +215,7 @@ def test_longitudes_stay_within_half_a_turn() -> None:
 
 
 def test_a_scene_that_is_nowhere_is_refused() -> None:
-    with pytest.raises(DiagnosticError, match="no map says where on Earth") as caught:
+    with pytest.raises(DiagnosticError, match="the scene has no location from a map") as caught:
         features(scene_of("road main { draw with segments { pieces: [straight(50m)] } }"),
                  origin=None)  # fmt: skip
     assert caught.value.diagnostics[0].code == "RL480"

@@ -75,5 +75,5 @@ def test_a_row_with_a_negative_spacing_leads_back_to_what_it_is_placed_by() -> N
     text = f"{ROAD}agent lead is car on main at 100m\n{row}"
     with pytest.raises(roadlang.DiagnosticError) as caught:
         roadlang.loads(text).sample(n=1)
-    assert "leave out the sign of `spacing`" in str(caught.value)
+    assert "leave out its sign" in str(caught.value)
     roadlang.loads(text.replace("-12m", "12m")).sample(n=1)

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from roadlang.drive.figure import robustness_color
+from roadlang.drive.robustness_colors import robustness_color
 from roadlang.ir.scene import Verdict
 from roadlang.ir.trace import AgentTrace, Trace
 from roadlang.judging.deciding_moment import DecidingMoment

@@ -17,7 +17,7 @@ import pytest
 
 from roadlang.cli.main import run
 from roadlang.diagnostics import DiagnosticError
-from roadlang.drive.figure import COLOR_STEPS, robustness_color
+from roadlang.drive.robustness_colors import COLOR_STEPS, robustness_color
 from roadlang.ir.results_record import RESULTS_FILE
 from roadlang.ir.trace import AgentTrace, Trace
 from roadlang.report.numbers import percent
@@ -235,8 +235,8 @@ def test_a_file_that_was_changed_is_named(
     assert "RL721" in error
     assert Path(name).name in error
     is_of_all = name == "provenance.json"  # nothing else has the command
-    again = "the folder again, with" if is_of_all else "it again with the command that is in prov"
-    assert f"make {again}" in error
+    again = "the folder again, with" if is_of_all else "it again with the command in prov"
+    assert f"create {again}" in error
     assert "object has no attribute" not in error
     assert "Expecting value" not in error
 

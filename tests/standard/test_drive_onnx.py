@@ -153,9 +153,13 @@ def test_inputs_called_after_readings_get_them(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("reading", "shape", "reason"),
     [
-        ("rear.distances", [3], "no reading of the agent, which has front.distances, front.angles"),
+        (
+            "rear.distances",
+            [3],
+            "not a reading of the agent, which has front.distances, front.angles",
+        ),
         ("front.distances", [4], "not float32 (1, 3)"),
-        ("rays", [3], "are not called after a reading"),
+        ("rays", [3], "are not named after a reading"),
     ],
 )
 def test_what_is_wrong_with_inputs_for_readings(

@@ -104,7 +104,7 @@ FAILING = {
     """,
     "it sent back the line it was given": "for line in sys.stdin: print(line, end='', flush=True)",
     "its first line has to be": 'print("{}", flush=True)\ntime.sleep(60)',
-    "is no JSON object: 'ready'": """
+    "is not a JSON object: 'ready'": """
         sys.stdin.readline()
         GREET
         sys.stdin.readline()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import cache
 from html import escape
 
 import numpy as np
@@ -15,12 +14,10 @@ from ..ir.scene import Scene, SceneActor
 from ..ir.trace import AgentTrace, Trace
 from ..scenes.figure_colors import FIGURE_COLORS, object_color
 from .drawn_roads import drawn_roads
+from .figure_key import Shown, figure_key
+from .robustness_colors import OTHER, color_shares, robustness_color
 
-COLOR_STEPS = 8
-"""Shades of robustness on each side of 0."""
-_SIZE, _MARGIN, _HEAD = 900.0, 24.0, 34.0
-_SAFE, _EDGE, _FAILED = (47, 158, 68), (245, 159, 0), (201, 42, 42)
-_OTHER = "#1c7ed6"
+_SIZE, _MARGIN, _HEAD, _FOOT = 900.0, 24.0, 34.0, 20.0
 
 
 def drive_figure(
@@ -29,7 +26,8 @@ def drive_figure(
     """An SVG document.
 
     The path of agent `name` is green where `robustness` (T,) is large, yellow at 0 and red below;
-    the sample `at` is marked. Meters are scaled to the width of the figure; y is up.
+    the sample `at` is marked. Meters are scaled to the width of the figure; y is up. A key at the
+    foot has the colors and a scale bar.
     """
     agents = [_while_there(a) for a in trace.agents.values() if np.isfinite(a.x).any()]
     roads = [road for road in scene.roads if road.derived] or list(scene.roads)
@@ -45,20 +43,25 @@ def drive_figure(
         columns = (_MARGIN + (px - left) * scale, _HEAD + _MARGIN + (top - py) * scale)
         return np.stack(columns, axis=-1)
 
-    height = _HEAD + 2 * _MARGIN + high * scale
+    height = _HEAD + 2 * _MARGIN + high * scale + _FOOT
     parts = [f'<rect width="{_SIZE:.0f}" height="{height:.0f}" fill="{FIGURE_COLORS.ground}"/>']
     parts += drawn_roads(scene, roads, place, scale)
     parts += (_footprint(object_, place, scale) for object_ in scene.objects)
-    for agent in agents:
+    judged = name if robustness is not None and any(a.name == name for a in agents) else ""
+    for agent in sorted(agents, key=lambda agent: agent.name == judged):
         line = place(agent.x, agent.y)
-        if agent.name == name and robustness is not None:
+        if robustness is not None and agent.name == judged:
             parts += _colored(line, robustness, max(0.35 * agent.width * scale, 2.0))
         else:
-            parts.append(_polyline(line, _OTHER, 1.5))
+            parts.append(_polyline(line, OTHER, 1.5))
     marked = trace.agents.get(name)
     if marked is not None and at is not None:
         parts.append(_mark(place(marked.x, marked.y)[at], marked, at))
     parts.append(_text(title))
+    if roads or agents:
+        names = [agent.name for agent in agents if agent.name != judged]
+        shown = Shown(judged, bool(names), marked is not None and at is not None)
+        parts.append(figure_key(shown, scale, (_MARGIN, _SIZE - _MARGIN), height - 10.0))
     body = "\n".join(parts)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
@@ -120,24 +123,6 @@ def _colored(line: Floats, robustness: Floats, width: float) -> Iterator[str]:
     for first, end in zip(begins, [*begins[1:], len(shares)], strict=True):
         color = robustness_color(float(shares[first]))
         yield _joined(points[first : end + 1], color, width)
-
-
-def color_shares(robustness: Floats) -> Floats:
-    """(T,) robustness in parts of the largest of its sign, from -1 to 1 in steps of 1/8."""
-    values = np.where(np.isnan(robustness), 0.0, robustness)
-    finite = values[np.isfinite(values)]
-    largest = np.max(finite, initial=1e-9), np.max(-finite, initial=1e-9)
-    shares = np.clip(values / np.where(values > 0.0, *largest), -1.0, 1.0)
-    return np.asarray(np.sign(shares) * np.ceil(np.abs(shares) * COLOR_STEPS) / COLOR_STEPS)
-
-
-@cache
-def robustness_color(share: float) -> str:
-    """Green at 1, yellow at 0, red from -1/8 on."""
-    end = _SAFE if share >= 0 else _FAILED
-    weight = abs(share) ** 0.5 if share >= 0 else 1.0
-    mixed = (round(e + (s - e) * weight) for e, s in zip(_EDGE, end, strict=True))
-    return "#" + "".join(f"{value:02x}" for value in mixed)
 
 
 def _mark(point: Floats, agent: AgentTrace, at: int) -> str:

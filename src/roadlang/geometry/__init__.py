@@ -11,7 +11,7 @@ Nothing is imported until a name is used.
 - roads: `WidthProfile`, `OffsetProfile`, `Lane`, `CrossSection`, `drivable_borders`, `Road`,
   `offset` (without folding); end to end: `RoadToJoin`, `joined_curve`, `joined_section`, `seams`
 - networks: `network_of_polylines`, `Node`, `Edge`, `RoadNetwork`, `Path`, `Step`,
-  `anchored_nodes`, `junction_window`
+  `anchored_nodes`, `junction_window`; lengths for scale bars: `round_length`
 - junctions as maps state them: `MapJunction`, `MapTurn`, `MapControl`, `LaneEnd`; their
   plans:
   `plan_junctions`, `PlanOptions`, `JunctionPlan`, `Junction`, `signal_phases`, `minor_roads`;
@@ -99,6 +99,7 @@ if TYPE_CHECKING:
     from .profile import OffsetProfile as OffsetProfile
     from .rings import outside_ring as outside_ring
     from .road import Road as Road
+    from .round_lengths import round_length as round_length
     from .routes.lane_graph import LaneGraph as LaneGraph
     from .routes.legs import RoutePlace as RoutePlace
     from .routes.shortest import ROOM_TO_BEGIN as ROOM_TO_BEGIN
@@ -149,6 +150,7 @@ _HOMES = {
     "fade": "window",
     "ease": "window",
     "outside_ring": "rings",
+    "round_length": "round_lengths",
     "triangulated": "triangulation",
     "WidthProfile": "width",
     "OffsetProfile": "profile",

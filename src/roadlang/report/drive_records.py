@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..diagnostics import DiagnosticError
-from ..drive.figure import COLOR_STEPS, color_shares
+from ..drive.robustness_colors import COLOR_STEPS, color_shares
 from ..falsification.descriptors import protagonist
 from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Verdict

@@ -8,7 +8,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from ..drive.figure import COLOR_STEPS, robustness_color
+from ..drive.robustness_colors import COLOR_STEPS, robustness_color
 from ..plugins.registry import Registry
 from .drive_records import DriveView, drive_record, samples_per_drive, view
 from .elements import text

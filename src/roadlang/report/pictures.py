@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..drive.figure import color_shares, robustness_color
+from ..drive.robustness_colors import color_shares, robustness_color
 from ..geometry.arrays import Floats
 from ..geometry.simplifying import simplified
 from ..ir.trace import AgentTrace

@@ -52,7 +52,7 @@ def clip(viewport: Viewport, name: str) -> str:
 
 def scale_bar(viewport: Viewport, size: float, right: float, y: float) -> str:
     """Two-tone, of a round length, its right end at `right` and its top at `y`."""
-    meters = round_length(_BAR_SHARE * viewport.box.width)
+    meters = geometry.round_length(_BAR_SHARE * viewport.box.width)
     long = meters * viewport.pixels_per_meter
     left, thick = right - long, 5.0
     half = long / 2
@@ -145,7 +145,7 @@ def _places(
     """Of each mark: what is written, both ends of its tick, the middle of its text."""
     import numpy as np
 
-    spacing = round_length(_MARK_SPACING / viewport.pixels_per_meter)
+    spacing = geometry.round_length(_MARK_SPACING / viewport.pixels_per_meter)
     last = float(ribbon.reference[-1])
     # On a closed road the last mark would stand on the first.
     furthest = last - 0.6 * spacing if ribbon.closed else last
@@ -179,12 +179,6 @@ def _covered(spots: Floats, reach: float, surfaces: Sequence[Floats]) -> NDArray
         if asked.any():
             found[asked] = geometry.outside_ring(surface, *spots[asked].T) < reach
     return found
-
-
-def round_length(meters: float) -> float:
-    """The greatest of 1, 2 or 5 times a power of ten that is not longer."""
-    power = 10.0 ** math.floor(math.log10(meters))
-    return next(step * power for step in (5, 2, 1) if step * power <= meters * (1 + 1e-9))
 
 
 def _length_text(meters: float) -> str:

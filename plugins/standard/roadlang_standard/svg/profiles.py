@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from operator import itemgetter
 from typing import TYPE_CHECKING
 
+from roadlang.api import geometry
+
 from . import palette
-from .furniture import round_length
 from .markup import element, group, number, path_data, rho, text
 
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ def _thinned(across: Floats, down: Floats) -> Floats:
 
 
 def _axis(y: float, left: float, right: float, length: float, size: float) -> Iterator[str]:
-    step = round_length(length / _TICKS * 2)
+    step = geometry.round_length(length / _TICKS * 2)
     yield element("line", x1=left, y1=y, x2=right, y2=y, stroke=palette.MUTED_INK,
                   stroke_width=0.8)  # fmt: skip
     for index in range(int(length / step + 1e-9) + 1):
