@@ -15,7 +15,7 @@ SOURCES = source_tree()
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
-def test_the_house_keeps(rule: Rule) -> None:
+def test_the_sources_keep(rule: Rule) -> None:
     assert not list(rule(SOURCES))
 
 

@@ -48,12 +48,7 @@ def drive_figure(
     parts += drawn_roads(scene, roads, place, scale)
     parts += (_footprint(object_, place, scale) for object_ in scene.objects)
     judged = name if robustness is not None and any(a.name == name for a in agents) else ""
-    for agent in sorted(agents, key=lambda agent: agent.name == judged):
-        line = place(agent.x, agent.y)
-        if robustness is not None and agent.name == judged:
-            parts += _colored(line, robustness, max(0.35 * agent.width * scale, 2.0))
-        else:
-            parts.append(_polyline(line, OTHER, 1.5))
+    parts += _paths(agents, judged, robustness, place, scale)
     marked = trace.agents.get(name)
     if marked is not None and at is not None:
         parts.append(_mark(place(marked.x, marked.y)[at], marked, at))
@@ -67,6 +62,22 @@ def drive_figure(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_SIZE:.0f}" height="{height:.0f}"'
         f' viewBox="0 0 {_SIZE:.0f} {height:.0f}">\n{body}\n</svg>\n'
     )
+
+
+def _paths(
+    agents: Sequence[AgentTrace],
+    judged: str,
+    robustness: Floats | None,
+    place: Callable[[Floats, Floats], Floats],
+    scale: float,
+) -> Iterator[str]:
+    """The path of the agent that is `judged` above all others."""
+    for agent in sorted(agents, key=lambda agent: agent.name == judged):
+        line = place(agent.x, agent.y)
+        if robustness is not None and agent.name == judged:
+            yield from _colored(line, robustness, max(0.35 * agent.width * scale, 2.0))
+        else:
+            yield _polyline(line, OTHER, 1.5)
 
 
 def _while_there(agent: AgentTrace) -> AgentTrace:
