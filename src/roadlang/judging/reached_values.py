@@ -32,12 +32,14 @@ def refuting_values(condition: Condition, candidates: CandidateBatch) -> tuple[s
     with; in words, none where it may be satisfied. `candidates` are any of the scenario."""
     if condition.domain != "road":
         return ()
-    bounds = _ReachedBounds(candidates)
-    variables, found = bounds.variables(condition), []
+    bounds, found = _ReachedBounds(candidates), []
     for binding in condition.signals:
         least = bounds.reached(binding.call)
+        if least <= 0.0:
+            continue
+        variables = bounds.variables(condition)
         narrowed = {**variables, binding.variable: (least, variables[binding.variable][1])}
-        if least > -math.inf and fails_at_one_sample(condition.formula, narrowed):
+        if fails_at_one_sample(condition.formula, narrowed):
             moved = "; ".join(bounds.causes(binding.call))
             found.append(f"`{binding.variable}` is {least:.4g}m or more somewhere: {moved}")
     return tuple(found)
@@ -51,12 +53,12 @@ class _ReachedBounds(ScenarioBounds):
         self._candidates = candidates
 
     def reached(self, call: PassCall) -> float:
-        """What a signal reaches at some station of its road; -inf where that is not known."""
+        """What a signal reaches at some station of its road; 0 where that is not known."""
         entry, kind = self.scenario.kind(call)
         assert issubclass(kind, Signal)
         options = self.options(call, kind) if implements(kind, "reached") else None
         if options is None or not all(isinstance(v, RoadBounds) for v in options.values()):
-            return -math.inf
+            return 0.0
         with plugin_guard(entry, call.span):
             return float(kind.reached(options)) * (1.0 - ROUNDING)
 

@@ -49,8 +49,8 @@ class Signal(Kind):
     @classmethod
     def reached(cls, options: Mapping[str, Any]) -> float:
         """What the signal reaches or exceeds at some station, whatever is drawn, from the `reach`
-        of roads; `options` holds a `RoadBounds` for each road. Without it nothing is known."""
-        return float("-inf")
+        of roads; `options` holds a `RoadBounds` for each road. 0 or less says nothing."""
+        return 0.0
 
     @classmethod
     def dimension_of(cls, options: Mapping[str, Any]) -> Dimension:
