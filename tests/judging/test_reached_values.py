@@ -49,6 +49,8 @@ def test_what_every_draw_exceeds_somewhere_is_impossible(passes: str, reached: i
         assert f"`deviation(bent, main)` is {reached}" in found.help[0]
         assert passes in found.help[0]
         assert "(line 3)" in found.help[0]
+        assert found.span is not None
+        assert found.span.text == NEAR.strip()
 
 
 @pytest.mark.parametrize(

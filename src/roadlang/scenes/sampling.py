@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Diagnostic, DiagnosticError
+from ..diagnostics import Diagnostic, DiagnosticError, Span
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..ir.scenario import Scenario
@@ -47,6 +47,8 @@ class SamplingResult:
     table: tuple[RejectionRow, ...]
     missing: tuple[int, ...] = ()
     impossible: tuple[str, ...] = ()
+    impossible_at: Span | None = None
+    """where the first of these is written"""
     remarks: tuple[str, ...] = ()
     causes: tuple[str, ...] = ()
     """what is in the way where there is no scene, as far as that is known"""
@@ -194,7 +196,8 @@ def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) ->
     texts = tuple(acceptance.requirements[index].text for index in sorted(impossible))
     causes = _causes(task, texts)
     shown = tuple(_shown(acceptance.requirements[index]) for index in sorted(impossible))
-    return SamplingResult((), wanted, 0, rows, (0,), shown, causes=causes)
+    place = acceptance.requirements[min(impossible)].span
+    return SamplingResult((), wanted, 0, rows, (0,), shown, place, causes=causes)
 
 
 def _shown(requirement: Requirement) -> str:

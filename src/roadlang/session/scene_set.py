@@ -212,7 +212,7 @@ def _shortfall(result: SamplingResult, file: str) -> list[Diagnostic]:
         return _collapse(result, file)
     if result.impossible:
         which = "; ".join(result.impossible)
-        help_ = list(result.causes)
-        return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, path=file, which=which, help=help_)]
+        help_, span = list(result.causes), result.impossible_at
+        return [diagnose(Code.IMPOSSIBLE_REQUIREMENTS, span, path=file, which=which, help=help_)]
     tried, causes = f"{result.candidates:,}", [hint, *result.causes]
     return [diagnose(Code.NO_SCENE_FOUND, path=file, tried=tried, help=causes)]
