@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import find_objects, sum_labels
 
 from roadlang.geometry import Booleans
 
-from .mask_parts import parts_of
 from .tones import Image, Layer, away_from
 
 _THIN = 5.0
@@ -87,35 +85,64 @@ def _colored_gaps(mask: NDArray[np.uint8], depth: Layer, colored: Booleans) -> B
     gaps = _gaps((mask, depth), colored, _BESIDE_COLORED, _MOST_COLORED)
     if not len(gaps.keys):
         return np.zeros(mask.shape, bool)
-    # The smaller label where two meet: there are few such pixels.
-    rim = cv2.dilate(gaps.labels.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.int32)
-    rim[gaps.labels > 0] = 0
-    around = np.bincount(rim.ravel(), minlength=len(gaps.areas))[gaps.keys]
-    road = np.asarray(sum_labels(mask, rim, gaps.keys)) / np.maximum(around, 1)
+    # The greater label where two meet: there are few such pixels.
+    rim = cv2.dilate(gaps.labels.astype(np.float32), np.ones((3, 3), np.uint8))
+    beside = np.flatnonzero((rim > 0) & (gaps.labels == 0))
+    owner = rim.ravel()[beside].astype(np.intp)
+    around = np.bincount(owner, minlength=len(gaps.boxes))[gaps.keys]
+    on_road = owner[mask.ravel()[beside] > 0]
+    road = np.bincount(on_road, minlength=len(gaps.boxes))[gaps.keys] / np.maximum(around, 1)
     return gaps.union(gaps.keys[(gaps.thinner > _COLORED) & (road > _ENCLOSED)])
 
 
 @dataclass(frozen=True)
 class _Gaps:
-    """Small parts of a mask: the labels (h, w) of all parts and their areas; of the small ones the
-    labels `keys` (n,), how thick they are and how wide the road is with them (n,), pixels."""
+    """Small parts of a mask: the labels (h, w) of all parts, and their boxes and areas (m, 5) as
+    OpenCV gives them; the `pixels` (p,) of small ones, as indices of the flat picture; of those
+    that may be markings the labels `keys` (n,), how thick they are and how wide the road is with
+    them (n,), pixels."""
 
     labels: NDArray[np.int32]
-    areas: NDArray[np.int64]
-    keys: NDArray[np.int64]
+    boxes: NDArray[np.int32]
+    pixels: NDArray[np.intp]
+    keys: NDArray[np.intp]
     thickness: NDArray[np.float64]
     width: NDArray[np.float64]
+
+    @property
+    def areas(self) -> NDArray[np.int32]:
+        """Of all parts (m,)."""
+        return np.asarray(self.boxes[:, cv2.CC_STAT_AREA])
 
     @property
     def thinner(self) -> NDArray[np.float64]:
         """How many times as wide as they are thick the road is (n,)."""
         return self.width / self.thickness
 
-    def union(self, keys: NDArray[np.int64]) -> Booleans:
-        """(h, w) where some of the parts are."""
-        if not len(keys):
-            return np.zeros(self.labels.shape, bool)
-        return _union(self.labels, self.areas, keys)
+    def union(self, keys: NDArray[np.intp]) -> Booleans:
+        """(h, w) where some of the small parts are."""
+        chosen, found = np.zeros(len(self.boxes), bool), np.zeros(self.labels.shape, bool)
+        chosen[keys] = True
+        found.ravel()[self.pixels[chosen.take(self.labels.ravel()[self.pixels])]] = True
+        return found
+
+    def window(self, key: int, reach: int) -> tuple[slice, slice]:
+        """The rows and columns of a part and so many pixels around it."""
+        left, top, width, height = self.boxes[key, :4].tolist()
+        rows = slice(max(0, top - reach), top + height + reach)
+        return rows, slice(max(0, left - reach), left + width + reach)
+
+    def most(self, inner: Layer) -> NDArray[np.float64]:
+        """How wide what has its edge so far away (h, w) is at most on the small parts, by labels
+        (m,).
+
+        A line one pixel thick is at 1 from what is around it. Where nothing else is in the picture,
+        OpenCV's distance is the greatest number there is.
+        """
+        most = np.zeros(len(self.boxes))
+        owner = self.labels.ravel()[self.pixels]
+        np.maximum.at(most, owner, inner.ravel()[self.pixels].astype(np.float64))
+        return 2 * most - 1
 
 
 def _gaps(
@@ -127,78 +154,47 @@ def _gaps(
     The road is at least so many times as wide beside them as they are thick: else the blocks of a
     town, which are one wide road once all of them are filled, would be lines upon it."""
     mask, beside = within
-    labels, areas, keys = _small_parts(gaps, largest)
-    none = np.zeros(0)
+    found = _small_parts(gaps, largest)
+    keys = found.keys
     if not len(keys):
-        return _Gaps(labels, areas, keys, none, none)
-    parts = _union(labels, areas, keys).view(np.uint8)
-    inner = cv2.distanceTransform(parts, cv2.DIST_L2, 5)
-    thickness = _most(inner, labels, parts, len(areas))
+        return found
+    inner = cv2.distanceTransform(found.union(keys).view(np.uint8), cv2.DIST_L2, 5)
+    thickness = found.most(inner)
     keys = keys[least * thickness[keys] <= 2 * float(beside.max(initial=0.0)) - 1]
-    windows = find_objects(labels) if len(keys) else []
-    wide = [_width_about(beside, windows[key - 1], thickness[key]) for key in keys.tolist()]
+    wide = [_width_about(beside, found, key, thickness[key]) for key in keys.tolist()]
     keys = keys[np.array(wide, float) >= least * thickness[keys]]
     if not len(keys):
-        return _Gaps(labels, areas, keys, none, none)
-    parts = _union(labels, areas, keys).view(np.uint8)
+        return replace(found, keys=keys)
+    parts = found.union(keys).view(np.uint8)
     road = cv2.distanceTransform(mask | parts, cv2.DIST_L2, 5)
-    width, thickness = _most(road, labels, parts, len(areas))[keys], thickness[keys]
+    width, thickness = found.most(road)[keys], thickness[keys]
     for i in np.flatnonzero(width < _LINE * thickness).tolist():
-        width[i] = _width_beside(road, labels, windows[keys[i] - 1], int(keys[i]), thickness[i])
-    return _Gaps(labels, areas, keys, thickness, width)
+        width[i] = _width_beside(road, found, int(keys[i]), thickness[i])
+    return replace(found, keys=keys, thickness=thickness, width=width)
 
 
-def _width_about(
-    inner: NDArray[np.float32], window: tuple[slice, slice], thickness: float
-) -> float:
+def _width_about(inner: Layer, gaps: _Gaps, key: int, thickness: float) -> float:
     """How wide the road is at most within two thicknesses about a part, pixels."""
-    reach = int(2 * thickness) + 2
-    rows, columns = (slice(max(0, side.start - reach), side.stop + reach) for side in window)
-    return 2 * float(inner[rows, columns].max()) - 1
+    return 2 * float(inner[gaps.window(key, int(2 * thickness) + 2)].max()) - 1
 
 
-def _width_beside(
-    inner: NDArray[np.float32],
-    labels: NDArray[np.int32],
-    window: tuple[slice, slice],
-    key: int,
-    thickness: float,
-) -> float:
+def _width_beside(inner: Layer, gaps: _Gaps, key: int, thickness: float) -> float:
     """How wide the road is at most within a few thicknesses beside a part that has hardly any of it
     on its other side, as a line along its edge."""
     reach = int(_LINE * thickness) + 1
-    rows, columns = (slice(max(0, side.start - reach), side.stop + reach) for side in window)
-    part = (labels[rows, columns] == key).view(np.uint8)
+    window = gaps.window(key, reach)
+    part = (gaps.labels[window] == key).view(np.uint8)
     near = cv2.dilate(part, np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)) > 0
-    return 2 * float(inner[rows, columns][near].max()) - 1
+    return 2 * float(inner[window][near].max()) - 1
 
 
-def _most(
-    inner: NDArray[np.float32], labels: NDArray[np.int32], parts: NDArray[np.uint8], count: int
-) -> NDArray[np.float64]:
-    """How wide what has its edge so far away (h, w) is at most on `parts` (h, w), by their labels
-    (count,).
-
-    A line one pixel thick is at 1 from what is around it. Where nothing else is in the picture,
-    OpenCV's distance is the greatest number there is.
-    """
-    there, most = np.flatnonzero(parts), np.zeros(count)
-    np.maximum.at(most, labels.ravel()[there], inner.ravel()[there].astype(np.float64))
-    return 2 * most - 1
-
-
-def _small_parts(
-    gaps: Booleans, largest: float
-) -> tuple[NDArray[np.int32], NDArray[np.int64], NDArray[np.int64]]:
-    """The labels (h, w) of parts, their areas, and the labels of small ones."""
-    count, labels = parts_of(gaps)
-    areas = np.bincount(labels.ravel(), minlength=count)
-    keys = np.flatnonzero(areas < largest * gaps.size)
-    return labels, areas, keys[keys > 0]
-
-
-def _union(
-    labels: NDArray[np.int32], areas: NDArray[np.int64], keys: NDArray[np.int64]
-) -> Booleans:
-    """(h, w) where these parts are."""
-    return np.isin(np.arange(len(areas)), keys).take(labels)
+def _small_parts(gaps: Booleans, largest: float) -> _Gaps:
+    """The parts of a mask (h, w) that are less than this share of the picture."""
+    _, labels, boxes, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
+        gaps.view(np.uint8), 4, cv2.CV_32S, cv2.CCL_BOLELLI
+    )
+    small = boxes[:, cv2.CC_STAT_AREA] < largest * gaps.size
+    small[0] = False
+    keys, none = np.flatnonzero(small), np.zeros(0)
+    pixels = np.flatnonzero(small.take(labels)) if len(keys) else keys
+    return _Gaps(labels, boxes, pixels, keys, none, none)
