@@ -11,7 +11,7 @@ import roadlang
 from roadlang import testing
 from roadlang.envs import SceneEnv, off_road
 from roadlang.envs.off_road import OffRoadCheck
-from roadlang.geometry.arrays import Booleans, Integers
+from roadlang.geometry.arrays import Booleans, Floats, Integers
 from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.signals.samples import Samples
@@ -85,21 +85,22 @@ def test_who_is_in_the_middle_of_its_lane_needs_no_signal(where: str) -> None:
     assert not OffRoadCheck(world).of(world, Samples(0), everyone).any()
 
 
-def test_only_who_is_near_a_border_is_looked_at_closely(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_only_of_who_is_near_a_border_the_signal_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
     world = world_of([on_roads(PLAIN)], {}, 0.02, 0.1)
-    everyone, looked_at = np.arange(len(world.present)), []
-    inside = OffRoadCheck._inside
+    everyone = np.arange(len(world.present))
+    read: list[int] = []
+    column = Samples.column
 
-    def noted(self: OffRoadCheck, world: World, agents: Integers) -> Booleans:
-        looked_at.extend(agents.tolist())
-        return inside(self, world, agents)
+    def noted(self: Samples, name: str, agents: Integers, depth: int) -> Floats:
+        read.extend(agents.tolist() if name == "off_road" else ())
+        return column(self, name, agents, depth)
 
-    monkeypatch.setattr(OffRoadCheck, "_inside", noted)
+    monkeypatch.setattr(Samples, "column", noted)
     world.motion.offset[3] = 20.0
     samples = Samples(0)
     samples.add(world, world.poses)
     assert OffRoadCheck(world).of(world, samples, everyone).tolist() == [i == 3 for i in everyone]
-    assert looked_at == [3]
+    assert read == [3]
 
 
 def test_a_corner_off_the_road_ends_an_episode() -> None:

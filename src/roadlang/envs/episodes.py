@@ -60,7 +60,8 @@ class Episodes:
     """The scenes `chosen` of a pool, each driven from its start whenever it is `restart`ed."""
 
     def __init__(self, pool: ScenePool, chosen: Sequence[int], settings: EnvSettings) -> None:
-        self._settings = settings
+        self._settings, self._substeps = settings, settings.substeps
+        self._limit = settings.limit * self._substeps
         scenes = [pool.scenes[index] for index in chosen]
         engine = engine_settings(pool.registry)
         self._world = world = world_of(scenes, engine.bodies, settings.dt, settings.step)
@@ -127,18 +128,19 @@ class Episodes:
         """Drive on, with `actions` (R, 2) in the scenes `rows`; the others go on as they like."""
         world, settings = self._world, self._settings
         decision = self._decided(rows, actions)
-        along = world.traveled[self._agents[rows]]
-        if compiled.pays(settings.substeps, len(world.present)):
+        agents = self._selected(rows)
+        along = world.traveled[agents]
+        if compiled.pays(self._substeps, len(world.present)):
             world.advance = compiled.advance  # the same to the last bit
-        world.step(decision.steering, decision.acceleration, decision.heading, settings.substeps)
+        world.step(decision.steering, decision.acceleration, decision.heading, self._substeps)
         poses = world.poses
-        if self._contacts.watch(world, poses, settings.substeps * settings.dt):
+        if self._contacts.watch(world, poses, self._substeps * settings.dt):
             poses = world.poses
             self._contacts.seen(poses)
         self._poses = poses
-        progress = world.traveled[self._agents[rows]] - along
+        progress = world.traveled[agents] - along
         transition = self._transition(rows, actions, progress)
-        self._before[rows] = actions
+        self._before[self._scenes(rows)] = actions
         return transition, self._ends(rows, transition)
 
     def _decided(self, rows: Integers, actions: Floats) -> Decision:
@@ -148,7 +150,7 @@ class Episodes:
             decision = Decision(np.zeros(count), np.full(count, -IDLE_BRAKING))
         else:
             decision = self._drivers.decide(world, self._poses)
-        agents = self._agents[rows]
+        agents = self._selected(rows)
         decision.steering[agents] = actions[:, 0] * world.bodies.max_steering[agents]
         scale = np.where(actions[:, 1] < 0.0, settings.deceleration, settings.acceleration)
         decision.acceleration[agents] = actions[:, 1] * scale
@@ -178,6 +180,10 @@ class Episodes:
             arrived=world.at_end[agents],
         )
 
+    def _scenes(self, rows: Integers) -> Any:
+        """Some scenes, as an index that copies nothing where they are all."""
+        return slice(None) if len(rows) == len(self._before) else rows
+
     def _selected(self, rows: Integers) -> Any:
         """The driven agents of some scenes, as an index that copies nothing where it can."""
         return slice(None) if len(rows) == len(self._world.present) else self._agents[rows]
@@ -195,7 +201,7 @@ class Episodes:
             after.off_road if settings.off_road_ends else none,
             after.arrived,
             violated,
-            ticks >= settings.limit * settings.substeps,
+            ticks >= self._limit,
         )
 
 

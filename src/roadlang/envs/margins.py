@@ -76,9 +76,12 @@ class Margins:
 
     def values(self, samples: Samples) -> Floats:
         """(S,) the margins now, within the bounds of rewards."""
-        out = np.empty(self._count)
-        for form in self._forms:
-            out[form.rows] = form.values(samples)
+        if len(self._forms) == 1:  # of all scenes, in their order
+            out = self._forms[0].values(samples)
+        else:
+            out = np.empty(self._count)
+            for form in self._forms:
+                out[form.rows] = form.values(samples)
         return np.minimum(np.maximum(out, -MOST), MOST)
 
 

@@ -27,6 +27,8 @@ class OffRoadCheck:
         agents = range(len(world.present))
         self._half_width = np.array([_half_width(world, agent, drivable) for agent in agents])
         self._room = _room(world, self._half_width)
+        self._half_length = 0.5 * world.bodies.length
+        self._reads_alike = _are_alike(world)
 
     def of(self, world: World, samples: Samples, agents: Integers) -> Booleans:
         """(n,) whether some agents are outside the drivable area. `samples`: of the world now."""
@@ -34,7 +36,9 @@ class OffRoadCheck:
         near = np.flatnonzero(self._is_near(world)[agents])
         if not len(near):
             return out
-        unsure = near[~self._inside(world, agents[near])]
+        # To read a few more signals takes less time than to look whether it is needed, unless that
+        # is done for one agent after another.
+        unsure = near if self._reads_alike else near[~self._inside(world, agents[near])]
         if len(unsure):
             out[unsure] = samples.column("off_road", agents[unsure], 0)[-1] > 0.0
         return out
@@ -42,8 +46,8 @@ class OffRoadCheck:
     def _is_near(self, world: World) -> Booleans:
         """(N,) who may reach beyond a border, wherever along its line it is: a rough look, to find
         the few agents for whom it has to be worked out."""
-        motion, bodies = world.motion, world.bodies
-        side = np.abs(motion.offset) + 0.5 * bodies.length * np.abs(motion.sine)
+        motion = world.motion
+        side = np.abs(motion.offset) + self._half_length * np.abs(motion.sine)
         return np.asarray(world.has_road & ~(side <= self._room))
 
     def _inside(self, world: World, agents: Integers) -> Booleans:
@@ -73,6 +77,19 @@ def _room(world: World, half_width: Floats) -> Floats:
     bulge = curvature * reach * reach  # as much at most, in bends that wide
     wide = curvature * half_width <= 0.5
     return np.where(wide, half_width - 0.5 * bodies.width - bulge - _ROUNDING, -1.0)
+
+
+def _are_alike(world: World) -> bool:
+    """Whether all agents are on roads with one cross-section, the same all along: their signals
+    are read together."""
+    if world.has_route.any():
+        return False
+    roads = {id(road): road for scene in world.scenes for road in scene.roads}
+    alike = {(road.lane_list, road.center_offset): road for road in roads.values()}
+    (road, *others) = alike.values() or (None,)
+    if road is None or others or not road.lane_list:
+        return False
+    return LaneSection.of(road).is_constant
 
 
 def _half_width(world: World, agent: int, drivable: dict[int, float]) -> float:

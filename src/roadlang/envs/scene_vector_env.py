@@ -107,16 +107,19 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
             raise RuntimeError("an episode is over: reset(options={'reset_mask': ...}) it first")
         happened, ends = rows.step(checked_actions(actions, self.num_envs, 2))
         rewards = np.array(self._reward(happened), dtype=np.float64)
-        terminated, truncated = ends.terminated, ends.late & ~ends.terminated
+        terminated = ends.terminated
+        truncated = ends.late & ~terminated
         info: dict[str, Any] = dict(ends.reasons)
         if mode == AutoresetMode.NEXT_STEP and over.any():
             rewards[over] = 0.0
-            terminated, truncated = terminated & ~over, truncated & ~over
-            info = {name: column & ~over for name, column in info.items()}
+            ran = ~over
+            terminated, truncated = terminated & ran, truncated & ran
+            info = {name: column & ran for name, column in info.items()}
             rows.advance(np.flatnonzero(over))
         self._over = terminated | truncated
         observed = rows.observe()
-        info = _masked(info | {"margins": _masked(dict(happened.margins), ~over)}, ~over)
+        ran = ~over
+        info = _masked(info | {"margins": _masked(dict(happened.margins), ran)}, ran)
         if mode == AutoresetMode.SAME_STEP and self._over.any():
             observed, info = self._first_step(observed, info)
         return observed, rewards, terminated, truncated, info

@@ -32,6 +32,8 @@ class LateralMotion:
     """now"""
     moves: bool = False
     """whether any line may be moving"""
+    is_at_start: bool = True
+    """whether all lines are for certain as they were at the start of the drive"""
 
     @classmethod
     def at_rest(cls, offset: Floats) -> LateralMotion:
@@ -45,13 +47,14 @@ class LateralMotion:
 
     def restart(self, agents: Integers) -> None:
         """Those of some agents are as at the start of the drive."""
-        self.settle(agents, self.start[agents])
+        if not self.is_at_start:
+            self.settle(agents, self.start[agents])
 
     def take(self, rows: Integers) -> LateralMotion:
         """Those of some agents."""
         return LateralMotion(
             self.start[rows], self.target[rows], self.time[rows], self.share[rows],
-            self.powers[:, rows], self.offset[rows], self.moves,
+            self.powers[:, rows], self.offset[rows], self.moves, self.is_at_start,
         )  # fmt: skip
 
     def move(self, target: Floats, time: Floats | None) -> bool:
@@ -60,6 +63,7 @@ class LateralMotion:
         new = np.flatnonzero(np.isfinite(target) & (target != self.target))
         if not len(new):
             return False
+        self.is_at_start = False
         seconds = np.zeros(len(new)) if time is None else time[new]
         smooth = np.isfinite(seconds) & (seconds > 0.0)
         lasting = np.where(smooth, seconds, 1.0)
@@ -80,6 +84,7 @@ class LateralMotion:
         the right of those before and go away from these with `drift`, m/s."""
         if not len(rows):
             return
+        self.is_at_start = False
         slope = drift * self.time[rows]
         powers = self.powers.copy()
         powers[0, rows] += shift - slope * self.share[rows]
@@ -91,6 +96,7 @@ class LateralMotion:
 
     def go_on(self, earlier: LateralMotion, rows: Integers, old: Integers) -> None:
         """Those of some agents move as those of agents `old` do."""
+        self.is_at_start = False
         for name in _STATE:
             column = getattr(self, name).copy()
             column[..., rows] = getattr(earlier, name)[..., old]
@@ -99,6 +105,7 @@ class LateralMotion:
 
     def settle(self, rows: Integers, offset: Floats) -> None:
         """Those of some agents are at rest at offsets."""
+        self.is_at_start = False
         rest = LateralMotion.at_rest(offset)
         for name in _STATE:
             column = getattr(self, name).copy()

@@ -109,17 +109,21 @@ class ObservationVector:
             rows[::2], rows[1::2] = _turned(x - seen.x, y - seen.y, axes)
             place += len(rows)
         if self.agents:
-            out[place:] = self._others(seen, axes).reshape(-1, count)
-        np.maximum(out, self.low[:, None], out=out)
-        np.minimum(out, self.high[:, None], out=out)
+            place += self._fill_others(seen, axes, out[place:])
+        within = out[:place]  # the others are 0
+        np.maximum(within, self.low[:place, None], out=within)
+        np.minimum(within, self.high[:place, None], out=within)
         return np.ascontiguousarray(out.T)
 
-    def _others(self, seen: ObservationBatch, axes: tuple[Floats, Floats]) -> Floats:
-        """(agents, 5, N)."""
-        out = np.zeros((self.agents, len(_OTHER), len(seen.x)))
+    def _fill_others(
+        self, seen: ObservationBatch, axes: tuple[Floats, Floats], rows: NDArray[np.float32]
+    ) -> int:
+        """Fill the rows of other agents, (5 agents, N). How many of these may not be 0."""
         x, y, heading, speed = (column.T for column in seen.nearest(self.agents))
         if np.isnan(x[:1]).all():  # nearest first
-            return out
+            rows[:] = 0.0
+            return 0
+        out = rows.reshape(self.agents, len(_OTHER), -1)
         off_x, off_y = x - seen.x, y - seen.y
         near = off_x * off_x + off_y * off_y <= FARTHEST * FARTHEST  # False where it is NaN
         numbers = (
@@ -129,7 +133,7 @@ class ObservationVector:
         )
         for place, column in enumerate(numbers):
             out[:, place] = np.where(near, column, 0.0)
-        return out
+        return len(rows)
 
 
 def _turned(x: Floats, y: Floats, axes: tuple[Floats, Floats]) -> tuple[Floats, Floats]:

@@ -18,9 +18,10 @@ def nearest(
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """(R, count) x, y, heading and speed of the nearest other agents of the agents `rows`, nearest
     first; NaN where a scene has no more. Who is on another level is not seen."""
-    out = np.full((4, len(rows), count), math.nan)
     if world.slots == 1:
-        return out[0], out[1], out[2], out[3]
+        nobody = np.broadcast_to(np.float64(math.nan), (len(rows), count))
+        return nobody, nobody, nobody, nobody
+    out = np.full((4, len(rows), count), math.nan)
     shape = (len(world.scenes), world.slots)
     scene, place = rows // world.slots, rows % world.slots
     x, y = poses.x.reshape(shape)[scene], poses.y.reshape(shape)[scene]
