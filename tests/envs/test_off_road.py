@@ -11,11 +11,10 @@ import roadlang
 from roadlang import testing
 from roadlang.envs import SceneEnv, off_road
 from roadlang.envs.off_road import OffRoadCheck
-from roadlang.geometry.arrays import Booleans, Floats, Integers
+from roadlang.geometry.arrays import Floats, Integers
 from roadlang.ir.scene import Scene, SceneRoad
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.signals.samples import Samples
-from roadlang.simulation.state.world import World
 from tests.simulation.crossing_traffic import before_junction, entries
 from tests.simulation.routed_scenes import CROSSING, car, network_scene, route
 
