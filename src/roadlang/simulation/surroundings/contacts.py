@@ -150,7 +150,7 @@ class ContactDetector:
         meters. Those that are far apart need not be looked at until they can have come so far."""
         step = float(np.fmax.reduce(shift))
         self._fastest += step
-        looked = np.flatnonzero(self._next_look <= self._fastest + step)
+        looked = (self._next_look <= self._fastest + step).nonzero()[0]
         if not len(looked):
             return looked
         first, second = self._pairs[0].take(looked), self._pairs[1].take(looked)
