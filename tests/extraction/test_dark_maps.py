@@ -6,9 +6,17 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.exact_colors import has_exact_colors
+from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import with_contrast
 from roadlang_standard.extraction.picture_kind import MASK, picture_kind
-from tests.extraction.drawn_maps import LIGHT, MapStyle, drawn_map
+from tests.extraction.drawn_maps import (
+    LIGHT,
+    MapStyle,
+    as_jpeg,
+    drawn_map,
+    found_streets,
+    on_streets,
+)
 from tests.extraction.test_thin_streets import LAND, grid, scores
 
 FAINT = MapStyle(
@@ -46,6 +54,14 @@ def test_thin_streets_of_a_faint_map_are_found() -> None:
     image, lines = grid(2.5)
     faint = 30 + (image.astype(float) - LAND) * 0.3
     assert min(scores(faint.round().astype(np.uint8), lines)) > 0.85
+
+
+def test_streets_of_a_faint_map_that_was_saved_as_jpeg_are_found() -> None:
+    found = roads_of_map(as_jpeg(drawn_map(FAINT), 80))
+    assert found is not None
+    points = np.vstack([road.points for road in found.roads])
+    assert found_streets(points).mean() > 0.9
+    assert on_streets(points).mean() > 0.7
 
 
 def test_contrast_is_raised_where_there_is_little_and_the_land_stays() -> None:

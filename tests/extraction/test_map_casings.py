@@ -11,7 +11,8 @@ import pytest
 
 from roadlang_standard.extraction import map_tiles
 from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_tiles import _without_halos, roads_of_map
+from roadlang_standard.extraction.map_halos import without_halos
+from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import MapTone, map_tone
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import shaped
@@ -145,7 +146,7 @@ def test_outlines_of_a_name_on_land_are_no_street_but_what_is_within_one_on_a_st
     letters = lines(11, ((200, 100), (260, 100))) | lines(15, ((55, 300), (105, 300)))
     mask[96:105, 200:260] = False
     mask[98:103, 220:226] = True
-    kept = _without_halos(mask, letters)
+    kept = without_halos(mask, letters)
     assert not kept[280:].any()
     assert np.array_equal(kept[:200], mask[:200])
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_letters import without_letters
+from roadlang_standard.extraction.map_letters import letters_of_map, without_letters
 from roadlang_standard.extraction.map_tones import MapTone
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import LIGHT, drawn_map, known_tone
@@ -27,7 +27,7 @@ def test_a_name_on_a_wide_road_takes_the_color_of_the_road() -> None:
     image, road = named_road()
     dark = (image < 200).all(axis=2)
     assert (dark & road).sum() > 200
-    plain = without_letters(image)
+    plain = without_letters(image, letters_of_map(image, 6.0))
     assert (plain[road] == 255).all(axis=1).mean() > 0.99
     assert (plain[~road] == image[~road]).all()
 
@@ -35,7 +35,7 @@ def test_a_name_on_a_wide_road_takes_the_color_of_the_road() -> None:
 def test_a_picture_without_names_stays_as_it_is() -> None:
     image, _ = named_road()
     image[50:76] = 255
-    assert without_letters(image) is image
+    assert without_letters(image, letters_of_map(image, 6.0)) is image
 
 
 def patchwork() -> np.ndarray:

@@ -9,7 +9,7 @@ from roadlang.geometry import Booleans
 
 from .tones import Image
 
-_STROKE, _GLYPH, _LARGER = 7, 18, 6.0
+_STROKE, _GLYPH, LARGER = 7, 18, 6.0
 """Letters have strokes thinner than this, and are at most so large, in pixels; more on maps whose
 roads are wider than so many pixels."""
 _CONTRASTS, _INK = (30, 60, 120), 1.8
@@ -22,7 +22,7 @@ def letters_of_map(image: Image, width: float) -> Booleans:
     `width` is the usual one of the roads, pixels.
     """
     gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
-    larger = max(1.0, width / _LARGER)
+    larger = max(1.0, width / LARGER)
     glyph = round(_GLYPH * larger)
     stroke = 2 * round(larger * (_STROKE - 1) / 2) + 1
     kernel = np.ones((stroke, stroke), np.uint8)
@@ -42,9 +42,8 @@ def letters_of_map(image: Image, width: float) -> Booleans:
     return np.asarray(cv2.dilate(long[parts].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0)
 
 
-def without_letters(image: Image) -> Image:
-    """A map (h, w, 3) whose words and numbers have the color of the nearest pixel beside them."""
-    letters = letters_of_map(image, _LARGER)
+def without_letters(image: Image, letters: Booleans) -> Image:
+    """A map (h, w, 3) whose `letters` (h, w) have the color of the nearest pixel beside them."""
     if not letters.any() or letters.all():
         return image
     _, nearest = cv2.distanceTransformWithLabels(

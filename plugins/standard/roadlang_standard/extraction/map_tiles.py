@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
-from .map_letters import letters_of_map, without_letters
+from .map_halos import without_halos, without_names
+from .map_letters import LARGER, letters_of_map, without_letters
 from .map_lines import THIN, holes, parts_touching, short_parts, with_line_colors, without_outlines
 from .map_or_drawing import FEW, LETTERED, is_drawing
 from .map_tones import (
+    EXACT,
     LOSSY,
     MapTone,
-    Tolerance,
     color_masks,
     flat_colors,
     map_tones,
@@ -31,6 +32,7 @@ from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD, road_tones
 from .shared_colors import with_streets_alone
 from .skeleton import skeleton
+from .street_names import streets_below_names
 from .tones import Image, Layer
 
 _COLORS = 2
@@ -51,10 +53,8 @@ _NEAR = 4
 _STROKE = 3
 """Strokes of letters are up to twice as thick, in pixels: what of a road is between them is part of
 it, though thinner than a road."""
-_HALO = 0.6
-"""A part of the roads of which more is about letters is an outline of letters, ..."""
-_ON_STREET, _EXTENT = 0.2, 40
-"""unless streets that reach over so many pixels are so much of what is around the word."""
+_OUTLINE = 0.7
+"""What is thinner below the name of a street, as a share of usual roads, is an outline of it."""
 _ON_LETTERS = 0.6
 """A tone that lies so much about letters is their outline."""
 
@@ -78,18 +78,20 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     None if the picture has too few colors for a map, or if none of them looks like roads.
     """
     tolerance = tolerance_of(image)
-    image = without_jpeg_noise(image) if tolerance is LOSSY else with_contrast(image)
+    image = with_contrast(without_jpeg_noise(image) if tolerance is LOSSY else image)
     # Names on roads leave no even strips of them: the colors of roads are chosen without names.
-    plain = image if tolerance is LOSSY else without_letters(image)
+    names = letters_of_map(image, LARGER)
+    plain = image if tolerance is LOSSY else without_letters(image, names)
     colors = flat_colors(plain, tolerance)
-    if len(colors) < _COLORS or (len(colors) == _COLORS and _differing(plain, image) < LETTERED):
+    lettered = float(names.mean()) if tolerance is LOSSY else _differing(plain, image)
+    if len(colors) < _COLORS or (len(colors) == _COLORS and lettered < LETTERED):
         return None
-    chosen, thin = _chosen(plain, colors, tolerance)
+    chosen, thin = _chosen(plain, colors, names if tolerance is LOSSY else None)
     if not chosen.roads:
         return None
     usual = chosen.width(lambda tone: tone.width)
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
-    letters = letters_of_map(image, typical)
+    letters = names if typical <= LARGER else letters_of_map(image, typical)
     shown = [tone.color for tone in chosen.tones] if thin else colors
     if is_drawing(chosen.tones, chosen.roads, letters, len(shown)):
         return None
@@ -99,9 +101,9 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     else:
         seen = masks_without_water(shown, color_masks(image, shown, tolerance.near, thin))
     mask, others = _masks(seen, chosen, letters if thin else None)
-    if tolerance is LOSSY:
-        mask = _without_halos(mask, letters)
     widest = max(_wide(tone) for tone in chosen.roads)
+    if tolerance is LOSSY:
+        mask = without_halos(mask, letters)
     surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
     found = roads_of_surface(
         surface.astype(np.float32),
@@ -124,14 +126,18 @@ def _differing(one: Image, other: Image) -> float:
 
 
 def _chosen(
-    plain: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance
+    plain: Image, colors: list[NDArray[np.float64]], names: Booleans | None
 ) -> tuple[_Roads, bool]:
-    """The roads of a map (h, w, 3) without letters, and whether its tones have smoothed edges."""
-    fine = None if tolerance is LOSSY else _fine_roads(plain, with_line_colors(plain, colors))
+    """The roads of a map (h, w, 3), and whether its tones have smoothed edges.
+
+    A lossless map comes without letters, one stored as JPEG with its `names` (h, w).
+    """
+    fine = None if names is not None else _fine_roads(plain, with_line_colors(plain, colors))
     if fine is not None and fine.width(lambda tone: tone.width) < THIN:
         return fine, True
-    tones = without_water(map_tones(plain, colors, tolerance))
-    chosen = _Roads(tones, road_tones(with_streets_alone(tones), min(plain.shape[:2])))
+    tones = without_water(map_tones(plain, colors, EXACT if names is None else LOSSY))
+    shapes = tones if names is None else without_names(tones, names)
+    chosen = _Roads(tones, road_tones(with_streets_alone(shapes), min(plain.shape[:2])))
     # Names on streets leave less of them even than what is known of their edges.
     if fine is not None and not chosen.roads:
         return fine, True
@@ -183,6 +189,8 @@ def _uncovered(
     for other in others:
         if (other & letters).sum() < _ON_LETTERS * other.sum():
             area |= _opened(other)
+    streets, named = streets_below_names(_without_thin(mask, width), letters, width)
+    mask = streets | (mask & ~(named & ~_opened(mask, max(1, int(_OUTLINE * width)))))
     mask = mask | (_closed(mask, _STROKE) & letters & ~area)
     surface = _without_areas(without_specks(_without_thin(mask, width), 0.5 * width**2), widest)
     near = _closed(surface, _GAP * width) | (_closed(surface, _LETTER_GAP * typical) & letters)
@@ -193,29 +201,9 @@ def _uncovered(
     return surface, hidden.astype(np.float32)
 
 
-def _without_halos(mask: Booleans, letters: Booleans) -> Booleans:
-    """Without parts about letters (h, w) on land: their outlines have the color of streets, but a
-    name on a street has that at both ends."""
-    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    areas = np.bincount(parts[mask], minlength=count)
-    halos = np.bincount(parts[mask & letters], minlength=count) > _HALO * areas
-    if not halos.any():
-        return mask
-    extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
-    streets = mask & ~halos[parts] & (extents >= _EXTENT)[parts]
-    names, words = cv2.connectedComponents(letters.astype(np.uint8), connectivity=8)
-    # Of the words, the greater number where two rims meet: there are few such pixels.
-    rim = cv2.dilate(words.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.intp)
-    rim[letters] = 0
-    street, around = (np.bincount(rim[where], minlength=names) for where in (streets, rim > 0))
-    on_street = street > _ON_STREET * around
-    on_street[0] = False
-    return np.asarray(mask & (~halos[parts] | on_street[words]))
-
-
-def _opened(mask: Booleans) -> Booleans:
-    """Without what is thinner than 3 pixels: edges and casings."""
-    kernel = np.ones((3, 3), np.uint8)
+def _opened(mask: Booleans, size: int = 3) -> Booleans:
+    """Without what is thinner than so many pixels: edges and casings."""
+    kernel = np.ones((size, size), np.uint8)
     return np.asarray(cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0)
 
 

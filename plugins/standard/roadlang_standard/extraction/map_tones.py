@@ -117,8 +117,13 @@ class MapTone:
     def typical_width(self) -> float:
         """Of most of its length or, where much of that is thin lines, of most of its surface;
         pixels."""
-        mean = float(self.mask.sum()) / max(1.0, self.length)
+        mean = self.mean_width
         return mean if mean > _MIXED * self.width else self.width
+
+    @property
+    def mean_width(self) -> float:
+        """Of all that is in it, pixels."""
+        return float(self.mask.sum()) / max(1.0, self.length)
 
 
 def is_gray(color: NDArray[np.float64]) -> bool:
@@ -143,8 +148,8 @@ def without_jpeg_noise(image: Image) -> Image:
 
 
 def with_contrast(image: Image) -> Image:
-    """A lossless map (h, w, 3), with more contrast about its land where it has little: lines that
-    differ from it by ten gray levels have no edges of a mixed color else."""
+    """A map (h, w, 3), with more contrast about its land where it has little: lines that differ
+    from it by ten gray levels have no edges of a mixed color else, and JPEG's noise hides them."""
     land = flat_colors(image)[:1]
     if not land:
         return image

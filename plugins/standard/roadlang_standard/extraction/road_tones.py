@@ -33,7 +33,7 @@ _ALSO_EVEN = 0.4
 """Least share of even width of further roads: names hide more of roads that are few."""
 _LEAST = 0.5
 """Least length of roads, as a share of the picture's shorter side."""
-_WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 220 / 360
+_WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 230 / 360
 """Water is of these hues where it is also wide, or bluish up to the other one where it differs from
 the land in the other direction than roads do, darker or lighter."""
 _GREEN_HUES = 75 / 360, 160 / 360
@@ -54,8 +54,9 @@ _MANY = 0.3
 """Thin lines are streets where they are at least so long as the main roads: railways are not."""
 _HAIR = 1.2
 """Lines of no more pixels are outlines, of houses and of roads."""
-_TOUCHING = 0.4
-"""Least share of a tone that lies in parts which touch other roads."""
+_TOUCHING, _CUT = 0.4, 0.15
+"""Least share of a tone that lies in parts which touch other roads; of wide and even ones, which
+names cut."""
 _EDGE, _EDGES = 4, 0.4
 """Tones touch across edge lines of so many pixels, or of this share of a road's width."""
 
@@ -143,7 +144,7 @@ def _is_casing(tone: MapTone, ribbons: list[MapTone], land: MapTone) -> bool:
             and not _is_between(other, tone, land)
         )
         for other in ribbons
-        if other.width > tone.width + 1
+        if other.width > tone.width + 1 and other.mean_width > tone.mean_width
     )
 
 
@@ -229,13 +230,19 @@ def _joined(main: MapTone, others: list[MapTone]) -> list[MapTone]:
             rest = tone.mask & ~reach if tone.width <= _CASING else tone.mask
             near = cv2.dilate(reach.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
             touching = _parts_touching(rest, near)
-            if touching.sum() >= _TOUCHING * rest.sum():
+            least = _CUT if _is_main(tone, main) else _TOUCHING
+            if touching.sum() >= least * rest.sum():
                 found, left = True, [one for one in left if one is not tone]
                 whole = rest is tone.mask
                 mask = tone.mask if whole else touching | (tone.mask & reach)
                 taken.append(replace(tone, mask=mask))
                 reach |= cv2.dilate(mask.astype(np.uint8), kernel) > 0
     return taken
+
+
+def _is_main(tone: MapTone, main: MapTone) -> bool:
+    """Whether a tone is as even as roads alone are, and no narrower than `main`."""
+    return tone.steady >= _SURE and tone.width >= main.width and not _is_green(tone)
 
 
 def _parts_touching(mask: Booleans, reach: Booleans) -> Booleans:

@@ -1,0 +1,170 @@
+"""Streets beneath their names: a map writes a name along its street, and never beyond its end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+_LOWEST, _TALLEST, _LONG = 9.0, 24.0, 3.0
+"""A name in one line is between so tall, in pixels, and longer than so many times its height: the
+dashes of a footpath are lower."""
+_CURVED = 5.0
+"""What is longer than so many times its height may bend."""
+_REACH, _LEAST_REACH = 3.0, 12.0
+"""A street leads on from its name over so many widths, and at least so many pixels, ..."""
+_MOSTLY = 0.75
+"""on this share of them, ..."""
+_ASIDE, _TURN = 2.5, 0.25
+"""no farther to the side than so many pixels, and so much more a pixel of the way."""
+_BAND = 0.3
+"""The pixels of a name are on average no more of its height off its middle: of a band, a quarter.
+"""
+_HIDES = 1.5
+"""A name that is so many times as tall as the street is wide hides it."""
+_STRAIGHT, _BENT, _ONE_WAY = 0.6, 1.8, 0.7
+"""Letters do not turn by more radians along a name than the second, and if by more than the first,
+then for so much of it to one side: other lines go through words that stand beside one another."""
+_ROUNDS, _DEGREE = 3, 4
+"""A middle line that bends is fitted so often, by polynomials of its length of this degree."""
+_LEVEL, _EXACTLY = 0.1, 1.5
+"""A name is level where it rises by no more than so many pixels in each piece of its middle; a
+street at one of its ends is then to be no more off its middle."""
+_INSET = 2
+"""Letters are marked with so many pixels around them."""
+
+
+@dataclass(frozen=True)
+class _Name:
+    """The middle line (n, 2) of a name, in pixels from end to end, and its height."""
+
+    line: NDArray[np.float64]
+    height: float
+
+
+def streets_below_names(
+    mask: Booleans, letters: Booleans, width: float
+) -> tuple[Booleans, Booleans]:
+    """The streets (h, w) that names cover, and the names (h, w) that hide theirs.
+
+    A name among the `letters` (h, w) is along a street of the roads `mask` (h, w) that leads on
+    from either of its ends; it then covers the street from end to end. `width` is that of most
+    streets, pixels.
+    """
+    count, words, stats, _ = cv2.connectedComponentsWithStats(
+        letters.astype(np.uint8), connectivity=8
+    )
+    drawn = np.zeros(mask.shape, np.uint8)
+    named = np.zeros(mask.shape, bool)
+    for word in range(1, count):
+        left, top, wide, tall, area = (int(value) for value in stats[word])
+        if max(wide, tall) < _LONG * np.sqrt(area / _LONG):
+            continue
+        window = (slice(top, top + tall), slice(left, left + wide))
+        name = _name(words[window] == word, (left, top))
+        if name is None:
+            continue
+        line = _street(mask, name, width)
+        if line is None:
+            continue
+        points = np.round(line * 16).astype(np.int32)
+        cv2.polylines(drawn, [points], False, 1, max(1, round(width)), cv2.LINE_8, 4)
+        if name.height > _HIDES * width:
+            named[window] |= words[window] == word
+    return np.asarray(drawn > 0), named
+
+
+def _name(word: Booleans, corner: tuple[int, int]) -> _Name | None:
+    """The middle line of a word (h, w) whose upper left corner is at (x, y); None if it is none, or
+    in several lines."""
+    y, x = np.nonzero(word)
+    points = np.stack([x, y], axis=1).astype(np.float64)
+    middle = points.mean(axis=0)
+    across_all, mixed, down_all = np.cov((points - middle).T)[[0, 0, 1], [0, 1, 1]]
+    angle = np.arctan2(2 * mixed, across_all - down_all) / 2
+    along = np.array([np.cos(angle), np.sin(angle)])
+    across = np.array([-along[1], along[0]])
+    u, v = (points - middle) @ along, (points - middle) @ across
+    start, end = float(u.min()) + _INSET, float(u.max()) - _INSET
+    height = len(points) / (end - start + 2 * _INSET)
+    if not _LOWEST <= height <= _TALLEST or end - start < _LONG * height:
+        return None
+    degree = 3 if end - start > _CURVED * height else 1
+    bend = np.polynomial.Polynomial.fit(u, v, degree)
+    places = np.linspace(start, end, max(2, round((end - start) / 4)))
+    line = middle + places[:, None] * along + bend(places)[:, None] * across
+    for _ in range(_ROUNDS):
+        away = np.linalg.norm(points[:, None] - line[None, :], axis=2).min(axis=1)
+        if away.mean() <= _BAND * height:
+            return _Name(line + corner, height) if _bends_once(line) else None
+        line = _nearer(line, points)
+    return None
+
+
+def _bends_once(line: NDArray[np.float64]) -> bool:
+    """Whether a line (n, 2) turns little, and mostly to one side, as names do."""
+    steps = np.diff(line, axis=0)
+    turns = np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0])))
+    total = float(np.abs(turns).sum())
+    return total <= _STRAIGHT or (total <= _BENT and abs(float(turns.sum())) >= _ONE_WAY * total)
+
+
+def _nearer(line: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A line (n, 2) moved to the middle of the pixels (m, 2) of a name that may bend much."""
+    nearest = np.linalg.norm(points[:, None] - line[None, :], axis=2).argmin(axis=1)
+    fits = [np.polynomial.Polynomial.fit(nearest, points[:, axis], _DEGREE) for axis in (0, 1)]
+    places = np.arange(len(line))
+    return np.stack([fit(places) for fit in fits], axis=1)
+
+
+def _street(mask: Booleans, name: _Name, width: float) -> NDArray[np.float64] | None:
+    """The line of the street (n, 2) below a name; None if none leads on from it."""
+    first, last = (_leads_on(mask, line, width) for line in (name.line[::-1], name.line))
+    # The first end was looked at backward.
+    known = [offset for offset in (first if first is None else -first, last) if offset is not None]
+    if not known:
+        return None
+    # Names of places are level: by chance a street may lead up to one of their ends.
+    level = np.ptp(name.line[:, 1]) < _LEVEL * len(name.line)
+    if level and len(known) == 1 and abs(known[0]) > _EXACTLY:
+        return None
+    steps = np.gradient(name.line, axis=0)
+    steps /= np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-9)
+    normals = np.stack([-steps[:, 1], steps[:, 0]], axis=1)
+    line = name.line + np.linspace(known[0], known[-1], len(steps))[:, None] * normals
+    ahead = [line[:1] - 4 * steps[:1]] if first is not None else []
+    after = [line[-1:] + 4 * steps[-1:]] if last is not None else []
+    return np.vstack([*ahead, line, *after])
+
+
+def _leads_on(mask: Booleans, line: NDArray[np.float64], width: float) -> float | None:
+    """How far to the left a street leads on from the last point of a line (n, 2), pixels; None if
+    none does."""
+    step = line[-1] - line[-min(4, len(line))]
+    step /= max(float(np.linalg.norm(step)), 1e-9)
+    normal = np.array([-step[1], step[0]])
+    reach = np.arange(1, max(_REACH * width, _LEAST_REACH) + 4)
+    aside = np.arange(-12, 13)
+    there = line[-1] + reach[:, None, None] * step + aside[None, :, None] * normal
+    column, row = np.round(there).astype(np.intp).transpose(2, 0, 1)
+    height, across = mask.shape
+    inside = (column >= 0) & (column < across) & (row >= 0) & (row < height)
+    if inside[:, len(aside) // 2].sum() < _LEAST_REACH / 2:
+        return None
+    seen = inside & mask[np.clip(row, 0, height - 1), np.clip(column, 0, across - 1)]
+    near = np.abs(aside)[None, :] <= _ASIDE + _TURN * reach[:, None]
+    there_on = (seen & near).any(axis=1)
+    valid = inside[:, len(aside) // 2]
+    if there_on[3:][valid[3:]].mean() < _MOSTLY:
+        return None
+    # What is far wider is a street that crosses, or a square.
+    if np.median(seen.sum(axis=1)[there_on]) > 2 * width + 4:
+        return None
+    rows, columns = np.nonzero(seen & near)
+    early = reach[rows] <= reach[-1] / 2
+    off = float(np.mean(aside[columns[early]] if early.any() else aside[columns]))
+    return off if abs(off) <= _ASIDE else None
