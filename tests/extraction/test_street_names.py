@@ -11,7 +11,7 @@ from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import MapTone, map_tone
 from roadlang_standard.extraction.road_tones import road_tones
 from roadlang_standard.extraction.street_names import streets_below_names
-from tests.extraction.drawn_maps import as_jpeg
+from tests.extraction.drawn_maps import as_jpeg, known_tone
 
 WIDTH = 5.0
 AT_END = slice(94, 106), slice(154, 240)
@@ -175,7 +175,8 @@ def test_streets_along_what_is_mostly_as_thin_as_they_are_have_no_casings_for_it
     park = casings & ~street
 
     def tone(gray: float, where: Booleans, width: float, length: float) -> MapTone:
-        return MapTone(np.full(3, gray), where, length, 0.9, width, 1.5, 0.8, 40.0, 0.5, length / 2)
+        shape = (length, 0.9, width, 1.5, 0.8, 40.0, 0.5, length / 2)
+        return known_tone(np.full(3, gray), where, *shape)
 
     tones = [tone(240, ~casings, 50.0, 300.0), tone(255, street, 3.0, 1200.0)]
     found = road_tones([*tones, tone(225, park, 38.0, float(park.sum()) / 2)], 400)

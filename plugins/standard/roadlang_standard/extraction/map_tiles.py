@@ -20,6 +20,7 @@ from .map_tones import (
     EXACT,
     LOSSY,
     MapTone,
+    Tolerance,
     color_masks,
     flat_colors,
     map_tones,
@@ -78,7 +79,18 @@ def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | Non
     None if the picture has too few colors for a map, or if none of them looks like roads.
     """
     tolerance = tolerance_of(image)
-    image = with_contrast(without_jpeg_noise(image) if tolerance is LOSSY else image)
+    if tolerance is not LOSSY:
+        return _roads_of_map(with_contrast(image), tolerance, width)
+    image = without_jpeg_noise(image)
+    found = _roads_of_map(image, tolerance, width)
+    if found is not None:
+        return found
+    # Contrast makes more of JPEG's noise, too: it is raised where there are no roads else.
+    raised = with_contrast(image)
+    return None if raised is image else _roads_of_map(raised, tolerance, width)
+
+
+def _roads_of_map(image: Image, tolerance: Tolerance, width: float | None) -> FoundNetwork | None:
     # Names on roads leave no even strips of them: the colors of roads are chosen without names.
     names = letters_of_map(image, LARGER)
     plain = image if tolerance is LOSSY else without_letters(image, names)
