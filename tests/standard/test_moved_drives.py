@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
@@ -89,6 +89,8 @@ def test_a_drive_that_is_moved_measures_the_same(
     name: str, ahead: float, left: float, pace: float, bend: float, angle: float, east: float
 ) -> None:
     one, other = pair(ahead, left, pace, bend)
+    apart = np.abs(DistanceSignal(one, other).values())
+    assume(apart.min() > 1e-6)  # whether two that just touch have met is a matter of rounding
     expected = SIGNALS[name](one, other)
     again = SIGNALS[name](moved(one, angle, east, 40.0), moved(other, angle, east, 40.0))
     assert close(again, expected)
