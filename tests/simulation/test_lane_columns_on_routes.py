@@ -72,3 +72,23 @@ def test_the_bus_that_cuts_a_corner_is_off_the_road(crossing: Scene) -> None:
     (ego,) = scene.agents
     (trace,) = drive_scenes([replace(scene, agents=(replace(ego, length=26.0),))], duration=20.0)
     assert trace.agents["ego"].off_road.max() > 0.3
+
+
+def leaving(scene: Scene, rest: float) -> Scene:
+    """A car that ends its route `rest` meters on, away from the junction."""
+    road, lane = arms(scene)[0]
+    length = next(one.length for one in scene.roads if one.name == road)
+    path = route(scene, road, -lane, rest if lane < 0 else length - rest, [])
+    ego = car(scene, "ego", path, speed=10.0, drive=call("lane_follow", speed=10.0))
+    return replace(scene, agents=(ego,))
+
+
+def test_a_drive_is_as_far_off_the_road_whenever_others_end(crossing: Scene) -> None:
+    scene = through(crossing, "right")
+    (alone,) = drive_scenes([scene], duration=12.0)
+    others = [leaving(crossing, float(rest)) for rest in range(35, 75, 2)]
+    together = drive_scenes([scene, *others], duration=12.0)
+    ends = [trace.agents["ego"].time[-1] for trace in together[1:]]
+    assert min(ends) < 5.0 < 7.0 < max(ends)
+    expected = alone.agents["ego"].off_road
+    np.testing.assert_array_equal(together[0].agents["ego"].off_road, expected)

@@ -12,8 +12,8 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ...geometry.footprints import Footprints
 from ...geometry.rings import outside_ring
 from ...ir.scene import Scene, SceneRoad
+from ...ir.scene_junctions import SceneJunction
 from ..lanes.lane_columns import LANE_COLUMNS, LaneSection, OnRoad, on_road
-from ..lines.route_lines import RouteConnection
 from ..state.world import World
 
 NEEDED = ("along", "offset", "x", "y", "heading", "station", "cross_track_error")
@@ -144,7 +144,12 @@ def _along_route(world: World, agent: int, columns: Mapping[str, Floats]) -> dic
     out["lane_offset"][crossing] = columns["cross_track_error"][crossing]
     out["speed_limit"][crossing] = world.table.speed_limit(rows[crossing], along[crossing])
     out["road"][crossing] = -1.0
-    _include_junctions(out["off_road"], scene, turns, place.turn, poses, size)
+    # Of the whole route: what is read at some moments depends on no others.
+    ahead = world.table.turn[world.table.line[agent]]
+    junctions = {turns[i].junction.id: turns[i].junction for i in ahead[ahead >= 0]}
+    crossed = np.full(len(along), -1)
+    crossed[crossing] = [turns[i].junction.id for i in place.turn[crossing]]
+    _include_junctions(out["off_road"], scene, tuple(junctions.values()), crossed, poses, size)
     return out
 
 
@@ -154,34 +159,36 @@ _POSE = ("station", "x", "y", "heading")
 def _include_junctions(
     off_road: Floats,
     scene: Scene,
-    turns: tuple[RouteConnection, ...],
-    turn: Integers,
+    junctions: tuple[SceneJunction, ...],
+    crossed: Integers,
     poses: Mapping[str, Floats],
     size: tuple[Floats, Floats],
 ) -> None:
     """At junctions, the area and its roads together are where one may drive: each corner of the
-    footprint may be on another of them. Changes (T,) `off_road`."""
+    footprint may be on another of them. Changes (T,) `off_road`. `crossed`: (T,) the junction on
+    whose connection it is, -1 for none."""
     roads = {road.name: road for road in scene.roads}
-    for number in np.unique(turn[turn >= 0]):
-        inside = turn == number
-        junction = turns[number].junction
-        ring = np.array(junction.area)
-        distance = float(size[0][0, 0])
-        near = inside | _within(ring, poses, distance)
-        at = np.flatnonzero(near)
-        x, y, heading = (poses[name][0, at] for name in ("x", "y", "heading"))
-        lengths, widths = (np.full(len(at), float(extent[0, 0])) for extent in size)
-        corners = Footprints(x, y, heading, lengths, widths).corners
-        least = outside_ring(ring, corners[..., 0], corners[..., 1])
-        for arm in junction.arms:
-            road = roads[arm.road]
-            least = np.minimum(least, _outside_road(road, corners))
-        off_road[at] = least.max(axis=-1)
+    lengths, widths = (np.full(off_road.shape, float(extent[0, 0])) for extent in size)
+    x, y, heading = (poses[name][0] for name in ("x", "y", "heading"))
+    corners = Footprints(x, y, heading, lengths, widths).corners
+    least = np.full(corners.shape[:-1], math.inf)
+    for junction in junctions:
+        near = _is_near(np.array(junction.area), x, y, float(size[0][0, 0]))
+        at = np.flatnonzero(near | (crossed == junction.id))
+        if len(at):
+            around = [_outside_road(roads[arm.road], corners[at]) for arm in junction.arms]
+            around.append(outside_ring(np.array(junction.area), *np.moveaxis(corners[at], -1, 0)))
+            least[at] = np.minimum(least[at], np.minimum.reduce(around))
+    at = np.flatnonzero(np.isfinite(least[:, 0]))
+    off_road[at] = least[at].max(axis=-1)
 
 
-def _within(ring: Floats, poses: Mapping[str, Floats], distance: float) -> Booleans:
-    """(T,) whose center is at most `distance` from the area."""
-    return np.asarray(outside_ring(ring, poses["x"][0], poses["y"][0]) < distance)
+def _is_near(ring: Floats, x: Floats, y: Floats, distance: float) -> Booleans:
+    """(T,) which points are less than `distance` from an area."""
+    low, high = ring.min(axis=0) - distance, ring.max(axis=0) + distance
+    near = np.asarray((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
+    near[near] = outside_ring(ring, x[near], y[near]) < distance
+    return near
 
 
 def _outside_road(road: SceneRoad, points: Floats) -> Floats:
