@@ -9,8 +9,8 @@ import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.rings import outside_ring
-from ..ir.read_only import row_of
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
+from ..ir.scene_road import numbers_of
 from ..ir.trace import AgentTrace, Trace
 from ..judging.deciding_moment import first_violation
 from ..plugins.kinds import ROAD_PLACES
@@ -55,10 +55,11 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
     road = road_of(scene, name)
     curvature = np.zeros(ROAD_PLACES)
     if road is not None:
-        end = road.stations[-1]
+        stations = numbers_of(road, "stations")
+        end = stations[-1]
         places = _PARTS * (end / _PARTS[-1])  # `linspace` is slow
         places[-1] = end
-        curvature = np.interp(places, row_of(road.stations), row_of(road.curvature))
+        curvature = np.interp(places, stations, numbers_of(road, "curvature"))
     agent = trace.agents.get(name)
     speed = station = closing = 0.0
     if moment is None:
@@ -79,7 +80,7 @@ def measures(scene: Scene, trace: Trace, name: str) -> dict[str, float | None]:
     road, agent = road_of(scene, name), trace.agents.get(name)
     found: dict[str, float | None] = {"curvature": None, "speed": None, "gap": None}
     if road is not None:
-        found["curvature"] = float(np.abs(row_of(road.curvature)).max())
+        found["curvature"] = float(np.abs(numbers_of(road, "curvature")).max())
     if agent is not None and len(trace.time):
         found["speed"] = _finite(agent.speed.max())
         others = [other for other in trace.agents.values() if other is not agent]

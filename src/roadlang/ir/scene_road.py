@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
+from .read_only import Floats, row_of
 from .scene_lane import SceneLane
 from .scene_surface import SurfaceName, SurfacePatch
 
@@ -34,8 +36,15 @@ class SpeedZone:
     """m/s, of lanes that have none of their own; null for none"""
 
 
+class _OfRows:
+    __slots__ = ("_rows",)
+
+    _rows: Mapping[str, Any]
+    """of a road of `with_rows`"""
+
+
 @dataclass(frozen=True, slots=True)
-class SceneRoad:
+class SceneRoad(_OfRows):
     """One curve. The tuples have a number for each of its stations."""
 
     name: str
@@ -113,3 +122,35 @@ class SceneRoad:
             return equal_lanes(self.lanes, self.stations, self.width, period)
         marking, offset = self.center_marking, self.center_offset
         return listed_lanes(self.lane_list, marking, offset, self.stations, period)
+
+    if not TYPE_CHECKING:  # where it would hide what is no member
+
+        def __getattr__(self, name: str) -> Floats:
+            row = _rows_of(self).get(name) if name != "_rows" else None
+            if row is None:
+                raise AttributeError(f"a road of a scene has no member `{name}`")
+            numbers = Floats.of_row(row.tolist(), row)
+            object.__setattr__(self, name, numbers)
+            return numbers
+
+
+def with_rows(road: SceneRoad, rows: Mapping[str, Any], **others: Any) -> SceneRoad:
+    """The road with other members. Those that are tuples of numbers are given as read-only arrays
+    in `rows`, and are made of these when they are first read: few of the many scenes that a search
+    drives are ever written."""
+    found = object.__new__(SceneRoad)
+    for name in SceneRoad.__dataclass_fields__.keys() - rows.keys():
+        value = others[name] if name in others else getattr(road, name)
+        object.__setattr__(found, name, value)
+    object.__setattr__(found, "_rows", rows)
+    return found
+
+
+def numbers_of(road: SceneRoad, name: str) -> Any:
+    """The numbers of a member as an array to read (S,), without a tuple of them."""
+    row = _rows_of(road).get(name)
+    return row_of(getattr(road, name)) if row is None else row
+
+
+def _rows_of(road: SceneRoad) -> Mapping[str, Any]:
+    return getattr(road, "_rows", {})

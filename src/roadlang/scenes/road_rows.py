@@ -14,14 +14,11 @@ from ..geometry.arrays import Booleans, Floats, read_only
 from ..ir.batch import RoadBatch
 from ..ir.read_only import Floats as FloatNumbers
 from ..ir.scene_lane import SceneLane
-from ..ir.scene_road import SceneRoad
+from ..ir.scene_road import SceneRoad, with_rows
 from ..world.cross_sections import LaneBatch
 from ..world.station_numbers import station_numbers
 
 Numbers = tuple[float, ...]
-_COLUMNS = (
-    "stations", "x", "y", "heading", "curvature", "width", "lane_list", "length", "speed_limit",
-)  # fmt: skip
 
 
 def road_rows(
@@ -43,23 +40,42 @@ def road_rows(
     offset = section.center_offset
     center = () if offset is None else _fewest(offset.at(batch.stations).tolist())
     listed = _lane_lists(lanes, widths, batch.stations)
-    columns = (
-        _numbers(arc), _numbers(batch.points[..., 0]), _numbers(batch.points[..., 1]),
-        _numbers(batch.heading), _numbers(batch.curvature), _numbers(widths),
-        listed, batch.length[:, 0].tolist(), speed_limits,
+    same, differing = _rows_of(
+        stations=arc, x=batch.points[..., 0], y=batch.points[..., 1],
+        heading=batch.heading, curvature=batch.curvature, width=widths,
     )  # fmt: skip
-    every = {
+    every: dict[str, Any] = {
         **members,
+        **same,
+        **dict.fromkeys(differing, ()),
         "reference_stations": station_numbers(batch.stations, scenario),
         "lanes": section.lane_count,
         "closed": batch.closed,
         "center_marking": section.center_marking,
         "center_offset": center,
     }
-    rows = zip(
-        *(column if len(column) == count else [*column] * count for column in columns), strict=True
-    )
-    return [SceneRoad(**every, **dict(zip(_COLUMNS, row, strict=True))) for row in rows]
+    each: dict[str, Sequence[Any]] = {
+        "lane_list": listed,
+        "length": batch.length[:, 0].tolist(),
+        "speed_limit": speed_limits,
+    }
+    first = SceneRoad(**every, **{name: column[0] for name, column in each.items()})
+    return [first] if count == 1 else _each_of(first, differing, each, count)
+
+
+def _each_of(
+    first: SceneRoad, rows: dict[str, Floats], each: dict[str, Sequence[Any]], count: int
+) -> list[SceneRoad]:
+    """One road for each row; `each`: members with a value for each, or one for all."""
+    columns = (column if len(column) == count else [*column] * count for column in each.values())
+    return [
+        with_rows(
+            first,
+            {name: numbers[row] for name, numbers in rows.items()},
+            **dict(zip(each, values, strict=True)),
+        )
+        for row, values in enumerate(zip(*columns, strict=True))
+    ]
 
 
 _BARELY = 1e-6
@@ -115,12 +131,18 @@ def _fewest(numbers: list[float]) -> Numbers:
     return tuple(numbers[:1]) if len(set(numbers)) == 1 else tuple(numbers)
 
 
-def _numbers(rows: Floats) -> list[Numbers]:
-    """(V, S) as a tuple for each row; one where all are equal, to the sign of a 0."""
-    if len(rows) > 1 and _are_equal(rows):
-        rows = rows[:1]
-    rows = read_only(np.ascontiguousarray(rows))
-    return [FloatNumbers.of_row(each, row) for each, row in zip(rows.tolist(), rows, strict=True)]
+def _rows_of(**columns: Floats) -> tuple[dict[str, Numbers], dict[str, Floats]]:
+    """Of each (V, S) by name: the numbers of a row where all are equal, to the sign of a 0; the
+    read-only rows of the others."""
+    same: dict[str, Numbers] = {}
+    differing: dict[str, Floats] = {}
+    for name, rows in columns.items():
+        if len(rows) > 1 and not _are_equal(rows):
+            differing[name] = read_only(np.ascontiguousarray(rows))
+        else:
+            row = read_only(np.ascontiguousarray(rows[0]))
+            same[name] = FloatNumbers.of_row(row.tolist(), row)
+    return same, differing
 
 
 def _are_equal(rows: Floats) -> bool:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Floats
-from ...ir.read_only import row_of
 from ...ir.scene import SceneRoad
+from ...ir.scene_road import numbers_of
 
 SPACING = 1.0
 """Meters between two nodes of a table, at most."""
@@ -43,10 +43,9 @@ class LineSource:
 
 def road_line(road: SceneRoad, backward: bool) -> LineSource:
     """The center line of a road, in its direction or against it."""
-    columns = (road.stations, road.x, road.y, road.heading)
-    s, x, y, heading = (row_of(column) for column in columns)
+    s, x, y, heading = (numbers_of(road, name) for name in ("stations", "x", "y", "heading"))
     is_constant = road.width.count(road.width[0]) == len(road.width)
-    width: Floats | float = road.width[0] if is_constant else row_of(road.width)
+    width: Floats | float = road.width[0] if is_constant else numbers_of(road, "width")
     s = s - s[0]
     if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
         last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])
