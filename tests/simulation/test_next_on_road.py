@@ -11,10 +11,12 @@ import pytest
 
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.state.world import World
+from roadlang.simulation.surroundings import close_pairs
 from roadlang.simulation.surroundings import leaders as leaders_module
 from roadlang.simulation.surroundings.contacts import ContactDetector
 from roadlang.simulation.surroundings.leaders import Leaders, Pairing, leaders
 from roadlang.simulation.vehicles import compiled
+from roadlang.simulation.vehicles.poses import Poses
 
 from .test_same_bytes import records
 
@@ -79,7 +81,7 @@ def contacts(world: World, always: bool) -> list[Any]:
     x, y = poses.x.copy(), poses.y.copy()
     for step in range(150):
         if always:
-            detector._next_look[:] = 0.0
+            detector._pairs.restart(np.arange(len(x)))
         moved = random.normal(0.0, 0.4, (2, len(x))) * ~world.halted
         x, y = x + moved[0], y + moved[1] + 0.02 * step * (np.arange(len(x)) % 2)
         now = replace(poses, x=x, y=y)
@@ -92,8 +94,39 @@ def contacts(world: World, always: bool) -> list[Any]:
     return found
 
 
-def test_contacts_are_found_though_pairs_are_not_always_looked_at() -> None:
+@pytest.mark.parametrize("few", [0, 10**9], ids=["many", "few"])
+@pytest.mark.parametrize("fast", [False, True], ids=["numpy", "numba"])
+def test_contacts_are_found_though_pairs_are_not_always_looked_at(
+    few: int, fast: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if fast:
+        pytest.importorskip("numba")
+    monkeypatch.setattr(compiled, "is_loaded", lambda: False)
     scenes = records(ROW, 12)
-    often, always = (contacts(world_of(scenes, {}, 0.02, 0.1), each) for each in (False, True))
+    always = contacts(world_of(scenes, {}, 0.02, 0.1), True)
+    monkeypatch.setattr(compiled, "is_loaded", lambda: fast)
+    monkeypatch.setattr(close_pairs, "FEW", few)
+    often = contacts(world_of(scenes, {}, 0.02, 0.1), False)
     assert often == always
     assert len(often) > 10
+
+
+@pytest.mark.parametrize("few", [0, 10**9], ids=["many", "few"])
+@pytest.mark.parametrize("fast", [False, True], ids=["numpy", "numba"])
+def test_pairs_that_are_far_apart_are_not_looked_at(
+    few: int, fast: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if fast:
+        pytest.importorskip("numba")
+    monkeypatch.setattr(compiled, "is_loaded", lambda: fast)
+    monkeypatch.setattr(close_pairs, "FEW", few)
+    pairs = close_pairs.ClosePairs((np.array([0]), np.array([1])), np.array([2.0, 2.0]))
+    road_width = heading = np.zeros(2)
+
+    def met(x: float, meters: float) -> int:
+        poses = Poses(np.array([0.0, x]), np.zeros(2), heading, road_width)
+        return len(pairs.met(poses, np.array([meters, meters]) ** 2))
+
+    assert met(104.0, 1.0) == 0  # both may go 50 m until they touch
+    assert met(3.0, 5.0) == 0  # too soon to be looked at
+    assert met(3.0, 25.0) == 1

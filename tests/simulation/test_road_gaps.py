@@ -51,6 +51,6 @@ def test_compiled_gaps_are_the_same(
     world.motion.sine = straying * random.uniform(-0.4, 0.4, count)
     world.present = world.present & (random.uniform(size=count) > 0.1)
     pairs = Pairing.of(world).on_road
-    fast, plain = both(monkeypatch, lambda: RoadColumns.of(world).gaps(pairs))
-    assert fast.tobytes() == plain.tobytes()
-    assert 0.05 < np.isfinite(fast).mean() < 0.7
+    fast, plain = both(monkeypatch, lambda: RoadColumns.of(world).least_gaps(pairs))
+    assert [column.tobytes() for column in fast] == [column.tobytes() for column in plain]
+    assert 0.05 < np.isfinite(fast[0]).mean() < 0.7

@@ -16,11 +16,9 @@ from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
 from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.poses import Poses
+from .close_pairs import ClosePairs
 from .levels import ground_heights, standing_heights
 from .outlines import Outlines
-
-_ROUNDING = 1e-6
-"""Meters."""
 
 
 @dataclass(frozen=True)
@@ -51,19 +49,19 @@ class ContactDetector:
         radius = np.hypot(self._objects.half_length, self._objects.half_width)
         self._object_radius = radius
         self._standing = None if world.heights is None else standing_heights(world.scenes)
-        self._pairs, self._near = _pairs(world)
         self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
         self._before: Poses | None = None
-        self._pairs, self._near = self._apart(world)
+        pairs, self._near = self._apart(world, *_pairs(world))
+        self._pairs = ClosePairs(pairs, self._radius)
         self._next_check = np.zeros(len(self._near[0]))
         self._traveled = np.zeros(len(world.present))
-        self._fastest = 0.0  # meters that whoever went farthest in each step has gone, together
-        self._next_look = np.zeros(len(self._pairs[0]))  # of pairs: not until `_fastest` is that
 
-    def _apart(self, world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
+    def _apart(
+        self, world: World, pairs: tuple[Integers, Integers], near: tuple[Integers, Integers]
+    ) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:
         """The pairs that do not overlap at the start."""
         moving, (first, second), (agent, thing) = (
-            Outlines.moving(world, world.poses), self._pairs, self._near,
+            Outlines.moving(world, world.poses), pairs, near,
         )  # fmt: skip
         clear = ~_overlapping(moving, first, moving, second)
         free = ~_overlapping(moving, agent, self._objects, thing)
@@ -76,7 +74,7 @@ class ContactDetector:
     @property
     def is_idle(self) -> bool:
         """Whether nobody can touch anything."""
-        return not len(self._pairs[0]) and not len(self._near[0])
+        return not len(self._pairs.first) and not len(self._near[0])
 
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
@@ -85,17 +83,18 @@ class ContactDetector:
         before = self._before or poses
         self._before = poses
         shift_x, shift_y = poses.x - before.x, poses.y - before.y
-        shift = np.sqrt(shift_x * shift_x + shift_y * shift_y)
-        self._traveled += shift
-        found = self._of_agents(world, poses, (shift_x, shift_y, shift))
-        found += self._of_objects(world, poses, (shift_x, shift_y))
+        square = shift_x * shift_x + shift_y * shift_y
+        found = self._of_agents(world, poses, (shift_x, shift_y, square))
+        if len(self._near[0]):
+            self._traveled += np.sqrt(square)
+            found += self._of_objects(world, poses, (shift_x, shift_y))
         return self._settled(found, world, seconds) if found else []
 
     def seen(self, poses: Poses) -> None:
         """Agents were moved to where they touched something."""
         if self._before is not None:
             back_x, back_y = poses.x - self._before.x, poses.y - self._before.y
-            self._fastest += float(np.sqrt(back_x * back_x + back_y * back_y).max())
+            self._pairs.put(back_x * back_x + back_y * back_y)
         self._before = poses
 
     def restart(self, agents: Integers, poses: Poses) -> None:
@@ -104,15 +103,13 @@ class ContactDetector:
         back[agents] = True
         self._traveled[agents] = 0.0
         self._next_check[back[self._near[0]]] = 0.0
-        self._next_look[back[self._pairs[0]]] = 0.0
+        self._pairs.restart(agents)
         self._before = poses
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
         place = inverse_index(agents, count)
-        remaining = (place[self._pairs[0]] >= 0) & (place[self._pairs[1]] >= 0)
-        self._pairs = (place[self._pairs[0][remaining]], place[self._pairs[1][remaining]])
-        self._next_look = self._next_look[remaining]
+        self._pairs.take(agents, count)
         remaining = place[self._near[0]] >= 0
         self._near = (place[self._near[0][remaining]], self._near[1][remaining])
         self._next_check = self._next_check[remaining]
@@ -123,10 +120,8 @@ class ContactDetector:
     def _of_agents(
         self, world: World, poses: Poses, shift: tuple[Floats, Floats, Floats]
     ) -> list[Any]:
-        first, second = self._pairs
-        if not len(first):
-            return []
-        close = self._close_pairs(poses, shift[2])
+        first, second = self._pairs.first, self._pairs.second
+        close = self._pairs.met(poses, shift[2]) if len(first) else first
         if len(close):
             close = close[~(world.halted[first[close]] & world.halted[second[close]])]
             close = close[world.present[first[close]] & world.present[second[close]]]
@@ -145,28 +140,9 @@ class ContactDetector:
             for i in np.flatnonzero(share <= 1.0)
         ]
 
-    def _close_pairs(self, poses: Poses, shift: Floats) -> Integers:
-        """The numbers of pairs whose circles have met in a step in which agents have gone `shift`
-        meters. Those that are far apart need not be looked at until they can have come so far."""
-        step = float(np.fmax.reduce(shift))
-        self._fastest += step
-        looked = (self._next_look <= self._fastest + step).nonzero()[0]
-        if not len(looked):
-            return looked
-        first, second = self._pairs[0].take(looked), self._pairs[1].take(looked)
-        off_x = poses.x.take(first) - poses.x.take(second)
-        off_y = poses.y.take(first) - poses.y.take(second)
-        square = off_x * off_x + off_y * off_y
-        radius = self._radius.take(first) + self._radius.take(second)
-        self._next_look[looked] = self._fastest + 0.5 * (np.sqrt(square) - radius) - _ROUNDING
-        reach = radius + (shift.take(first) + shift.take(second))
-        return looked[square <= reach * reach]
-
     def _of_objects(self, world: World, poses: Poses, shift: tuple[Floats, Floats]) -> list[Any]:
         """An agent that is far from an object need not be looked at until it has gone that far."""
         agent, objects = self._near
-        if not len(agent):
-            return []
         pending = (self._traveled[agent] >= self._next_check).nonzero()[0]
         if len(pending):
             pending = pending[~world.halted[agent[pending]] & world.present[agent[pending]]]

@@ -97,27 +97,35 @@ class Pairing:
 def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
     """Who is ahead in the lane of each agent. Of two on one road their stations say it; what else
     is near is looked for along the line."""
-    shape = (len(world.scenes), world.slots)
     has_road_mates, has_others = pairing.exists
-    heading = poses.heading.reshape(shape)
+    if has_road_mates and not has_others:
+        return _next_on_roads(world, poses, pairing)
+    shape = (len(world.scenes), world.slots)
     if has_road_mates:
-        columns = RoadColumns.of(world)
-        if pairing.one_way and pairing.on_road.size > MANY:
-            gap, first = next_on_road(columns)
-            turn = heading[pairing.scene, first] - heading
-            return _ahead(
-                world, pairing, (gap, first, turn),
-                lambda: (columns.gaps(pairing.on_road), _turned(heading)),
-            )  # fmt: skip
-        gaps = columns.gaps(pairing.on_road)
+        gaps = RoadColumns.of(world).gaps(pairing.on_road)
     else:
         gaps = np.full((*shape, world.slots), math.inf)
-    turned = _turned(heading)
+    turned = _turned(poses.heading.reshape(shape))
     if has_others:
         there = world.present.reshape(shape)
         both = there[:, :, None] & there[:, None, :]
         _search(world, poses, (pairing.elsewhere & both, pairing.radius), gaps, turned)
     return _next_ahead(world, pairing, gaps, turned)
+
+
+def _next_on_roads(world: World, poses: Poses, pairing: Pairing) -> Leaders:
+    """Where all that can be ahead are on the same roads."""
+    columns, pairs, known = RoadColumns.of(world), pairing.on_road, None
+    if pairing.one_way and pairs.size > MANY:
+        least, first = next_on_road(columns)
+    else:
+        known, least, first = columns.least_gaps(pairs)
+    heading = poses.heading.reshape(least.shape)
+    agent = pairing.scene * world.slots + first
+    return _ahead(
+        world, (least, agent, poses.heading.take(agent) - heading),
+        lambda: (columns.gaps(pairs) if known is None else known, _turned(heading)),
+    )  # fmt: skip
 
 
 def _turned(heading: Floats) -> Floats:
@@ -128,22 +136,22 @@ def _turned(heading: Floats) -> Floats:
 def _next_ahead(world: World, pairing: Pairing, gaps: Floats, turned: Floats) -> Leaders:
     """The nearest of all that are ahead."""
     first = gaps.argmin(axis=2)
-    scene, agent = pairing.scene, pairing.agent
-    least, turn = gaps[scene, agent, first], turned[scene, agent, first]
-    return _ahead(world, pairing, (least, first, turn), lambda: (gaps, turned))
+    agent = pairing.scene * world.slots + first
+    place = (pairing.scene * world.slots + pairing.agent) * world.slots + first
+    return _ahead(world, (gaps.take(place), agent, turned.take(place)), lambda: (gaps, turned))
 
 
 def _ahead(
-    world: World, pairing: Pairing, nearest: tuple[Floats, Integers, Floats],
+    world: World,
+    nearest: tuple[Floats, Integers, Floats],
     of_pairs: Callable[[], tuple[Floats, Floats]],
-) -> Leaders:  # fmt: skip
-    """`nearest`: the least gaps (S, A), to whom in the scene, and by how much that one is turned;
-    `of_pairs`: the gaps and turns of all pairs."""
-    least, first, turn = nearest
-    shape, scene = least.shape, pairing.scene
+) -> Leaders:
+    """`nearest`: the least gaps (S, A), to which agents of the world, and by how much these are
+    turned; `of_pairs`: the gaps and turns of all pairs."""
+    least, agent, turn = nearest
     along = np.where(np.isfinite(least), np.cos(turn), 0.0)
-    speed = along * world.motion.speed.reshape(shape)[scene, first]
-    acceleration = along * world.motion.acceleration.reshape(shape)[scene, first]
+    speed = along * world.motion.speed.take(agent)
+    acceleration = along * world.motion.acceleration.take(agent)
     return Leaders(least.ravel(), speed.ravel(), acceleration.ravel(), of_pairs)
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Booleans, Floats
+from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles import compiled
 from ..vehicles.vehicle_dynamics import greatest, least
@@ -65,22 +65,32 @@ def room_for_coming(aside: Any, sign: Any, drift: Any) -> Any:
     return COMING * greatest(-np.sign(aside) * sign * drift - STRAYING, 0.0)
 
 
+def half_taken(width: Any, length: Any, sine: Any) -> Any:
+    """How much of the road agents take to each side of their middle: who is wide, or turned toward
+    the lane, takes more."""
+    turned = np.abs(sine)
+    along = np.sqrt(1.0 - least(turned * turned, 1.0))
+    across = 0.5 * length * greatest(turned - ALONG, 0.0)
+    return 0.5 * width * along + across + MARGIN
+
+
 @dataclass(frozen=True)
 class RoadColumns:
     """What gaps on roads depend on, as (S, A) over scenes and their agents."""
 
     station: Floats
-    sign: Floats
-    """-1 for who goes against the road"""
-    left: Floats
-    """of the road, in the direction of `sign`"""
-    own: Floats
-    clearance: Floats
-    half: Floats
-    drift: Floats
+    aside: Floats
+    """left of the reference line of the agent"""
+    speed: Floats
+    sine: Floats
+    """of the angle to that line"""
+    width: Floats
     length: Floats
     lap: Floats
     offset: Floats
+    """of the line to follow, left of the reference line"""
+    backward: Booleans
+    """who goes against the road"""
     closed: Booleans
     there: Booleans
     offsets: Callable[[Floats], Floats] | None
@@ -89,17 +99,46 @@ class RoadColumns:
     @classmethod
     def of(cls, world: World) -> RoadColumns:
         """Of the agents of a world, as it is now."""
-        sign, bodies, motion = np.where(world.backward, -1.0, 1.0), world.bodies, world.motion
+        bodies, motion = world.bodies, world.motion
         shape = len(world.scenes), world.slots
-        numbers = (
-            world.station, sign, sign * motion.offset, 0.5 * bodies.width,
-            CLEARANCE * motion.speed, _half_taken(world), sign * (motion.speed * motion.sine),
-            bodies.length, world.length, world.line_offset.copy(),
+        columns = (
+            world.station, motion.offset, motion.speed, motion.sine, bodies.width, bodies.length,
+            world.length, world.line_offset.copy(), world.backward, world.closed, world.present,
         )  # fmt: skip
         offsets = None if world.followed.guides.is_empty else partial(_offsets_beside, world, shape)
-        flags = world.closed.reshape(shape), world.present.reshape(shape)
-        members: Any = *(column.reshape(shape) for column in numbers), *flags, offsets
+        members: Any = *[column.reshape(shape) for column in columns], offsets
         return cls(*members)
+
+    @cached_property
+    def sign(self) -> Floats:
+        """-1 for who goes against the road."""
+        return np.where(self.backward, -1.0, 1.0)
+
+    @cached_property
+    def left(self) -> Floats:
+        """Left of the road, in the direction of `sign`."""
+        return self.sign * self.aside
+
+    @cached_property
+    def own(self) -> Floats:
+        """Half of the width."""
+        return 0.5 * self.width
+
+    @cached_property
+    def clearance(self) -> Floats:
+        """By how much more than its width it keeps from others, by its speed."""
+        return CLEARANCE * self.speed
+
+    @cached_property
+    def half(self) -> Floats:
+        """How much of the road it takes to each side."""
+        taken: Floats = half_taken(self.width, self.length, self.sine)
+        return taken
+
+    @cached_property
+    def drift(self) -> Floats:
+        """m/s to the left of the road."""
+        return self.sign * (self.speed * self.sine)
 
     @cached_property
     def all_there(self) -> bool:
@@ -115,17 +154,25 @@ class RoadColumns:
         """(S, A, A) gap of the first to the second of pairs that are both there, on the road of
         the first: infinite for what is behind or beside it, and of all others. `pairs`:
         (S, A, A)."""
+        return self.least_gaps(pairs)[0]
+
+    def least_gaps(self, pairs: Booleans) -> tuple[Floats, Floats, Integers]:
+        """`gaps`, and of each agent (S, A) the least and the place in its scene of whom it is to:
+        of several the first, and 0 where it is infinite."""
         if compiled.is_loaded() and self.offsets is None:
-            out = np.empty(pairs.shape)
-            arrays = (
-                self.station, self.sign, self.left, self.own, self.clearance, self.half,
-                self.drift, self.length, self.lap,
+            gaps, found = np.empty(pairs.shape), np.empty(self.there.shape)
+            first = np.empty(self.there.shape, dtype=np.int64)
+            columns = (
+                self.station, self.aside, self.speed, self.sine, self.width, self.length, self.lap,
+                self.offset,
             )  # fmt: skip
-            _compiled_loop()(arrays, self.offset, self.closed, pairs, self.there, out)
-            return out
+            flags = self.backward, self.closed, self.there
+            _compiled_loop()(columns, flags, pairs, gaps, found, first)
+            return gaps, found, first
         fits, gap = self._all_gaps()
         both = self.there[:, :, None] & self.there[:, None, :]
-        return np.where(fits & pairs & both, gap, math.inf)
+        gaps = np.where(fits & pairs & both, gap, math.inf)
+        return gaps, *least_of(gaps)
 
     def _all_gaps(self) -> tuple[Booleans, Floats]:
         """(S, A, A) who is ahead in the lane of whom, and the gaps of all."""
@@ -139,6 +186,12 @@ class RoadColumns:
         own = offset, self.own[first], self.clearance[first], sign
         other = self.half[second], self.drift[second] if self.comes_over else None
         return is_in_lane(ahead, self.left[second], own, other), gap
+
+
+def least_of(gaps: Floats) -> tuple[Floats, Integers]:
+    """(S, A) the least gap (S, A, A) of each agent, and to whom."""
+    first = gaps.argmin(axis=2)
+    return np.take_along_axis(gaps, first[:, :, None], axis=2)[:, :, 0], first
 
 
 def is_in_lane(
@@ -165,39 +218,38 @@ def _offsets_beside(world: World, shape: tuple[int, ...], ahead: Floats) -> Floa
     return world.followed.offset(rows, along - np.where(along >= lap, lap, 0.0))
 
 
-def _half_taken(world: World) -> Floats:
-    """(N,) how much of the road agents take to each side of their middle: who is wide, or turned
-    toward the lane, takes more."""
-    bodies = world.bodies
-    turned = np.abs(world.motion.sine)
-    along = np.sqrt(1.0 - np.minimum(turned * turned, 1.0))
-    across = 0.5 * bodies.length * np.maximum(turned - ALONG, 0.0)
-    taken: Floats = 0.5 * bodies.width * along + across + MARGIN
-    return taken
-
-
 def loop_over_pairs(
-    arrays: Any, offset: Any, closed: Any, pairs: Any, there: Any, out: Any
+    columns: Any, flags: Any, pairs: Any, gaps: Any, found: Any, first: Any
 ) -> None:  # fmt: skip
-    """What `RoadColumns.gaps` gives, of pairs that are there. numba compiles it; Python never runs
-    it."""
-    station, sign, left, own, clearance, half, drift, length, lap = arrays
+    """What `RoadColumns.least_gaps` gives. numba compiles it; Python never runs it."""
+    station, aside, speed, sine, width, length, lap, offset = columns
+    backward, closed, there = flags
+    half, drift, sign = np.empty((3, pairs.shape[1]))
     for s in range(pairs.shape[0]):
         for i in range(pairs.shape[1]):
+            sign[i] = -1.0 if backward[s, i] else 1.0
+            half[i] = half_taken(width[s, i], length[s, i], sine[s, i])
+            drift[i] = sign[i] * (speed[s, i] * sine[s, i])
+        for i in range(pairs.shape[1]):
+            found[s, i], first[s, i] = np.inf, 0
             for j in range(pairs.shape[1]):
-                ahead = ahead_of(station[s, i], station[s, j], sign[s, i])
+                ahead = ahead_of(station[s, i], station[s, j], sign[i])
                 if closed[s, i]:
                     ahead = within_lap(ahead, lap[s, i])
-                aside = beside_line(left[s, j], offset[s, i], sign[s, i])
-                room = room_wanted(own[s, i], clearance[s, i], half[s, j])
-                room = room + room_for_coming(aside, sign[s, i], drift[s, j])
-                fits = (ahead > 0.0) & (abs(aside) < room) & pairs[s, i, j]
+                beside = beside_line(sign[j] * aside[s, j], offset[s, i], sign[i])
+                room = room_wanted(0.5 * width[s, i], CLEARANCE * speed[s, i], half[j])
+                room = room + room_for_coming(beside, sign[i], drift[j])
+                fits = (ahead > 0.0) & (abs(beside) < room) & pairs[s, i, j]
                 gap = gap_between(ahead, length[s, i], length[s, j])
-                out[s, i, j] = gap if fits & there[s, i] & there[s, j] else np.inf
+                gaps[s, i, j] = gap if fits & there[s, i] & there[s, j] else np.inf
+                if gaps[s, i, j] < found[s, i]:
+                    found[s, i], first[s, i] = gaps[s, i, j], j
 
 
 @cache
 def _compiled_loop() -> Any:
-    formulas = ahead_of, within_lap, gap_between, beside_line, room_wanted, room_for_coming
+    formulas = (
+        ahead_of, within_lap, gap_between, beside_line, room_wanted, room_for_coming, half_taken,
+    )  # fmt: skip
     compiled.register(formulas, (loop_over_pairs,))
     return compiled.compile_loop(loop_over_pairs, sys.modules[__name__])
