@@ -125,7 +125,8 @@ def test_pairs_that_are_far_apart_are_not_looked_at(
 
     def met(x: float, meters: float) -> int:
         poses = Poses(np.array([0.0, x]), np.zeros(2), heading, road_width)
-        return len(pairs.met(poses, np.array([meters, meters]) ** 2))
+        there = np.ones(2, dtype=bool)
+        return len(pairs.met(poses, np.array([meters, meters]) ** 2, there, ~there))
 
     assert met(104.0, 1.0) == 0  # both may go 50 m until they touch
     assert met(3.0, 5.0) == 0  # too soon to be looked at

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Floats, Integers, inverse_index
+from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
 from ..vehicles import compiled
 from ..vehicles.poses import Poses
 
@@ -47,9 +47,11 @@ class ClosePairs:
         self._soonest = 0.0
         """no more than the least of these"""
 
-    def met(self, poses: Poses, square: Floats) -> Integers:
+    def met(
+        self, poses: Poses, square: Floats, present: Booleans, halted: Booleans
+    ) -> Integers:  # fmt: skip
         """The numbers of pairs whose circles have met in a step in which agents have gone meters
-        with these squares (N,)."""
+        with these squares (N,): of two that are `present`, and not both `halted`."""
         step = math.sqrt(float(np.fmax.reduce(square)))
         self._fastest += step
         within = self._fastest + step
@@ -61,12 +63,17 @@ class ClosePairs:
             close = np.empty(len(self.first), dtype=bool)
             count, self._soonest = _compiled_loop()(
                 self.first, self.second, (poses.x, poses.y, self._radius, shift),
-                self._next_look, self._fastest, within, close,
+                (present, halted), self._next_look, self._fastest, within, close,
             )  # fmt: skip
             return np.asarray(close.nonzero()[0]) if count else _NONE
-        return self._met_within(poses, shift, within)
+        met = self._come_near(poses, shift, within)
+        if not len(met):
+            return met
+        first, second = self.first.take(met), self.second.take(met)
+        counts = present.take(first) & present.take(second)
+        return np.asarray(met[counts & ~(halted.take(first) & halted.take(second))])
 
-    def _met_within(self, poses: Poses, shift: Floats, within: float) -> Integers:
+    def _come_near(self, poses: Poses, shift: Floats, within: float) -> Integers:
         looked = None
         first, second = self.first, self.second
         if within < math.inf:
@@ -83,7 +90,7 @@ class ClosePairs:
         close = (square <= reach * reach).nonzero()[0]
         if looked is None:
             self._next_look, self._soonest = following, float(following.min())
-            return close
+            return np.asarray(close)
         self._next_look[looked] = following
         return np.asarray(looked[close])
 
@@ -107,11 +114,12 @@ class ClosePairs:
 
 
 def loop_over_close(
-    first: Any, second: Any, agents: Any, next_look: Any, fastest: Any, within: Any, close: Any
-) -> Any:
+    first: Any, second: Any, agents: Any, flags: Any, next_look: Any, fastest: Any, within: Any,
+    close: Any,
+) -> Any:  # fmt: skip
     """Fill `close` (P,) with which pairs met, of those to look at; how many, and the soonest next
     look. numba compiles it; Python never runs it."""
-    x, y, around, shift = agents
+    (x, y, around, shift), (present, halted) = agents, flags
     count, soonest = 0, np.inf
     for pair in range(first.shape[0]):
         close[pair] = False
@@ -121,7 +129,8 @@ def loop_over_close(
             radius = around[i] + around[j]
             next_look[pair] = looked_at_next(fastest, square, radius)
             reach = radius + (shift[i] + shift[j])
-            if square <= reach * reach:
+            counts = present[i] & present[j] & ~(halted[i] & halted[j])
+            if counts & (square <= reach * reach):
                 close[pair] = True
                 count += 1
         soonest = min(soonest, next_look[pair])

@@ -121,10 +121,9 @@ class ContactDetector:
         self, world: World, poses: Poses, shift: tuple[Floats, Floats, Floats]
     ) -> list[Any]:
         first, second = self._pairs.first, self._pairs.second
-        close = self._pairs.met(poses, shift[2]) if len(first) else first
-        if len(close):
-            close = close[~(world.halted[first[close]] & world.halted[second[close]])]
-            close = close[world.present[first[close]] & world.present[second[close]]]
+        if not len(first):
+            return []
+        close = self._pairs.met(poses, shift[2], world.present, world.halted)
         if len(close) and world.heights is not None:
             height = ground_heights(world)
             close = close[~are_apart(height[first[close]], height[second[close]])]
