@@ -54,6 +54,20 @@ def test_points_beside_lines_are_the_same_to_the_last_bit() -> None:
         np.testing.assert_array_equal(found, expected)
 
 
+def test_frames_ahead_on_lines_are_the_same_to_the_last_bit() -> None:
+    scenes = [scene.record for scene in testing.sample(BENT, 3)]
+    track = world_of(scenes, {}, 0.02, 0.1).track
+    along = np.random.default_rng(4).uniform(-20.0, 200.0, (5, 3))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiled, "is_loaded", lambda: False)
+        cells, frames = poses.frames_ahead(track, along)
+        patch.setattr(compiled, "is_loaded", lambda: True)
+        found_cells, found = poses.frames_ahead(track, along)
+    np.testing.assert_array_equal(found_cells, cells)
+    np.testing.assert_array_equal(found, frames)
+    assert len(np.unique(cells)) > 9
+
+
 @pytest.mark.parametrize("varies", [False, True])
 def test_nodes_of_lines_are_the_same_to_the_last_bit(varies: bool) -> None:
     draw = np.random.default_rng(4)

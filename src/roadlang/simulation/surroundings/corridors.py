@@ -16,7 +16,7 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles import compiled
-from ..vehicles.poses import frames_in
+from ..vehicles.poses import frames_ahead
 from .levels import apart_where_met, ground_heights
 from .outlines import Outlines
 from .sorted_groups import sorted_groups
@@ -60,8 +60,7 @@ class Window:
         s: Floats = np.arange(count, dtype=np.float64) * SAMPLE_SPACING
         track = world.track.of_rows(rows)
         along = track.wrapped(world.motion.along[rows] + s[:, None])
-        cell, rest = track.cell(along)
-        x, y, heading, _, _ = frames_in(track, cell, rest)
+        cell, (x, y, heading, _, _) = frames_ahead(track, along)
         cosine, sine = np.cos(heading), np.sin(heading)
         offset = world.followed.offset(rows, along)
         x, y = x - sine * offset, y + cosine * offset

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
-from ..vehicles.poses import Poses, frames_in
+from ..vehicles.poses import Poses, frames_ahead
 from .levels import apart_at, ground_heights
 
 SPACING, VIEW = 3.0, 150.0
@@ -125,8 +125,7 @@ def _line(
     along = world.motion.along[rows] + ahead[:, None]
     past = along > world.length[rows] + SPACING
     along = track.wrapped(along)
-    cell, rest = track.cell(along)
-    x, y, heading, _, _ = frames_in(track, cell, rest)
+    _, (x, y, heading, _, _) = frames_ahead(track, along)
     offset = world.followed.offset(rows, along) if left is None else left
     x, y = x - np.sin(heading) * offset, y + np.cos(heading) * offset
     return np.where(past & ~world.closed[rows], math.nan, x), y, heading

@@ -16,7 +16,7 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ...geometry.levels import are_apart
 from ..state.world import World
 from ..surroundings.leaders import Leaders
-from ..vehicles.poses import frames_in
+from ..vehicles.poses import frames_ahead
 from .approaches import braking_to_stop, seconds_for
 from .wide_places import MARGIN, VIEW, WidePlaces, is_wide
 
@@ -160,8 +160,7 @@ class _Samples:
         track = world.track.of_rows(agents)
         along = world.motion.along[agents] + s
         place = track.wrapped(along)
-        cell, rest = track.cell(place)
-        x, y, heading, _, road_width = frames_in(track, cell, rest)
+        cell, (x, y, heading, _, road_width) = frames_ahead(track, place)
         cosine, sine = np.cos(heading), np.sin(heading)
         offset, width = world.followed.offset(agents, place), 0.5 * world.bodies.width[agents]
         left, right = world.sweeps.at(agents, cell - track.first)

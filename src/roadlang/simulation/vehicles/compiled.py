@@ -48,6 +48,13 @@ def line_frames(track: Track, along: Floats) -> Floats:
     return out
 
 
+def frames_ahead(track: Track, along: Floats) -> tuple[Integers, Floats]:
+    """What `poses.frames_ahead` does of (K, N), to the last bit."""
+    out, cells = np.empty((5, *along.shape)), np.empty(along.shape, dtype=np.int64)
+    ahead_kernel()(along, track.first, track.places, track.lines.table, out, cells)
+    return cells, out
+
+
 def points_beside(track: Track, along: Floats, left: Floats) -> tuple[Floats, Floats]:
     """What `poses.points_beside` does, to the last bit."""
     out, aside = np.empty((2, *along.shape)), np.empty(along.shape)
@@ -158,6 +165,12 @@ def frames_kernel() -> Any:
 
 
 @cache
+def ahead_kernel() -> Any:
+    """The compiled loop over several places on each line."""
+    return compile_loop(kernels.framed_ahead)
+
+
+@cache
 def beside_kernel() -> Any:
     """The compiled loop over places beside lines."""
     return compile_loop(kernels.points_beside)
@@ -229,7 +242,8 @@ def _register_formulas() -> None:
             kernels.drive_abreast, kernels.turn_abreast, kernels.move_abreast,
         ),
         (
-            kernels.advanced, kernels.framed, kernels.points_beside, kernels.looked_up,
+            kernels.advanced, kernels.framed, kernels.framed_ahead, kernels.points_beside,
+            kernels.looked_up,
             line_loops.line_nodes, line_loops.line_table, kernels.planned,
             kernels.gaps_in_corridors, kernels.nearest_sample, kernels.widest,
         ),

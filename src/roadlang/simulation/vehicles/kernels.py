@@ -137,6 +137,22 @@ def framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
         out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = x, y, heading, cell[6], cell[7]
 
 
+def framed_ahead(
+    along: Any, first: Any, numbers: Any, table: Any, out: Any, cells: Any
+) -> None:  # fmt: skip
+    """Fill `out`, (5, K, N), and `cells`, (K, N), as `poses.frames_ahead`."""
+    for i in range(along.shape[1]):
+        last, origin, spacing, per_meter = numbers[:, i]
+        for k in range(along.shape[0]):
+            advance, part = place_on_line(along[k, i], last, origin, per_meter)
+            place = int(part)
+            cells[k, i] = first[i] + place
+            cell = table[first[i] + place]
+            x, y, heading = lines.on_arc(cell, advance - place * spacing, spacing)
+            out[0, k, i], out[1, k, i], out[2, k, i] = x, y, heading
+            out[3, k, i], out[4, k, i] = cell[6], cell[7]
+
+
 def points_beside(
     along: Any, left: Any, first: Any, numbers: Any, table: Any, out: Any
 ) -> None:  # fmt: skip

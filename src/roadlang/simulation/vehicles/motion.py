@@ -113,7 +113,7 @@ class Track:
     @cached_property
     def places(self) -> Floats:
         """(4, N) what the compiled motion has to know of the lines."""
-        return np.stack((self.last, self.origin, self.spacing, self.per_meter))
+        return np.array((self.last, self.origin, self.spacing, self.per_meter))
 
     def wrap(self, motion: Motion) -> None:
         """On closed lines, arc length begins anew after a lap."""

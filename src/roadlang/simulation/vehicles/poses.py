@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Floats
+from ...geometry.arrays import Floats, Integers
 from ..lines.lines import on_arc
 from ..tapes.traced import TracedColumn
 from . import compiled
@@ -54,6 +54,14 @@ def line_frames(track: Track, along: Floats) -> Floats:
     if compiled.is_loaded():
         return compiled.line_frames(track, along)
     return frames_in(track, *track.cell(along))
+
+
+def frames_ahead(track: Track, along: Floats) -> tuple[Integers, Floats]:
+    """(K, N) the cells at arc lengths (K, N) of lines, and (5, K, N) what `line_frames` gives."""
+    if compiled.is_loaded():
+        return compiled.frames_ahead(track, along)
+    cell, rest = track.cell(along)
+    return cell, frames_in(track, cell, rest)
 
 
 def points_beside(track: Track, along: Floats, left: Floats) -> tuple[Floats, Floats]:
