@@ -45,11 +45,11 @@ def to_csv(trace: Trace) -> str:
     """One row for each agent at each time; SI units and radians, 9 significant digits."""
     names = recorded_columns(trace.agents.values())
     header = ",".join(("time", "agent", *names))
-    times = _cells(trace.time)
+    (times,) = _cells([trace.time])
     lines: list[str] = []
     varying: list[Sequence[Any]] = []
     for name, agent in trace.agents.items():  # the rows of one time
-        cells = [_cells(getattr(agent, column)) for column in names]
+        cells = _cells([getattr(agent, column) for column in names])
         shown = [times[0], _field(name).replace("%", "%%"), *(text for text, _ in cells)]
         lines.append(",".join(shown) + "\n")
         varying += [values for _, values in (times, *cells) if values is not None]
@@ -129,18 +129,26 @@ def _numbers(values: np.ndarray[Any, Any]) -> str:
     return f"[{floats_text(values.tolist(), ',')}]"
 
 
-def _cells(values: np.ndarray[Any, Any]) -> tuple[str, Sequence[Any] | None]:
-    """How each row shows its value, and the values; a text and None where all are the same. 9
-    significant digits; what is not finite is empty."""
+def _cells(columns: Sequence[np.ndarray[Any, Any]]) -> list[tuple[str, Sequence[Any] | None]]:
+    """Of each of some columns (T,) how a row shows its value, and the values; a text and None where
+    all are the same. 9 significant digits; what is not finite is empty."""
     import numpy as np
 
-    values = np.asarray(values, dtype=np.float64)
-    bits = values.view(np.int64)
-    if len(bits) > 1 and (bits == bits[0]).all():  # as most columns of counts are
-        return _shown(float(values[0])), None
-    if np.isfinite(values).all():
-        return _FORMAT, values.tolist()
-    return "%s", list(map(_shown, values.tolist()))
+    numbers = np.array(columns, dtype=np.float64)
+    bits = numbers.view(np.int64)
+    same: np.ndarray[Any, Any] = np.logical_and(
+        (bits[:, 1:] == bits[:, :1]).all(axis=1), bits.shape[1] > 1
+    )
+    finite = np.asarray(np.isfinite(numbers).all(axis=1))
+    cells: list[tuple[str, Sequence[Any] | None]] = []
+    for values, is_same, is_finite in zip(numbers, same.tolist(), finite.tolist(), strict=True):
+        if is_same:  # as most columns of counts are
+            cells.append((_shown(float(values[0])), None))
+        elif is_finite:
+            cells.append((_FORMAT, values.tolist()))
+        else:
+            cells.append(("%s", list(map(_shown, values.tolist()))))
+    return cells
 
 
 def _shown(value: float) -> str:

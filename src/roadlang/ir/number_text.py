@@ -15,7 +15,9 @@ def floats_text(values: Sequence[float], separator: str = ", ") -> str:
         content = _with_exponents(content, small)
     if b"e" in content:
         content = _with_long_exponents(content)
-    return content.replace(b",", separator.encode()).decode()
+    if separator != ",":
+        content = content.replace(b",", separator.encode())
+    return content.decode()
 
 
 def _with_exponents(content: bytes, at: int) -> bytes:
