@@ -85,7 +85,8 @@ def decided(kind: str, options: dict[str, float], state: tuple[float, ...]) -> l
     world.motion.speed[:] = state[3]
     view = View(world, world.poses, 0.1, Surroundings(world))
     gap, speed = np.array([state[4]]), np.array([state[5]])
-    view._ahead = Leaders(np.zeros((1, 1, 1)), gap, speed, np.zeros(1), np.zeros((1, 1, 1)))
+    none = np.zeros((1, 1, 1))
+    view._ahead = Leaders(gap, speed, np.zeros(1), lambda: (none, none))
     driver = python_controllers(one, load_registry())["ego"]
     assert isinstance(driver, Driver)
     guarded = driver.each[0]

@@ -95,7 +95,7 @@ def test_a_saved_change_is_sent_and_a_fault_is_reported_without_harm(
     watching: Watching, listening: Engine, tmp_path: Path
 ) -> None:
     file = tmp_path / "scene.rl"
-    watching.waits_for("is driven")
+    watching.waits_for("is being driven")
     file.write_text(ROAD % 6 + CAR)
     watching.waits_for("changes in")
     file.write_text("raod main\n")

@@ -65,7 +65,7 @@ def test_numbers_in_the_unit_of_the_column_and_columns_in_si_are_fine(
 )
 def test_clocks_that_do_not_count_seconds_are_known(tmp_path: Path, text: str, unit: str) -> None:
     (tmp_path / "a.csv").write_text(text)
-    with pytest.raises(DiagnosticError, match=f"is in `{unit}`, and `2s`"):
+    with pytest.raises(DiagnosticError, match=f"is in `{unit}`, but `2s`"):
         check_units("always[0s, 2s] (x < 5)", [str(tmp_path / "a.csv")])
     check_units("always[0, 2] (x < 5m)", [str(tmp_path / "a.csv")])
 

@@ -97,7 +97,7 @@ def test_positions_and_signals(tmp_path: Path) -> None:
             "a time stamp is written `2026-11-22T07:16:01.5Z`",
         ),
         ("a.csv", "s,s\n0,1\n", "the same name, `s`"),
-        ("a.csv", ",s,x\n0,1,2\n", r"column 1, .* has no name; pandas .* `index=False`"),
+        ("a.csv", ",s,x\n0,1,2\n", r"column 1, .* has no name, .*: .*`index=False`"),
         ("a.csv", "s,,x\n0,1,2\n", "column 2 has no name"),
         ("a.csv", "s,\n0,1\n", "column 2 has no name"),
         ("a.csv", "# only\n# comments\n", "empty"),
