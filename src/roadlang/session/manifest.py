@@ -15,11 +15,11 @@ from ..files.reading import UnreadableFile, read_file
 from ..ir.manifest import MANIFEST_SCHEMA, Manifest, OutputFile, RequirementRecord
 from ..ir.recorded_names import recorded_name
 from ..ir.scenario import Scenario
-from ..scenes.emitting import Output
-from ..scenes.sampling import SamplingResult
 from ..version import __version__
 
 if TYPE_CHECKING:
+    from ..scenes.emitting import Output
+    from ..scenes.sampling import SamplingResult
     from .loading import LoadedScenario
 
 

@@ -13,7 +13,6 @@ from ..geometry import CrossSection, Edge, RoadNetwork
 from ..geometry.arrays import Floats
 from ..geometry.junctions.model import JunctionPlan
 from ..geometry.junctions.one_way import one_way
-from ..geometry.junctions.plan import PlanOptions, plan_junctions
 from ..ir.scenario import ScenarioNetwork
 from ..ir.values import Flag
 from .lane_building import built_lanes, left_hand
@@ -74,6 +73,9 @@ def network_plans(
 
     The candidates must have the same lanes. Raises RL473 for a drawn width that is out of bounds.
     """
+    # Twenty modules, for scenarios with networks alone.
+    from ..geometry.junctions.plan import PlanOptions, plan_junctions
+
     scenario = candidates.scenario
     side = left_hand(candidates)
     by_lanes: dict[tuple[LanePlan, bool], JunctionPlan] = {}
