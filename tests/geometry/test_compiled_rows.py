@@ -133,10 +133,13 @@ def test_they_are_compiled_where_numba_is_loaded_and_there_is_enough_to_do(
 def test_no_texts_are_compiled_with_them(compiled: list[bool]) -> None:
     calls: list[tuple[object, ...]] = []
     loop = compiled_rows.loop()
+
+    def called(*given: object) -> None:
+        calls.append(given)
+        loop(*given)
+
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(
-            compiled_rows, "loop", lambda: lambda *given: (calls.append(given), loop(*given))
-        )
+        patch.setattr(compiled_rows, "loop", lambda: called)
         assert pushed(False, 0.5, compiled, fast=True).folded is not None
     again = numba.njit(nogil=True, **compiling.OPTIONS)(row_loops.pushed)
     again(*calls[0])
