@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -31,17 +31,33 @@ def decided(
     return _decided_now(group, chosen, view, lasting, moves)
 
 
-def due(group: Group, chosen: Integers, _: Integers, view: View) -> Integers:
-    """Which of some agents of a group, whose decisions hold for a time, decide anew."""
-    least = group.controller.kind.interval - 0.5 * view.world.dt
-    found: Integers = (view.world.time - group.since[chosen] > least).nonzero()[0]
-    return found
+@dataclass(frozen=True)
+class Lasting:
+    """For how long decisions of some agents of a group hold: seconds."""
+
+    since: float
+    """when who has not decided for longest did"""
+    interval: float
+
+    @classmethod
+    def of(cls, group: Group, chosen: Integers, dt: float) -> Lasting:
+        """From what these agents decided last. `dt`: of a step of the vehicles."""
+        return cls(float(group.since[chosen].min()), _interval(group, dt))
+
+    def is_over(self, time: float) -> bool:
+        """Whether any of them decides anew."""
+        return time - self.since > self.interval
+
+
+def _interval(group: Group, dt: float) -> float:
+    """Seconds after which agents of a group decide anew."""
+    return group.controller.kind.interval - 0.5 * dt
 
 
 def _held(group: Group, chosen: Integers, view: View) -> ControlBatch:
     """What some agents decided when they did last, or do now."""
     time = view.world.time
-    again = due(group, chosen, chosen, view)
+    again = (time - group.since[chosen] > _interval(group, view.world.dt)).nonzero()[0]
     if not len(again):
         return group.last_decided(chosen)
     now = _decided_now(group, chosen[again], view)

@@ -25,7 +25,7 @@ from ..vehicles.line_steering import line_steering
 from ..vehicles.poses import Poses
 from .actuators import Actuators
 from .controller_groups import Group, elementwise_controller, grouped
-from .deciding import decided, due
+from .deciding import Lasting, decided
 
 
 class DriverGroup:
@@ -56,6 +56,8 @@ class DriverGroup:
         """what is decided before any controller is called, by the last `in_charge`"""
         self._held: Decision | None = None
         """the last decision, if it is the same until a controller decides anew"""
+        self._lasting: list[Lasting] = []
+        """for how long, by groups"""
 
     def view(self, world: World, poses: Poses) -> View:
         """What the agents see, with what they sensed last."""
@@ -73,15 +75,15 @@ class DriverGroup:
     def decide(self, world: World, poses: Poses) -> Decision:
         """What all agents are to do until the next step. Moves the lines that they follow."""
         self.sense(world, poses)
-        view = self.view(world, poses)
         in_charge = self._triggers.in_charge(world, poses)
         if in_charge is not self._in_charge:
             self._in_charge = in_charge
             self._chosen = _in_charge_of(self._groups, in_charge)
             self._open = Decision.open(in_charge >= 0)
             self._held = None
-        if self._held is not None and not any(len(due(*each, view)) for each in self._chosen):
+        if self._held is not None and not any(each.is_over(world.time) for each in self._lasting):
             return self._held.copy()
+        view = self.view(world, poses)
         out = self._open.copy()
         moved: list[Integers] = []
         for group, chosen, rows in self._chosen:
@@ -99,6 +101,7 @@ class DriverGroup:
             out.close()
         elif not moved and out.is_plain and self._all_hold:
             self._held = out.copy()
+            self._lasting = [Lasting.of(*each[:2], world.dt) for each in self._chosen]
         self._actuators.alter(world, self._triggers.active, out)
         return out
 

@@ -18,7 +18,8 @@ from ..state.world import World
 from ..surroundings.leaders import Leaders, leaders
 from ..surroundings.neighbors import Nearby
 from ..tapes.traced import TracedColumn
-from ..vehicles.poses import Poses, line_frames, points_beside
+from ..vehicles import compiled
+from ..vehicles.poses import Poses, frames_ahead, line_frames, points_beside
 from .lane_changes import zipper
 from .lane_endings import lets_in
 from .lanes_seen import LanesSeen
@@ -86,6 +87,8 @@ class View:
         along = track.wrapped(world.motion.along[rows] + distances)
         if isinstance(along, TracedColumn):
             curvature: Floats = along.line_frames(track)[3]
+        elif compiled.is_loaded():
+            curvature = frames_ahead(track, along)[1][3]
         else:
             cell, _ = track.cell(along)
             curvature = track.lines.seen_curvature[cell]  # `take` would copy all cells
