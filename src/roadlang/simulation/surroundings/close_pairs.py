@@ -2,7 +2,7 @@
 with the same formulas and to the same bits.
 
 Pairs that are far apart are not looked at until they can have come near. Few pairs are all looked
-at together: then most steps need nothing but one comparison.
+at together, in the compiled loop: then most steps need nothing but one comparison.
 """
 
 from __future__ import annotations
@@ -57,16 +57,15 @@ class ClosePairs:
         within = self._fastest + step
         if self._soonest > within:
             return _NONE
-        within = math.inf if len(self.first) <= FEW else within
-        shift = np.sqrt(square)
-        if compiled.is_loaded():
+        shift, few = np.sqrt(square), len(self.first) <= FEW
+        if few and compiled.is_loaded():
             close = np.empty(len(self.first), dtype=bool)
             count, self._soonest = _compiled_loop()(
                 self.first, self.second, (poses.x, poses.y, self._radius, shift),
-                (present, halted), self._next_look, self._fastest, within, close,
+                (present, halted), self._next_look, self._fastest, close,
             )  # fmt: skip
             return np.asarray(close.nonzero()[0]) if count else _NONE
-        met = self._come_near(poses, shift, within)
+        met = self._come_near(poses, shift, math.inf if few else within)
         if not len(met):
             return met
         first, second = self.first.take(met), self.second.take(met)
@@ -114,26 +113,22 @@ class ClosePairs:
 
 
 def loop_over_close(
-    first: Any, second: Any, agents: Any, flags: Any, next_look: Any, fastest: Any, within: Any,
-    close: Any,
+    first: Any, second: Any, agents: Any, flags: Any, next_look: Any, fastest: Any, close: Any
 ) -> Any:  # fmt: skip
-    """Fill `close` (P,) with which pairs met, of those to look at; how many, and the soonest next
-    look. numba compiles it; Python never runs it."""
+    """Fill `close` (P,) with which pairs met; how many, and the soonest next look. numba compiles
+    it; Python never runs it."""
     (x, y, around, shift), (present, halted) = agents, flags
     count, soonest = 0, np.inf
     for pair in range(first.shape[0]):
-        close[pair] = False
-        if next_look[pair] <= within:
-            i, j = first[pair], second[pair]
-            square = away_from(x[i] - x[j], y[i] - y[j])
-            radius = around[i] + around[j]
-            next_look[pair] = looked_at_next(fastest, square, radius)
-            reach = radius + (shift[i] + shift[j])
-            counts = present[i] & present[j] & ~(halted[i] & halted[j])
-            if counts & (square <= reach * reach):
-                close[pair] = True
-                count += 1
+        i, j = first[pair], second[pair]
+        square = away_from(x[i] - x[j], y[i] - y[j])
+        radius = around[i] + around[j]
+        next_look[pair] = looked_at_next(fastest, square, radius)
         soonest = min(soonest, next_look[pair])
+        reach = radius + (shift[i] + shift[j])
+        counts = present[i] & present[j] & ~(halted[i] & halted[j])
+        close[pair] = counts & (square <= reach * reach)
+        count += close[pair]
     return count, soonest
 
 
