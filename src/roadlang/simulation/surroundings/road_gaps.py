@@ -191,7 +191,8 @@ class RoadColumns:
 def least_of(gaps: Floats) -> tuple[Floats, Integers]:
     """(S, A) the least gap (S, A, A) of each agent, and to whom."""
     first = gaps.argmin(axis=2)
-    return np.take_along_axis(gaps, first[:, :, None], axis=2)[:, :, 0], first
+    row = np.arange(0, gaps.size, gaps.shape[2]).reshape(first.shape)
+    return gaps.take(row + first), first
 
 
 def is_in_lane(
