@@ -56,7 +56,7 @@ class JournalFile(Generic[T]):
                     path=str(path),
                     file=str(path),
                     reason="another `roadlang run` or `roadlang falsify` is writing it",
-                    help="wait until it has ended, or choose another folder with `-o`",
+                    help="wait until it has finished, or choose another folder with `-o`",
                 )
             ) from error
         except OSError as error:

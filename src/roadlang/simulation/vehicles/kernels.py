@@ -130,8 +130,8 @@ def framed(along: Any, first: Any, numbers: Any, table: Any, out: Any) -> None:
     """Fill `out`, (5, N), as `poses.line_frames`."""
     for i in range(along.shape[0]):
         last, origin, spacing, per_meter = numbers[:, i]
-        advance = along[i] - origin
-        place = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
+        advance, part = place_on_line(along[i], last, origin, per_meter)
+        place = int(part)
         cell = table[first[i] + place]
         x, y, heading = lines.on_arc(cell, advance - place * spacing, spacing)
         out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = x, y, heading, cell[6], cell[7]
@@ -160,8 +160,8 @@ def points_beside(
     for i in range(along.shape[1]):
         last, origin, spacing, per_meter = numbers[:, i]
         for k in range(along.shape[0]):
-            advance = along[k, i] - origin
-            place = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
+            advance, part = place_on_line(along[k, i], last, origin, per_meter)
+            place = int(part)
             cell, rest = table[first[i] + place], advance - place * spacing
             bend = cell[4] * rest
             ahead = rest - left[k, i] * (bend - 0.5 * cell[4] * spacing)
@@ -174,9 +174,8 @@ def looked_up(values: Any, shift: Any, along: Any, first: Any, numbers: Any, out
     """Fill `out`, (N,), with values of cells."""
     for i in range(along.shape[0]):
         last, origin, _, per_meter = numbers[:, i]
-        advance = along[i] - origin
-        cell = int(dynamics.least(dynamics.greatest(advance * per_meter, 0.0), last))
-        out[i] = values[shift[i] + first[i] + cell]
+        _, part = place_on_line(along[i], last, origin, per_meter)
+        out[i] = values[shift[i] + first[i] + int(part)]
 
 
 def planned(table: Any, first: Any, lateral: Any, gain: Any, straight: Any, out: Any) -> None:
