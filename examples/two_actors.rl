@@ -1,4 +1,6 @@
 # One file included twice, under two names: `slow.driver`, `fast.driver`.
+scenario two_actors "A fast car overtakes a slow one: one file, included twice"
+
 include "lane_car.rl" as slow { speed: 25km/h }
 include "lane_car.rl" as fast { y: 8m, speed: 45km/h }
 

@@ -121,7 +121,8 @@ if TYPE_CHECKING:
         diagnose,
         did_you_mean,
     )
-    from .images.plugin_input import read_image, read_input
+    from .files.table_text import number_in
+    from .images.plugin_input import read_image, read_input, read_text
     from .ir.actuation import ActuationBatch
     from .ir.batch import BatchRandom, RoadBatch
     from .ir.category import GREENERY, ON_FOOT, VEHICLES
@@ -220,7 +221,8 @@ _LATER = {
     ".ir.surface_stretches": "SurfaceStretch junction_surface surface_stretches",
     ".ir.surroundings": "LanePlace LanePlaces LanesBeside Neighbor Neighbors",
     ".ir.trace": "AgentTrace Trace",
-    ".images.plugin_input": "read_image read_input",
+    ".files.table_text": "number_in",
+    ".images.plugin_input": "read_image read_input read_text",
     ".plugins.hookspecs": "hookimpl",
     ".scenes.figure_colors": "FIGURE_COLORS FigureColors",
     ".scenes.junction_curbs": "CurbCorner beside_curb junction_curbs",
@@ -269,10 +271,11 @@ __all__ = [
     "Span", "Speed", "Standing", "String", "SurfaceName", "SurfacePatch", "SurfaceStretch", "Trace",
     "Verdict", "ViolatedSegment", "Word", "beside_curb", "body_of", "call_of", "crosswalk_paint",
     "diagnose", "did_you_mean", "geometry", "hookimpl", "junction_curbs", "junction_paint",
-    "junction_surface", "kind_of", "lane_guide", "line_steering", "list_of", "map_of", "one_of",
-    "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input", "record_of",
-    "road_surface", "route_points", "scene_from_json", "shown_junctions", "signal_heads",
-    "simulate_scenes", "surface_names", "surface_stretches", "to_json", "vehicle_parameters",
+    "junction_surface", "kind_of", "lane_guide", "line_steering", "list_of", "map_of", "number_in",
+    "one_of", "option", "paint_rings", "pair_of", "quantity", "read_image", "read_input",
+    "read_text", "record_of", "road_surface", "route_points", "scene_from_json", "shown_junctions",
+    "signal_heads", "simulate_scenes", "surface_names", "surface_stretches", "to_json",
+    "vehicle_parameters",
 ]  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .cli import exit_codes
 from .cli.console import echo, note, report, style
-from .cli.finite_range import FiniteRange
+from .cli.finite_range import FiniteRange, Seed, WholeNumber
 from .cli.output_files import FormatFile, keep_inputs
 from .cli.quantities import pixel_size, seconds
 
@@ -69,6 +69,8 @@ __all__ = [
     "FormatFile",
     "Handle",
     "ProgressBar",
+    "Seed",
+    "WholeNumber",
     "diagnose",
     "dragged",
     "echo",

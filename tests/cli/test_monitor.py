@@ -93,7 +93,7 @@ def test_the_plot_marks_what_is_violated(trace: Any, tmp_path: Path) -> None:
         (["e < 6", "--wrap", "1"], 1, "RL306"),
         (["e < 6", "--wrap", "0.001km"], 1, "RL306"),
         (["e < 6", "--wrap", "1s"], 2, "'1s' is not a length"),
-        (["e < 6", "--wrap", "0"], 2, "is not in the range x>0"),
+        (["e < 6", "--wrap", "0"], 2, "write a number above 0m"),
         (["e < 6", "--plot", "drive.csv/plot.svg"], 2, "RL460"),
     ],
 )

@@ -118,7 +118,10 @@ def test_what_is_no_file_is_not_replaced_and_nothing_else_either(make: Any, tmp_
     write(tmp_path, a_json="1", b_json="1")
     before = files_of(tmp_path)
     make(tmp_path / "c.json")
-    with pytest.raises(DiagnosticError, match=r"RL460(.|\n)*c\.json(.|\n)*not a file|folder"):
+    with pytest.raises(
+        DiagnosticError,
+        match=r"RL460\]: cannot write `.*c\.json`: it is a (pipe, not a file|folder)\n",
+    ):
         write(tmp_path, a_json="2", b_json="2", c_json="2")
     assert {name: (tmp_path / name).read_text() for name in before} == before
     assert not list(tmp_path.glob(".*"))

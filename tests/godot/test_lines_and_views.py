@@ -18,7 +18,7 @@ from roadlang_godot.build.line import line_of, polyline
 from roadlang_godot.commands.render_options import camera_pose, image_size
 from roadlang_godot.net.messages import as_json, text_of
 from roadlang_godot.rendering.overview_camera import FIELD, built_places, free_pose
-from roadlang_godot.rendering.pictures import Shot, meters_a_pixel, view_of
+from roadlang_godot.rendering.pictures import Shot, view_of
 from tests.godot.godot_scenes import bends, car, pieces, road, scene, straight, thing
 
 
@@ -82,12 +82,8 @@ def straight_scene() -> Scene:
 def test_a_top_view_shows_all_of_the_scene_with_a_margin() -> None:
     """A road of 100 m, 7 m wide: 5 m around."""
     layout = layout_of(straight_scene())
-    assert meters_a_pixel(layout, Shot("top", 1280, 720)) == pytest.approx(
-        (100 * 720 / 1280 + 10) / 720
-    )
-    assert meters_a_pixel(layout, Shot("top", 300, 3000)) == pytest.approx(
-        (1000 + 2 * 0.03 * 1000) / 3000
-    )
+    assert view_of(layout, Shot("top", 1280, 720))["size"] == pytest.approx(100 * 720 / 1280 + 10)
+    assert view_of(layout, Shot("top", 300, 3000))["size"] == pytest.approx(1000 + 2 * 0.03 * 1000)
     assert view_of(layout, Shot("top", 1280, 720, scale=0.5)) == {
         "camera": "top", "agent": min(layout.agents.values()), "x": 0.0, "y": 0.0, "size": 360.0
     }  # fmt: skip

@@ -16,7 +16,7 @@ from roadlang_godot.build.line import line_of
 from roadlang_godot.engines.engine import Engine
 from roadlang_godot.faults import EngineError, fault
 from roadlang_godot.rendering import pictures as drawing
-from roadlang_godot.rendering.pictures import Shot, build, meters_a_pixel, take, view_of
+from roadlang_godot.rendering.pictures import Shot, build, take, view_of
 from tests.godot.godot_scenes import bend, car, pieces, road, scene, straight, thing
 
 pytestmark = pytest.mark.godot
@@ -37,8 +37,8 @@ def drawn(engine: Engine, shot: Shot) -> tuple[np.ndarray, object]:
 def test_a_top_view_shows_the_road_where_it_is(drawing_engine: Engine) -> None:
     shot = Shot("top", 640, 640)
     picture, layout = drawn(drawing_engine, shot)
-    scale = meters_a_pixel(layout, shot)  # type: ignore[arg-type]
     frame, view = layout.frame, view_of(layout, shot)  # type: ignore[attr-defined, arg-type]
+    scale = view["size"] / shot.height
     middle = (frame.x + view["x"], frame.y + view["y"])
     line = line_of(curved().roads[0])
     s = np.linspace(2, line.length - 2, 60)

@@ -14,7 +14,7 @@ from roadlang_godot.build.layout import layout_of
 from roadlang_godot.build.line import line_of
 from roadlang_godot.build.names import plain_name
 from roadlang_godot.build.sky import world_settings
-from roadlang_godot.rendering.pictures import Shot, meters_a_pixel
+from roadlang_godot.rendering.pictures import Shot, view_of
 from tests.godot.godot_scenes import pieces, road, scene, straight
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] } }\n"
@@ -24,12 +24,12 @@ ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 
 def test_a_top_view_shows_all_of_the_scene(width: int, height: int) -> None:
     made = scene(road("main", pieces(straight(400.0))))
     layout = layout_of(made)
-    scale = meters_a_pixel(layout, Shot("top", width, height))
+    scale = view_of(layout, Shot("top", width, height))["size"] / height
     # At least 5 m around 400 m by 7 m; no more than 3 % where that is more.
     assert width * scale >= 400.0 + 10.0
     assert height * scale >= 7.0 + 10.0
     assert width * scale <= 400.0 + 0.06 * max(400.0, height * scale) + 10.0
-    assert meters_a_pixel(layout, Shot("top", width, height, scale=0.3)) == 0.3
+    assert view_of(layout, Shot("top", width, height, scale=0.3))["size"] == 0.3 * height
 
 
 @pytest.mark.parametrize(

@@ -116,11 +116,10 @@ def test_the_table_says_where_on_roads_a_line_is(crossing: Scene) -> None:
     path = route(crossing, road, lane, start_station(crossing, road, lane, 60.0), ["left"])
     world = world_with(crossing, path)
     first, second = path.steps
-    stop, turn = world.table.next_turn(slice(None), np.zeros(1))
-    assert stop[0] == pytest.approx(abs(first.stop - first.start), abs=1e-6)
-    length = world.table.turns[turn[0]].connection.length
+    stop = abs(first.stop - first.start)
+    (turn,) = world.table.turns
     rows = np.zeros(4, dtype=np.int64)
-    along = np.array([10.0, stop[0] + 1.0, stop[0] + length + 5.0, 1e4])
+    along = np.array([10.0, stop + 1.0, stop + turn.connection.length + 5.0, 1e4])
     place = world.table.place(rows, along)
     way, onward = (np.sign(step.stop - step.start) for step in (first, second))
     expected = [first.start + 10.0 * way, first.stop, second.start + 5.0 * onward, second.stop]
@@ -130,7 +129,6 @@ def test_the_table_says_where_on_roads_a_line_is(crossing: Scene) -> None:
     assert [crossing.roads[one].name for one in place.road] == [
         first.road, first.road, second.road, second.road,
     ]  # fmt: skip
-    assert world.table.next_turn(rows, along)[1].tolist() == [turn[0], -1, -1, -1]
 
 
 def test_limits_ahead_are_braked_for(crossing: Scene) -> None:

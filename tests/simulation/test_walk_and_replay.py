@@ -97,6 +97,20 @@ def test_a_table_is_replayed_exactly_with_straight_lines_between(tmp_path: Path)
     assert ego.station == pytest.approx(ego.x, abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "time;x;y;heading\n0;20,0;0;0\n2;40,0;0;0\n",
+        "time\tx\ty\theading\n0\t20\t0\t0\n2\t40\t0\t0\n",
+        "\ufefftime,x,y,heading\r0,20,0,0\r2,40,0,0\r",
+    ],
+)
+def test_tables_of_spreadsheets_are_replayed_too(text: str, tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_bytes(text.encode())
+    ego = drive(recorded(str(tmp_path / "a.csv")), duration=1)[0].agents["ego"]
+    assert ego.x[-1] == pytest.approx(30.0)
+
+
 @pytest.mark.parametrize("kind", ["csv", "json"])
 def test_a_drive_of_ours_is_replayed_as_it_was(kind: str, tmp_path: Path) -> None:
     text = (
@@ -146,13 +160,17 @@ LONG = '"' + "1" * 200_000 + '"'
         ("time,x,y,heading\n0,0,0,0\n0,1,1,0\n", "times do not increase"),
         ("time,x,y,heading\n0,0,0,0\n1,a,1,0\n", "not all of its values are numbers"),
         ("time,agent,x,y,heading\n0,eg,0,0,0\n1,eg,1,1,0\n", "it has no agent `ego`"),
+        ("time,x,y,heading\n0,0,0,0\n1,1_000,1,0\n", "`x` is `1_000` in row 2"),
+        ("time,x,y,heading\n0,0,0,0\n1,inf,1,0\n", "`x` is `inf` in row 2"),
+        ("time,x,y,heading\n0,0,0,0\n1,5,0\n", "row 2 has 3 columns, not 4"),
         ("{", "it is not the trace of a drive"),
         ("time,x\n", "no column `time`"),
         pytest.param(LONG + "\n", "field larger than field limit", id="long word"),
         ("time,steering,acceleration\n", "it has no rows"),
         ("time,steering,acceleration\n0,0,nan\n", "not all of its values are numbers"),
+        ("time,steering,acceleration\n0,0,1\n0,0,1\n", "its times do not increase"),
         pytest.param(
-            f"time,steering,acceleration\n{LONG},0,0\n", "not all of its values", id="long number"
+            f"time,steering,acceleration\n{LONG},0,0\n", "field larger than", id="long number"
         ),
     ],
 )

@@ -32,6 +32,8 @@ def read(folder: Path, text: str, **options: str) -> Curve | Road:
         "x\ty\n0\t0\n50\t0\n100\t0\n",
         "0 0\n50 0\n100 0\n",
         "\ufeffy,x\n0,0\n0,50\n0,100\n",
+        "x;y\n0,0;0\n49,5;0,0\n100,0;0\n",
+        "x,y\r0,0\r50,0\r100,0\r",
     ],
 )
 def test_separators_and_heads_are_found_out(tmp_path: Path, text: str) -> None:
@@ -50,7 +52,7 @@ def test_separators_and_heads_are_found_out(tmp_path: Path, text: str) -> None:
         ("# y_m; x_m\n# drawn; twice\n", ("y_m", "x_m")),  # the first comment has them
         ("# y_m; x_m\nx; y\n", ("x", "y")),  # but a line of their own counts for more
         ("# 1; 2\n", ("x", "y")),  # a row that was left out
-        ("a; b; c\n", ("x", "y")),  # of another table
+        ("The table of a track\n", ("x", "y")),  # a title
     ],
 )
 def test_names_are_in_the_first_comment_or_in_a_line_of_their_own(
@@ -61,6 +63,12 @@ def test_names_are_in_the_first_comment_or_in_a_line_of_their_own(
     table = read_table(path)
     assert table.names == names
     assert table.rows.tolist() == [[1.0, 2.0], [3.0, 4.0]]
+
+
+def test_a_table_may_be_in_utf_16(tmp_path: Path) -> None:
+    path = tmp_path / "road.csv"
+    path.write_bytes("x\ty\n0\t0\n50\t0\n100\t0\n".encode("utf-16"))
+    assert read_table(path).rows.tolist() == [[0.0, 0.0], [50.0, 0.0], [100.0, 0.0]]
 
 
 def test_widths_make_a_road(tmp_path: Path) -> None:
@@ -94,11 +102,17 @@ def test_widths_of_a_ring_stay_at_their_points(tmp_path: Path, repeated: bool) -
     ("text", "says"),
     [
         ("x,z\n0,0\n1,1\n", "no column `y`"),
-        ("x,y\n0,0\n1,one\n", "line 3"),
+        ("x,y\n0,0\n1,one\n", "line 3 is not a row of numbers: `one`"),
+        ("x,y\n0,0\n1_000,1\n", "`1_000`"),
+        ("x,y\n0,0\n0x10,1\n", "`0x10`"),
+        ("x,y\n0,0\n\uff11\uff12,1\n", "line 3"),
+        ("x,y\n0,0,1,5\n50,0,2,5\n", "line 2 has 4 columns, not 2"),
+        ("a; b; c\n1;2\n3;4\n", "line 2 has 2 columns, not 3"),
         ("x,y\n0,0\n1\n", "line 3 has 1 columns"),
         ("x,y\n0,0\n", "fewer than two rows"),
-        ("x,y\n0,0\nnan,1\n", "not finite"),
-        ("", "fewer than two rows"),
+        ("x,y\n0,0\nnan,1\n", "line 3 has numbers that are not finite"),
+        ("x,y\n0,0\n-Infinity,1\n", "line 3 has numbers that are not finite"),
+        ("# nothing\n", "fewer than two rows"),
     ],
 )
 def test_what_is_no_table_is_refused(tmp_path: Path, text: str, says: str) -> None:

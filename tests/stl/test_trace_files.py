@@ -48,6 +48,24 @@ def test_names_may_have_commas(tmp_path: Path, header: str) -> None:
     assert read_trace(path) == ("t", [0, 2], {"v, front": [1, 3]})
 
 
+@pytest.mark.parametrize("cell", ["1_000", "0x10", "1.#INF", "1#2", "\uff11\uff12", "1e", "1 000"])
+def test_cells_that_only_look_like_numbers_are_texts(tmp_path: Path, cell: str) -> None:
+    """Python takes the first and fifth for numbers, and numpy the third and fourth for 1."""
+    path = tmp_path / "log.csv"
+    path.write_text(f"time,x\n0,1\n1,{cell}\n", encoding="utf-8")
+    _, positions, signals = read_trace(path)
+    assert signals["x"] == [1, cell]
+    with pytest.raises(DiagnosticError, match="RL303"):
+        stl.parse("always (x < 5)").rho(positions, signals)
+
+
+@pytest.mark.parametrize("cell", ["inf", "Infinity", "+inf", "INF"])
+def test_infinity_is_a_number(tmp_path: Path, cell: str) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text(f"time,x\n0,1\n1,{cell}\n2,-{cell.lstrip('+')}\n")
+    assert read_trace(path)[2]["x"] == [1, math.inf, -math.inf]
+
+
 def test_cells_of_logs(tmp_path: Path) -> None:
     path = tmp_path / "log.csv"
     path.write_text("time,on,x\ns,-,m\n0,true,1\n1,FALSE,\n2,1,nan\n")
@@ -102,6 +120,11 @@ def test_positions_and_signals(tmp_path: Path) -> None:
         ("a.csv", "s,\n0,1\n", "column 2 has no name"),
         ("a.csv", "# only\n# comments\n", "empty"),
         ("a.csv", "s,x\n0,1\non,1\n", "'on' in line 3, column `s` is not a number"),
+        ("a.csv", "s,x\n0,1\n1_000,1\n", "'1_000' in line 3, column `s` is not a number"),
+        ("a.csv", "s,x\r0,1\r0x1,1\r", "'0x1' in line 3, column `s` is not a number"),
+        ("a.csv", "s\tx\n0\t1\n1,5\t1\n", "write `1.5`, or part the cells by `;`"),
+        ("a.csv", "s,x\n0,5,1,5\n", "part the cells by `;` if the numbers have decimal commas"),
+        ("a.json", '{"s": [0, "1_000"], "x": [1, 2]}', "'1_000' in `s`, sample 1"),
         ("a.csv", "# hi\ns,x\n0,1\n1,2,3\n", "line 4 has 3 cells, not 2"),
         ("a.json", "{", "not JSON"),
         ("a.json", "3", "neither"),

@@ -7,6 +7,7 @@ from typing import Any
 
 from roadlang.api import DiagnosticError
 
+from .degrees import why_no_place
 from .osm_reading.records import OsmExtract, OsmNode, OsmWay
 
 Fault = Callable[[str], DiagnosticError]
@@ -98,9 +99,9 @@ def _node(point: Any, nodes: dict[str, OsmNode], number: int, fault: Fault) -> s
     ):
         raise fault(f"feature {number} has a point that is not a pair of numbers")
     longitude, latitude = (round(float(x), _DIGITS) for x in numbers)
-    if abs(latitude) > 89.0 or abs(longitude) > 180.0:
-        place = f"{latitude:g}, {longitude:g} degrees"
-        raise fault(f"feature {number}: {place} is not a longitude and latitude")
+    reason = why_no_place(latitude, longitude)
+    if reason:
+        raise fault(f"feature {number}: {reason}")
     # Lines are cut at the antimeridian: both of their parts have this point.
     longitude = 180.0 if longitude == -180.0 else longitude
     id = f"{latitude} {longitude}"

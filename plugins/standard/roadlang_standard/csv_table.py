@@ -1,13 +1,15 @@
-"""Tables of points: with a line of names or without, separated by `,` `;` tabs or blanks."""
+"""Tables of points: with a line of names or without, separated by `,` `;` tabs or blanks. Where
+`;` separates, numbers may have decimal commas."""
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roadlang.api import Code, DiagnosticError, diagnose, did_you_mean
+from roadlang.api import Code, DiagnosticError, diagnose, did_you_mean, number_in, read_text
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -61,42 +63,53 @@ def read_table(path: Path) -> Table:
     import numpy as np
 
     names: tuple[str, ...] = ()
+    has_line_of_names = False
     rows: list[list[float]] = []
-    text = path.read_bytes().decode("utf-8-sig", errors="replace")
-    for number, line in enumerate(text.splitlines(), start=1):
-        cells = _cells(line.lstrip("# ")) if line.startswith("#") else _cells(line)
+    for number, line in enumerate(read_text(path).splitlines(), start=1):
+        is_comment = line.startswith("#")
+        cells = _cells(line.lstrip("# ") if is_comment else line)
         numbers = _numbers(cells)
-        if not cells or (line.startswith("#") and numbers is not None):
+        if not cells or (is_comment and numbers is not None):
             continue
         if numbers is None:
             if rows:
-                raise _refusal(path, f"line {number} is not a row of numbers")
-            names = names if line.startswith("#") and names else tuple(map(str.lower, cells))
+                odd = next(cell for cell in cells if _numbers([cell]) is None)
+                raise _refusal(path, f"line {number} is not a row of numbers: `{odd}`")
+            names = names if is_comment and names else tuple(map(str.lower, cells))
+            has_line_of_names |= not is_comment and separator_of(line) is not None
             continue
-        if rows and len(numbers) != len(rows[0]):
-            raise _refusal(path, f"line {number} has {len(numbers)} columns, not {len(rows[0])}")
+        most = len(names) if has_line_of_names else len(rows[0]) if rows else len(numbers)
+        if len(numbers) != most:
+            raise _refusal(path, f"line {number} has {len(numbers)} columns, not {most}")
+        if not all(map(math.isfinite, numbers)):
+            raise _refusal(path, f"line {number} has numbers that are not finite")
         rows.append(numbers)
         if len(rows) > _MOST_ROWS:
             raise _refusal(path, f"it has more than {_MOST_ROWS:,} rows")
     if len(rows) < 2:
         raise _refusal(path, "it has fewer than two rows of numbers")
     table = np.asarray(rows, dtype=float)
-    if not np.isfinite(table).all():
-        raise _refusal(path, "some of its numbers are not finite")
     if len(names) != table.shape[1]:
         names = ("x", "y", "width")[: table.shape[1]]
     return Table(path, names, table)
 
 
+def separator_of(line: str) -> str | None:
+    """What parts the cells of a line; None for blanks."""
+    return next((mark for mark in ";\t," if mark in line), None)
+
+
 def _cells(line: str) -> list[str]:
-    separator = next((mark for mark in ";,\t" if mark in line), None)
-    cells = line.split(separator) if separator else line.split()
-    return [cell.strip().strip('"') for cell in cells if cell.strip()]
+    separator = separator_of(line)
+    cells = [cell.strip().strip('"') for cell in line.split(separator)]
+    if separator == ";":
+        cells = [cell.replace(",", ".") for cell in cells]
+    return [cell for cell in cells if cell]
 
 
 def _numbers(cells: list[str]) -> list[float] | None:
     try:
-        return [float(cell) for cell in cells]
+        return [number_in(cell) for cell in cells]
     except ValueError:
         return None
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roadlang.api import Code, DiagnosticError, diagnose, read_input
+from roadlang.api import read_text
+
+from .csv_table import separator_of
+from .named_rows import column, named_rows, table_fault
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
@@ -51,20 +52,15 @@ def _inputs(path: str, changed: int) -> RecordedInputs | None:
     import numpy as np
 
     file = Path(path)
-    text = read_input(file).decode("utf-8-sig", errors="replace")
-    header, _, rest = text.partition("\n")
-    if [name.strip(' "\r') for name in header.split(",")] != list(_COLUMNS):
+    text = read_text(file)
+    head = next((line for line in text.splitlines() if line.strip() and line[0] != "#"), "")
+    names = head.split(separator_of(head))
+    if [name.strip(' "') for name in names] != list(_COLUMNS):
         return None
-    try:
-        rows = [row for row in csv.reader(io.StringIO(rest)) if row]
-        table = np.array(rows, dtype=np.float64).reshape(-1, len(_COLUMNS))
-    except (ValueError, csv.Error) as error:
-        raise _fault(file) from error
-    if not len(table) or not np.isfinite(table).all() or not (np.diff(table[:, 0]) > 0.0).all():
-        raise _fault(file)
-    return RecordedInputs(table[:, 0] - table[0, 0], table[:, 1:])
-
-
-def _fault(file: Path) -> DiagnosticError:
-    reason = "it has no rows, or its times do not increase, or not all of its values are numbers"
-    return DiagnosticError(diagnose(Code.UNREADABLE_TABLE, file=file.name, reason=reason, help=()))
+    rows = named_rows(file, text)
+    if not rows:
+        raise table_fault(file, "it has no rows")
+    time, steering, acceleration = (column(file, rows, name) for name in _COLUMNS)
+    if not (np.diff(time) > 0.0).all():
+        raise table_fault(file, "its times do not increase")
+    return RecordedInputs(time - time[0], np.stack((steering, acceleration), axis=1))

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from roadlang.api import Code, DiagnosticError, diagnose, did_you_mean, read_input
+from roadlang.api import did_you_mean, read_text
+
+from .named_rows import Rows, column, named_rows, table_fault
 
 if TYPE_CHECKING:
     from roadlang.geometry import Floats
 
 _NEEDED = ("time", "x", "y", "heading")
+_OPTIONAL = ("speed",)
 _AT_ONCE = 16
 """Files that are remembered."""
 
@@ -45,7 +46,7 @@ def recording(path: str, agent: str) -> Recording:
         return found[""]
     if agent not in found:
         help_ = (*did_you_mean(agent, list(found)), f"it has {', '.join(found)}")
-        raise _fault(file, f"it has no agent `{agent}`", help_)
+        raise table_fault(file, f"it has no agent `{agent}`", help_)
     return found[agent]
 
 
@@ -53,59 +54,61 @@ def recording(path: str, agent: str) -> Recording:
 def _recordings(path: str, changed: int) -> dict[str, Recording]:
     """By agent, "" where the file names none. `changed`: when the file was."""
     file = Path(path)
-    text = read_input(file).decode("utf-8-sig", errors="replace")
+    text = read_text(file)
     columns = _of_trace(file, text) if text.lstrip().startswith("{") else _of_table(file, text)
     return {name: _recording(file, values) for name, values in columns.items()}
 
 
-def _of_trace(file: Path, text: str) -> dict[str, dict[str, Any]]:
+def _of_trace(file: Path, text: str) -> dict[str, dict[str, Floats]]:
     """The columns of a trace as `roadlang run` writes it."""
+    import numpy as np
+
     try:
         document = json.loads(text)
         time, agents = document["time"], document["agents"]
-        return {name: {"time": time, **values} for name, values in agents.items()}
+        found = {name: {"time": time, **values} for name, values in agents.items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise _fault(file, "it is not the trace of a drive") from error
-
-
-def _of_table(file: Path, text: str) -> dict[str, dict[str, Any]]:
-    """The columns of a CSV file with a line of names, by its column `agent` if it has one."""
+        raise table_fault(file, "it is not the trace of a drive") from error
     try:
-        rows = list(csv.DictReader(io.StringIO(text), skipinitialspace=True))
-    except csv.Error as error:
-        raise _fault(file, str(error)) from error
+        return {
+            agent: {
+                name: np.array(values[name], dtype=np.float64)
+                for name in (*_NEEDED, *_OPTIONAL)
+                if name in values or name in _NEEDED
+            }
+            for agent, values in found.items()
+        }
+    except (ValueError, TypeError, KeyError) as error:
+        raise table_fault(file, "not all of its values are numbers") from error
+
+
+def _of_table(file: Path, text: str) -> dict[str, dict[str, Floats]]:
+    """The columns of a CSV file with a line of names, by its column `agent` if it has one."""
+    rows = named_rows(file, text)
     names = list(rows[0]) if rows else []
     for name in _NEEDED:
         if name not in names:
             help_ = (f"its first line must have the names {', '.join(_NEEDED)}",)
-            raise _fault(file, f"no column `{name}`", help_)
-    out: dict[str, dict[str, Any]] = {}
+            raise table_fault(file, f"no column `{name}`", help_)
+    by_agent: dict[str, Rows] = {}
     for row in rows:
-        columns = out.setdefault(row.get("agent") or "", {})
-        for name in (*_NEEDED, *(["speed"] if "speed" in names else [])):
-            columns.setdefault(name, []).append(row[name])
-    return out
+        by_agent.setdefault(row.get("agent", ""), []).append(row)
+    wanted = (*_NEEDED, *(name for name in _OPTIONAL if name in names))
+    return {
+        agent: {name: column(file, own, name) for name in wanted} for agent, own in by_agent.items()
+    }
 
 
-def _recording(file: Path, columns: dict[str, Any]) -> Recording:
+def _recording(file: Path, columns: dict[str, Floats]) -> Recording:
     import numpy as np
 
-    try:
-        time, x, y, heading = (np.array(columns[name], dtype=np.float64) for name in _NEEDED)
-        speed = np.array(columns["speed"], dtype=np.float64) if "speed" in columns else None
-    except (ValueError, TypeError, KeyError) as error:
-        raise _fault(file, "not all of its values are numbers") from error
+    time, x, y, heading = (columns[name] for name in _NEEDED)
+    speed = columns.get("speed")
     if len(time) < 2 or not (np.diff(time) > 0.0).all():
-        raise _fault(file, "its times do not increase")
+        raise table_fault(file, "its times do not increase")
     if speed is None:
         speed = np.hypot(np.gradient(x, time), np.gradient(y, time))
     pose = np.stack((x, y, np.unwrap(heading), speed), axis=1)
     if not np.isfinite(pose).all():
-        raise _fault(file, "not all of its values are numbers")
+        raise table_fault(file, "not all of its values are numbers")
     return Recording(time - time[0], pose)
-
-
-def _fault(file: Path, reason: str, help_: tuple[str, ...] = ()) -> DiagnosticError:
-    return DiagnosticError(
-        diagnose(Code.UNREADABLE_TABLE, file=file.name, reason=reason, help=help_)
-    )

@@ -12,7 +12,7 @@ import click
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
 from .console import echo, note, report, shown, style
-from .finite_range import FiniteRange
+from .finite_range import FiniteRange, WholeNumber
 from .quantities import seconds
 
 if TYPE_CHECKING:
@@ -35,18 +35,16 @@ _FIGURES = 25
     help="An expectation to violate, the most important first; by default all.",
 )
 @click.option("--with", "searcher", metavar="KIND", help="Searcher, instead of the file's.")
-@click.option("--evaluations", type=click.IntRange(min=1), help="Stop after this many candidates.")
-@click.option(
-    "--failures", type=click.IntRange(min=1), help="Stop after this many distinct failures."
-)
+@click.option("--evaluations", type=WholeNumber(min=1), help="Stop after this many candidates.")
+@click.option("--failures", type=WholeNumber(min=1), help="Stop after this many distinct failures.")
 @click.option(
     "--seconds", type=seconds(min=0, min_open=True), help="Stop after this time, such as 10min."
 )
 @click.option(
-    "--batch", type=click.IntRange(min=1), help="Maximum number of candidates evaluated together."
+    "--batch", type=WholeNumber(min=1), help="Maximum number of candidates evaluated together."
 )
 @click.option(
-    "--islands", type=click.IntRange(min=1), help="Number of independent searches side by side."
+    "--islands", type=WholeNumber(min=1), help="Number of independent searches side by side."
 )
 @click.option("--random", type=FiniteRange(0, 1), help="Fraction of candidates drawn at random.")
 @shared_options.engine
@@ -57,7 +55,7 @@ _FIGURES = 25
 @shared_options.settings
 @click.option(
     "--figures",
-    type=click.IntRange(min=0),
+    type=WholeNumber(min=0),
     default=_FIGURES,
     show_default=True,
     help="Number of failures to draw, worst first.",

@@ -10,7 +10,7 @@ import click
 
 from ..diagnostics import DiagnosticError
 from .console import echo, report
-from .finite_range import FiniteNumber
+from .finite_range import FiniteNumber, WholeNumber
 from .read_traces import refuse_swapped
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--digits",
-    type=click.IntRange(1, 12),
+    type=WholeNumber(1, 12),
     default=6,
     help="Significant digits of the result, no finer than 1e-12 of the bounds.",
 )
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--front",
-    type=click.IntRange(2, 1000),
+    type=WholeNumber(2, 1000),
     metavar="POINTS",
     help="List the Pareto front: for each of POINTS values of the first parameter the tightest of "
     "the others.",

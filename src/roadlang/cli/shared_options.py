@@ -7,6 +7,7 @@ from typing import Any, TypeAlias
 
 import click
 
+from .finite_range import Seed, WholeNumber
 from .quantities import seconds
 
 Command: TypeAlias = Callable[..., Any]
@@ -24,15 +25,13 @@ output = click.option(
 count = click.option(
     "-n",
     "count",
-    type=click.IntRange(min=1, max=1_000_000),
+    type=WholeNumber(min=1, max=1_000_000),
     help="Number of scenes; by default 1, or all of a grid.",
 )
-seed = click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
-)
+seed = click.option("--seed", type=Seed(), default=0, show_default=True, help="Random seed.")
 jobs = click.option(
     "--jobs",
-    type=click.IntRange(min=1, max=256),
+    type=WholeNumber(min=1, max=256),
     default=1,
     show_default=True,
     help="Number of worker processes; does not change the result.",

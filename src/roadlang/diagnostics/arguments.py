@@ -14,8 +14,10 @@ from pathlib import Path
 from typing import Any
 
 
-def whole_number(name: str, value: Any, *, least: int | None = None) -> int:
-    """An integer of Python or numpy that is at least `least`; True and False are none."""
+def whole_number(
+    name: str, value: Any, *, least: int | None = None, most: int | None = None
+) -> int:
+    """An integer of Python or numpy from `least` to `most`; True and False are none."""
     try:
         number = operator.index(value)
     except TypeError:
@@ -24,6 +26,8 @@ def whole_number(name: str, value: Any, *, least: int | None = None) -> int:
         raise wrong_type(name, "an integer", value) from None
     if least is not None and number < least:
         raise ValueError(f"`{name}` must be at least {least}, not {number}")
+    if most is not None and number > most:
+        raise ValueError(f"`{name}` must be at most {most}, not {number}")
     return number
 
 

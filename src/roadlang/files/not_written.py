@@ -15,7 +15,8 @@ def not_written(path: Path, error: OSError) -> DiagnosticError:
     if isinstance(error, FileExistsError | NotADirectoryError):
         obstacle = next((each for each in (path, *path.parents) if os.path.lexists(each)), path)
         if not obstacle.is_dir():
-            reason = f"`{obstacle.name}` is a file, not a folder"
+            what = "a file, not a folder" if obstacle.is_file() else "not a folder"
+            reason = f"`{obstacle.name}` is {what}"
             help_ = ("choose another folder, or move the file away",)
     return DiagnosticError(
         diagnose(Code.OUTPUT_NOT_WRITTEN, path=file, file=file, reason=reason, help=help_)

@@ -51,6 +51,13 @@ def read_file(path: Path, limit: int = LARGEST_INPUT) -> bytes:
     return _read(path, limit, must_fit=True)
 
 
+def written_text(data: bytes) -> str:
+    """The text of a file that somebody wrote, in UTF-8. Line ends of CR alone, as old Macs have
+    them, become LF, so that places stay. Raises UnicodeDecodeError."""
+    text = data.decode("utf-8-sig")
+    return text if "\n" in text else text.replace("\r", "\n")
+
+
 def read_start(path: Path, count: int) -> bytes:
     """The first `count` bytes of a regular file, or all where it has fewer.
 

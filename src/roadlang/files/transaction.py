@@ -23,6 +23,7 @@ from functools import cache
 from pathlib import Path
 
 from .locking import may_be_held
+from .reading import UnreadableFile, refuse_others
 
 PREFIX = ".roadlang-"
 STAGED = f"{PREFIX}new-"
@@ -117,9 +118,11 @@ def _refuse_non_files(folder: Path, names: Iterable[str]) -> None:
     """A folder or a device is not replaced, nor what a link to one stands for."""
     for name in names:
         target = folder / name
-        if target.exists() and not target.is_file():
-            what = "it is a folder" if target.is_dir() else "it is not a file"
-            raise OSError(errno.EEXIST, what, str(target))
+        if target.exists():
+            try:
+                refuse_others(os.stat(target))
+            except UnreadableFile as fault:
+                raise OSError(errno.EINVAL, fault.reason, str(target)) from None
 
 
 def _gathered(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..files.reading import UnreadableFile, read_start
+from ..files.table_text import number_in
 from .georeference import Georeference, geo_keys, geotiff_reference, world_file_reference
 from .tiff import TiffError, TiffTags
 
@@ -85,7 +86,7 @@ def _world_files(path: Path) -> list[Path]:
 
 def _number(word: str) -> float | None:
     try:
-        number = float(word)
+        number = number_in(word)
     except ValueError:
         return None
     return number if math.isfinite(number) else None

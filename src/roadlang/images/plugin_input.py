@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..files.reading import LARGEST_INPUT
+from ..files.table_text import decoded
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,6 +22,18 @@ def read_input(path: Path, limit: int = LARGEST_INPUT) -> bytes:
     from .image_file import read_input
 
     return read_input(path, path.name, None, limit)
+
+
+def read_text(path: Path) -> str:
+    """The text of a file in UTF-8, in UTF-16 with its mark, or in Latin-1.
+
+    Raises `DiagnosticError` RL400, RL401, and RL477 for what is no text.
+    """
+    try:
+        return decoded(read_input(path))
+    except UnicodeDecodeError:
+        found = diagnose(Code.UNREADABLE_TABLE, file=path.name, reason="it is not text")
+        raise DiagnosticError(found) from None
 
 
 def read_image(path: Path) -> NDArray[np.uint8]:

@@ -1,4 +1,4 @@
-"""A `Scenario` as JSON and back, and its JSON Schema.
+"""A `Scenario` as JSON, and its JSON Schema.
 
 A dataclass becomes an object with its class's name under `is`; a dimension its unit; a formula
 its JSON form; a place in a source its file, line, column and offsets (the text is not repeated).
@@ -8,16 +8,12 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping
-from functools import cache
-from typing import Any, get_args, get_origin, get_type_hints
+from typing import Any, get_args
 
-from ..diagnostics import Source, Span
+from ..diagnostics import Span
 from ..stl.formats.json_schema import FORMULA, formula_definitions
 from ..stl.formula.evaluation_options import EvaluationOptions, Measure, Semantics
 from ..stl.formula.formulas import Formula
-from . import values as value_nodes
-from .contained_values import nodes
 from .dimension import Dimension
 from .read_only import FrozenDict
 from .scenario import SCENARIO_SCHEMA, Scenario
@@ -28,19 +24,6 @@ def scenario_to_json(scenario: Scenario) -> dict[str, Any]:
     """The scenario as plain dicts, lists, strings and numbers."""
     plain: dict[str, Any] = _plain(scenario)
     return {"schema": plain.pop("schema"), **plain}
-
-
-def scenario_from_json(record: Mapping[str, Any]) -> Scenario:
-    """The scenario that `scenario_to_json` wrote; spans know their file but not its text.
-
-    Raises `ValueError` where the record is no scenario of this version.
-    """
-    if record.get("schema") != SCENARIO_SCHEMA:
-        raise ValueError(f"not a {SCENARIO_SCHEMA}: {record.get('schema')!r}")
-    value = _revived(record)
-    if not isinstance(value, Scenario):
-        raise ValueError("the record holds no scenario")
-    return value
 
 
 def scenario_schema() -> dict[str, Any]:
@@ -123,44 +106,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return str(value)
     return value
-
-
-def _revived(value: Any) -> Any:
-    if isinstance(value, list):
-        return tuple(_revived(item) for item in value)
-    if not isinstance(value, Mapping):
-        return value
-    if "is" not in value:
-        return Span(Source(value["file"], ""), value["start"], value["end"])
-    if value["is"] == "Dimension":
-        return Dimension(*value["exponents"])
-    kind: Any = nodes().get(value["is"])
-    if kind is None:
-        raise ValueError(f"there is no node `{value['is']}`")
-    members = {name: member for name, member in value.items() if name != "is"}
-    if kind is value_nodes.Condition:
-        return _condition(members)
-    if kind is value_nodes.ConstantValue:
-        members["value"] = float(members["value"])
-    revived: dict[str, Any] = {name: _revived(member) for name, member in members.items()}
-    return kind(**{
-        name: FrozenDict(revived[name]) if name in _options_of(kind) else revived[name]
-        for name in revived
-    })  # fmt: skip
-
-
-def _condition(members: dict[str, Any]) -> value_nodes.Condition:
-    from ..stl.formats.evaluation_json import evaluation_from_json
-    from ..stl.formats.json_form import from_json
-
-    formula = from_json(members.pop("formula"))
-    evaluation = evaluation_from_json(members.pop("evaluation", {}))
-    revived: dict[str, Any] = {name: _revived(member) for name, member in members.items()}
-    return value_nodes.Condition(formula=formula, evaluation=evaluation, **revived)
-
-
-@cache
-def _options_of(kind: type) -> frozenset[str]:
-    """The fields that hold options, or something else by name."""
-    hints = get_type_hints(kind)
-    return frozenset(name for name, hint in hints.items() if get_origin(hint) is FrozenDict)

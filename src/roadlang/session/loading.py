@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Diagnostic, DiagnosticError, Source, arguments
 from ..diagnostics.diagnostic import in_order
+from ..ir.seeds import LARGEST_SEED
 from .meant_arguments import refuse_sampling, refuse_searching
 from .outputs import check_outputs, parse_outputs
 from .params import ParamValue, param_sources
@@ -196,7 +197,7 @@ class LoadedScenario:
         from .scene_set import sampled
 
         n = None if n is None else arguments.whole_number("n", n, least=1)
-        seed = arguments.whole_number("seed", seed, least=0)
+        seed = arguments.whole_number("seed", seed, least=0, most=LARGEST_SEED)
         workers = _workers(jobs, executor, progress)
         return sampled(self, n, seed, workers, arguments.function("after_pass", after_pass))
 
@@ -236,7 +237,7 @@ class LoadedScenario:
             expects = arguments.texts("expects", expects)
         return falsified(
             self,
-            arguments.whole_number("seed", seed, least=0),
+            arguments.whole_number("seed", seed, least=0, most=LARGEST_SEED),
             arguments.text_or_none("searcher", searcher),
             {"expects": expects, **settings},
             Drives(engine, dict(arguments.mapping("options", options or {}))),

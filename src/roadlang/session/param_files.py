@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Source, Span, diagnose
-from ..files.reading import UnreadableFile, read_file
+from ..files.reading import UnreadableFile, read_file, written_text
 from .params import is_param_name, param_texts
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def read_params(name: str) -> ParamFile:
 def _read(name: str) -> tuple[Source, str]:
     try:
         data = read_file(Path(name), LARGEST)
-        return Source(name, data.decode("utf-8-sig")), hashlib.sha256(data).hexdigest()
+        return Source(name, written_text(data)), hashlib.sha256(data).hexdigest()
     except UnreadableFile as error:
         fault = diagnose(Code.UNREADABLE_FILE, path=name, reason=error.reason)
     except UnicodeDecodeError:

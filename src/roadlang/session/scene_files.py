@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from ..diagnostics import Code, DiagnosticError, diagnose, did_you_mean
-from ..files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
+from ..files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file, written_text
 
 STANDARD_INPUT = "-"
 
@@ -27,7 +27,7 @@ def read_scene_file(name: str) -> str:
             )
         )
     try:
-        return data.decode("utf-8-sig")
+        return written_text(data)
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         reason = f"line {line} has the byte 0x{data[error.start]:02x}"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import FormatFile, echo, note
+from roadlang.commands import FormatFile, WholeNumber, echo, note
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--size",
-    type=click.IntRange(120, 8192),
+    type=WholeNumber(120, 8192),
     default=1024,
     show_default=True,
     help="Width in pixels.",

@@ -6,6 +6,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
+from roadlang_formats.degrees import why_no_place
 from roadlang_formats.map_xml import MapElement, MapFile
 
 
@@ -60,10 +61,9 @@ def osm_extract(file: MapFile) -> OsmExtract:
         if id in nodes:
             raise file.fault(element, f"two nodes have the id `{id}`")
         latitude, longitude = (file.number(element, name) for name in ("lat", "lon"))
-        if abs(latitude) > 89.0 or abs(longitude) > 180.0:
-            raise file.fault(
-                element, f"{latitude:g}, {longitude:g} degrees is not a latitude and longitude"
-            )
+        reason = why_no_place(latitude, longitude)
+        if reason:
+            raise file.fault(element, reason)
         nodes[id] = OsmNode(latitude, longitude, _tags(element))
     ways = []
     seen = set()

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import echo
+from roadlang.commands import WholeNumber, echo
 from roadlang_godot.usual_port import USUAL_PORT
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
 @click.option(
     "--port",
-    type=click.IntRange(1, 65535),
+    type=WholeNumber(1, 65535),
     default=USUAL_PORT,
     show_default=True,
     help="Port to listen on.",

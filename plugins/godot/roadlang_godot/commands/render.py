@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from roadlang.commands import echo, pixel_size, report, seconds
+from roadlang.commands import Seed, WholeNumber, echo, pixel_size, report, seconds
 
 if TYPE_CHECKING:
     from roadlang import LoadedScenario
@@ -35,7 +35,7 @@ MOST_SECONDS = 3600.0
 @click.option(
     "-n",
     "count",
-    type=click.IntRange(1, 1_000_000),
+    type=WholeNumber(1, 1_000_000),
     default=50,
     show_default=True,
     help="Number of moments in the dataset.",
@@ -50,7 +50,7 @@ MOST_SECONDS = 3600.0
 @click.option("--clips", is_flag=True, help="Also write the dataset's color images as clips.")
 @click.option(
     "--scenes",
-    type=click.IntRange(1, 1_000_000),
+    type=WholeNumber(1, 1_000_000),
     default=1,
     show_default=True,
     help="Number of scenes among which the moments are divided.",
@@ -84,7 +84,7 @@ MOST_SECONDS = 3600.0
 )
 @click.option(
     "--fps",
-    type=click.IntRange(1, 60),
+    type=WholeNumber(1, 60),
     default=12,
     show_default=True,
     help="Frames per second of a clip.",
@@ -96,12 +96,8 @@ MOST_SECONDS = 3600.0
 @click.option(
     "--road", type=click.Choice(["mesh", "tiles"]), default="mesh", help="How to build the road."
 )
-@click.option(
-    "--scene", "index", type=click.IntRange(min=0), default=0, help="Number of the scene."
-)
-@click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
-)
+@click.option("--scene", "index", type=WholeNumber(min=0), default=0, help="Number of the scene.")
+@click.option("--seed", type=Seed(), default=0, show_default=True, help="Random seed.")
 @click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from roadlang.commands import echo, report
+from roadlang.commands import Seed, WholeNumber, echo, report
 from roadlang.commands import seconds as times
 from roadlang_godot.usual_port import USUAL_PORT
 
@@ -39,7 +39,7 @@ BYTE_ORDER_MARK = "\ufeff"
 @click.option("--host", help="Host of a running `roadlang godot` to use.")
 @click.option(
     "--port",
-    type=click.IntRange(1, 65535),
+    type=WholeNumber(1, 65535),
     default=USUAL_PORT,
     show_default=True,
     help="Port of that Godot.",
@@ -48,9 +48,7 @@ BYTE_ORDER_MARK = "\ufeff"
     "--road", type=click.Choice(["mesh", "tiles"]), default="mesh", help="How to build the road."
 )
 @click.option("--save", is_flag=True, help="Save changes made in the window to FILE.")
-@click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Random seed."
-)
+@click.option("--seed", type=Seed(), default=0, show_default=True, help="Random seed.")
 @click.option(
     "--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set the value of a param."
 )

@@ -134,11 +134,6 @@ def take(session: Session, layout: Layout, shot: Shot) -> bytes:
     return session.fetch(Message.SHOT, wish, Message.PICTURE)
 
 
-def meters_a_pixel(layout: Layout, shot: Shot) -> float:
-    """The scale of a top view; by default all of the scene is in it."""
-    return _top_frame(layout, shot).size / shot.height
-
-
 def _top_frame(layout: Layout, shot: Shot) -> TopFrame:
     """With a scale of its own, around the origin."""
     if shot.scale is not None:

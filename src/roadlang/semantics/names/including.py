@@ -18,7 +18,7 @@ from ...diagnostics import (
     did_you_mean,
     nearest,
 )
-from ...files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file
+from ...files.reading import LARGEST_SCENE_FILE, UnreadableFile, read_file, written_text
 from ...syntax import parse
 from ...syntax.tree import nodes as ast
 from .file_checks import missing_file
@@ -243,7 +243,7 @@ class _Loader:
 
     def _source(self, target: Path, written: ast.String) -> Source | None:
         try:
-            text = read_file(target, LARGEST_SCENE_FILE).decode("utf-8-sig")
+            text = written_text(read_file(target, LARGEST_SCENE_FILE))
             return Source(str(target), text, included_at=written.span)
         except UnicodeDecodeError:
             reason = "it is not UTF-8 text"

@@ -13,6 +13,7 @@ from ...ir.units import UNITS, TwoSlashes, Unit, UnknownUnit, parse_unit
 from ...ir.values import ConstantValue
 from ...plugins.options import Constraints
 from ...syntax.tree import nodes as ast
+from ...syntax.unit_words import meant_unit
 from ..checker import Checker
 from ..context import Context
 from .expression_types import Quantity, SignalType, TypedExpression, unknown
@@ -20,13 +21,6 @@ from .similar_signals import similar_signals
 
 _parse = cache(parse_unit)
 _DIGITS = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
-_MEANT = {
-    "meter": "m", "meters": "m", "metre": "m", "metres": "m", "mtr": "m",
-    "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minutes": "min", "hour": "h",
-    "degree": "deg", "degrees": "deg", "radians": "rad", "pixel": "px", "pixels": "px",
-    "kmh": "km/h", "kph": "km/h", "mps": "m/s", "percent": "%", "feet": "ft", "miles": "mi",
-    "\N{DEGREE SIGN}": "deg",
-}  # fmt: skip
 
 
 def infer_number(checker: Checker, number: ast.NumberLiteral, context: Context) -> TypedExpression:
@@ -73,12 +67,15 @@ def _unit(checker: Checker, number: ast.NumberLiteral) -> Unit | None:
 
 def _report_unknown_unit(checker: Checker, number: ast.NumberLiteral, word: str) -> None:
     # `5mtr` looks like `m` and `tr` to a matcher of strings; people mean what they spell out.
-    meant = _MEANT.get(word.lower()) or nearest(word, UNITS)
-    if meant is None:
+    unit = meant_unit(number.unit)
+    if unit is None:
+        meant = nearest(word, UNITS)
+        unit = None if meant is None else number.unit.replace(word, meant, 1)
+    if unit is None:
         known = ", ".join(unit for unit in UNITS)
         checker.report(Code.UNKNOWN_UNIT, number.span, unit=word, help=f"the units are {known}")
         return
-    better = number.digits + number.unit.replace(word, meant, 1)
+    better = number.digits + unit
     checker.report(Code.UNKNOWN_UNIT, number.span, unit=word, meant=better)
 
 

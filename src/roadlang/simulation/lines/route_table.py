@@ -224,18 +224,6 @@ class RouteTable:
         ahead = (changed > 0.0) & (begin > along[:, None])
         return np.asarray(np.where(ahead, begin - STAYS * changed, math.inf).min(axis=1))
 
-    def next_turn(self, rows: Any, along: Floats) -> tuple[Floats, Integers]:
-        """(N,) arc length of the line where the next connection begins, infinite for none, and its
-        number in `turns`, -1 for none: the next stop line, where its junction has one."""
-        line = self.line[rows]
-        begin, turn = self.begin[line], self.turn[line]
-        ahead = (turn >= 0) & (begin > along[:, None])
-        first = ahead.argmax(axis=1)
-        each = np.arange(len(first))
-        found = ahead[each, first]
-        at = np.where(found, begin[each, first], math.inf)
-        return at, np.where(found, turn[each, first], -1)
-
     def _station(self, line: Integers, leg: Integers, along: Floats) -> Floats:
         """Linear between the stations of the table."""
         begin = self.begin[line, leg]

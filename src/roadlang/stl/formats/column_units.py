@@ -10,10 +10,10 @@ from pathlib import Path
 
 from ...diagnostics import Code, DiagnosticError, Source, Span, diagnose
 from ...files.reading import UnreadableFile, read_start
+from ...files.table_text import decoded
 from ...syntax.parsing.parser import parse_formula
 from .delimited_text import DelimitedText, DelimitedTextFault
 from .from_syntax_tree import FormulaReader
-from .trace_files import decoded
 from .unit_factors import factor, is_unit
 
 _IN_NAME = re.compile(r".*\S\s*[\[(]\s*([^\[\]()]+?)\s*[\])]\s*", re.DOTALL)

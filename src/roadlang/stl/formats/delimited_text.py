@@ -18,11 +18,13 @@ from typing import Any
 
 import numpy as np
 
+from ...files.table_text import number_in
 from .text_cell import TextCell
 
 COMMENT = "#"
 _UNPACKED_BY_NUMPY = (".bz2", ".gz", ".lzma", ".xz")
 """Ends of names that numpy takes for compressed files, whatever is in them."""
+_MARK_IN_CELL = re.compile(rf"^[ \t]*[^\s{COMMENT}][^\n{COMMENT}]*(?<=\S){COMMENT}", re.MULTILINE)
 _QUOTED = re.compile(r'"[^"]*"')
 _ISO_8601 = re.compile(
     r"(\d{4}-\d\d-\d\d)[Tt ](\d\d:\d\d:\d\d(?:\.\d{1,9})?)(?:[Zz]|([+-])(\d\d):?(\d\d))?"
@@ -90,9 +92,15 @@ class DelimitedText:
             if len(cells) != len(self.names):
                 raise DelimitedTextFault(
                     f"line {line} has {len(cells)} cells, not {len(self.names)}"
+                    f"{self._decimal_commas(cells)}"
                 )
             found.append((line, cells))
         return found
+
+    def _decimal_commas(self, cells: list[str]) -> str:
+        """What to write where `1,5` may have been one number."""
+        is_likely = self.delimiter == "," and all(cell.strip().isdigit() for cell in cells[1:])
+        return "; part the cells by `;` if the numbers have decimal commas" if is_likely else ""
 
     @property
     def unit_row(self) -> tuple[str, ...] | None:
@@ -140,7 +148,7 @@ class DelimitedText:
                 elif value is None:
                     place = f"line {line}, column `{name}`"
                     raise DelimitedTextFault(
-                        f"{cell!r} in {place} is not a number{_date_form(cell)}"
+                        f"{cell!r} in {place} is not a number{_meant_form(cell)}"
                     )
                 columns[index].append(value)
         return columns
@@ -149,6 +157,8 @@ class DelimitedText:
         """The columns if all cells are plain numbers."""
         if not self.body.strip():
             return [[] for _ in self.names]
+        if COMMENT in self.body and _MARK_IN_CELL.search(self.body):  # `1.#INF` is not 1
+            return None
         if file is not None and file.suffix in _UNPACKED_BY_NUMPY:
             file = None
         with warnings.catch_warnings():
@@ -217,7 +227,7 @@ def _value(cell: str, *, stamp: bool) -> float | None:
     if not text:
         return math.nan
     try:
-        return float(text)
+        return number_in(text)
     except ValueError:
         pass
     if text.lower() in ("true", "false"):
@@ -244,8 +254,10 @@ def _seconds(text: str) -> float | None:
     return float(counted) / 1e9 - (-ahead if sign == "-" else ahead)
 
 
-def _date_form(cell: str) -> str:
-    """What to write in place of a date in another form than those that are read."""
+def _meant_form(cell: str) -> str:
+    """What to write in place of a date or number in another form than those that are read."""
+    if re.fullmatch(r"-?\d+,\d+", cell.strip()):
+        return f"; write `{cell.strip().replace(',', '.')}`, or part the cells by `;`"
     is_date = re.search(r"\d[./-]\d", cell) or cell.count(":") > 1
     return "; a time stamp is written `2026-11-22T07:16:01.5Z` or `07:16:01.5`" if is_date else ""
 
@@ -256,7 +268,7 @@ def _is_value(cell: str) -> bool:
 
 def _is_number(text: str) -> bool:
     try:
-        float(text)
+        number_in(text)
     except ValueError:
         return False
     return True

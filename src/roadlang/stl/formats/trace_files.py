@@ -9,6 +9,7 @@ from typing import Any
 
 from ...diagnostics import Code, DiagnosticError, arguments, diagnose
 from ...files.reading import UnreadableFile, read_file
+from ...files.table_text import decoded, number_in
 from .delimited_text import DelimitedText, DelimitedTextFault
 from .drive_traces import (
     DriveTraceFault,
@@ -56,18 +57,6 @@ def read_trace(path: str | Path, agent: str | None = None) -> Columns:
         return _from_csv(path, text, agent, path if as_it_is else None)
     except DriveTraceFault as fault:
         raise _unreadable(path, str(fault), fault.help) from None
-
-
-def decoded(data: bytes) -> str:
-    """Text in UTF-8, in UTF-16 with its mark, or in Latin-1. Raises UnicodeDecodeError."""
-    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        return data.decode("utf-16")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        if b"\0" in data:
-            raise
-        return data.decode("latin-1")
 
 
 def _from_csv(path: Path, text: str, agent: str | None, file: Path | None) -> Columns:
@@ -142,7 +131,7 @@ def _number(path: Path, cell: Any, place: str, *, is_signal: bool) -> float | Te
     if cell is None or (isinstance(cell, str) and not cell.strip()):
         return math.nan
     try:
-        return float(cell)
+        return number_in(cell) if isinstance(cell, str) else float(cell)
     except (TypeError, ValueError):
         if is_signal and isinstance(cell, str):
             return TextCell.at(cell, f"at {place.rpartition(', ')[2]}")

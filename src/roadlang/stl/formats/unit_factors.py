@@ -10,6 +10,7 @@ import re
 
 from ...diagnostics import Fix, did_you_mean
 from ...syntax.tree import nodes as ast
+from ...syntax.unit_words import meant_unit
 from ...syntax.units import UNITS as UNITS
 
 _PART = re.compile(r"([A-Za-z%]+)(?:\^(-?[0-9]+(?:\.[0-9]+)?))?\Z")
@@ -51,6 +52,10 @@ def unit_help(node: ast.NumberLiteral) -> tuple[tuple[str, ...], tuple[Fix, ...]
         return (f"to divide by a signal, put spaces around `/`: `{meant}`",), (
             Fix(node.span, meant),
         )
+    spelled_out = meant_unit(node.unit)
+    if spelled_out is not None:
+        meant = node.digits + spelled_out
+        return (f"did you mean `{meant}`?",), (Fix(node.span, meant),)
     hints = (
         *did_you_mean(node.unit, known_units()),
         f"leave the unit away (`{node.digits}`), or use one such as m, km, s, ms, km/h",

@@ -1,39 +1,51 @@
-"""Numbers written another way: `5 m`, `.5`, `1,5m`."""
+"""Numbers written another way: `5 m`, `5 meters`, `.5`, `1,5m`."""
 
 from __future__ import annotations
 
 import re
 
 from ...diagnostics import Code, Fix, diagnose
-from ..units import UNITS
+from ..unit_words import SPELLED_UNIT, meant_unit
 from .error_position import Edit, ErrorPosition, Mistake
 
-_UNIT = re.compile(
-    rf"[ \t]+((?:{'|'.join(filter(str.isalpha, UNITS))})(?:\^-?\d+)?(?:/[A-Za-z]+(?:\^-?\d+)?)*)\b"
-)
+_SPACE = re.compile(r"[ \t]+")
 
 
 def loose_unit(place: ErrorPosition) -> Mistake | None:
-    """`5 m`: the unit is read as a name, and the parser stumbles over it or after it."""
+    """`5 m`, `5 meters`: the unit is read as a name, and the parser stumbles over it or after it.
+
+    Words between two numbers are looked at from the last of them that the parser could read.
+    """
     for offset in (0, -1):
         number = place.token(offset - 1)
         if number[0] != "NUMBER" or place.kind(offset) not in ("NAME",):
             continue
-        match = _UNIT.match(place.source.text, number[3])
-        if match is None or not number[1][-1].isdigit():
+        unit, end = _unit_after(place.source.text, number[3])
+        if not unit or not number[1][-1].isdigit():
             continue
         last = place.index + offset
-        while place.tokens[last][3] < match.end():
+        while place.tokens[last][3] < end:
             last += 1
-        span = place.source.span(number[2], match.end())
-        fixed = number[1] + match[1]
+        if place.tokens[last + 1][0] == "COLON":  # `lanes: 2 s: 3m`, an option of that name
+            continue
+        span = place.source.span(number[2], end)
+        fixed = number[1] + unit
         found = diagnose(
-            Code.SPACE_BEFORE_UNIT, span, number=number[1], unit=match[1], help=f"write `{fixed}`",
+            Code.SPACE_BEFORE_UNIT, span, number=number[1], unit=unit, help=f"write `{fixed}`",
             fixes=[Fix(span, fixed)],
         )  # fmt: skip
         meant = ("NUMBER", fixed, span.start, span.end)
         return Mistake(found, Edit(place.index + offset - 1, last + 1, (meant,)))
     return None
+
+
+def _unit_after(text: str, start: int) -> tuple[str, int]:
+    """The unit that stands here behind a space, and where it ends; "" without one. Of `m per px`
+    all is taken, of `m with` only the first word."""
+    space = _SPACE.match(text, start)
+    match = SPELLED_UNIT.match(text, space.end()) if space else None
+    unit = meant_unit(match[0]) if match is not None else None
+    return (unit, match.end()) if match is not None and unit is not None else ("", start)
 
 
 def decimal_point(place: ErrorPosition) -> Mistake | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -16,7 +17,8 @@ from .expression_habits import CONDITIONAL
 from .foreign_notation import SYMBOLS, from_latex
 from .suspect_tokens import COLOR, is_unknown_escape
 
-_WORD = re.compile(r"\w+")
+_WORD = re.compile(r"[\w\u0300-\u036f]+")
+"""Letters, also those of Unicode that are written as a letter and marks on it."""
 _LATEX = re.compile(r"\$[^$\n]*\$|\\[A-Za-z]+|\\")
 _SINGLE = re.compile(r"'([^'\r\n]*)'|[“”„«]([^“”»\"\r\n]*)[“”»]")
 _CLOSED = re.compile(r'"(?:[^"\\\r\n]|\\[^\r\n])*"')
@@ -188,7 +190,7 @@ def _letter(place: UnlexableText) -> Answer | None:
     start, end = match.span()
     if place.tokens and place.tokens[-1][3] == start and _WORD.fullmatch(place.tokens[-1][1]):
         start = place.tokens.pop()[2]
-    name = place.text[start:end]
+    name = unicodedata.normalize("NFC", place.text[start:end])  # one name, however it is typed
     place.tokens.append(("NAME", name, start, end))
     if name in place.lexed.names:
         return None, end
