@@ -206,8 +206,7 @@ _LATER = {
     ".ir.scenario_contents": "ScenarioContents",
     ".ir.scene": (
         "Call Profile Provenance RoadPlace Scene SceneActor SceneNetwork SceneNode SceneRoad"
-        " SceneSensor"
-        " SceneSignal Verdict ViolatedSegment"
+        " SceneSensor SceneSignal Verdict ViolatedSegment"
     ),
     ".ir.scene_lane": "SceneLane",
     ".ir.scene_road": "RoadPart",
@@ -283,9 +282,7 @@ _RENAMED = {"Stretch": "ViolatedSegment", "Whole": "Integer"}
 
 
 def __getattr__(name: str) -> Any:
-    if (
-        name == "__path__"
-    ):  # every `from roadlang.api import` asks for it, those in steps of drives too
+    if name == "__path__":  # each `from roadlang.api import` asks for it, in steps of drives too
         raise AttributeError(name)
     current = current_name(__name__, name, _RENAMED)
     if current in globals():
