@@ -86,8 +86,10 @@ class Auto(Extractor):
             on_paper = None if seen.exact else roads_on_paper(picture.pixels, width, not seen.drawn)
             if on_paper is not None:
                 return "drawing on paper", extraction(picture, on_paper)
-            rendered = roads_of_map(picture.pixels, width) if seen.drawn else None
-            if rendered is not None and not seen.is_plan:
+            rendered = None
+            if seen.drawn:
+                rendered = roads_of_map(picture.pixels, width, lambda: seen.is_plan)
+            if rendered is not None:
                 return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
             if seen.named(MAP):
                 drawn = extraction(picture, roads_of_drawing(picture.pixels, width=width))

@@ -81,7 +81,7 @@ class ArcLength(SharedArrays):
 def subdivided(knots: Floats, cuts: int) -> Floats:
     """Every step between knots cut into `cuts` equal ones."""
     shares = np.arange(cuts) / cuts
-    inner = knots[:-1, None] + np.diff(knots)[:, None] * shares
+    inner = knots[:-1, None] + (knots[1:] - knots[:-1])[:, None] * shares
     return np.concatenate([inner.ravel(), knots[-1:]])
 
 

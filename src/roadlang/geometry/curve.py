@@ -236,7 +236,7 @@ def distinct_points(points: ArrayLike, closed: bool) -> Floats:
 def _without_repeats(array: Floats, tolerance: float) -> Floats:
     """Keeps the first of points that coincide, but of those at the end the last."""
     keep = np.ones(len(array), dtype=bool)
-    keep[1:] = norm(np.diff(array, axis=0)) > tolerance
+    keep[1:] = norm(array[1:] - array[:-1]) > tolerance
     distinct = np.array(array[keep])
     if len(distinct) > 1:
         distinct[-1] = array[-1]
@@ -251,7 +251,7 @@ def _fitted(points: Floats, closed: bool) -> PiecewiseCubic:
     when they no longer come closer.
     """
     ring = np.concatenate([points, points[:1]]) if closed else points
-    chords = norm(np.diff(ring, axis=0))
+    chords = norm(ring[1:] - ring[:-1])
     steps, error = chords, np.inf
     spline = interpolate(_summed(steps), points, closed)
     for _ in range(_REFITS):

@@ -143,8 +143,8 @@ class RoadNetwork:
                 self.edge(id)
 
     def _check(self, edge: Edge) -> None:
-        ends = np.array([0.0, 0.0 if edge.curve.closed else edge.length])
-        for node, point in zip((edge.start, edge.end), edge.curve.at(ends), strict=True):
+        ends = edge.curve.points[[0, 0 if edge.curve.closed else -1]]
+        for node, point in zip((edge.start, edge.end), ends, strict=True):
             if node not in self._nodes:
                 raise GeometryError(f"road {edge.id} ends at node {node}, which does not exist")
             gap = float(norm(point - self._nodes[node].position))

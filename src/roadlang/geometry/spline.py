@@ -100,8 +100,8 @@ def interpolate(knots: Floats, points: Floats, closed: bool) -> PiecewiseCubic:
     """
     if closed:
         points = np.concatenate([points, points[:1]])
-    steps = np.diff(knots)
-    chords = np.diff(points, axis=0) / steps[:, None]
+    steps = knots[1:] - knots[:-1]
+    chords = (points[1:] - points[:-1]) / steps[:, None]
     slopes = _periodic_slopes(steps, chords) if closed else _open_slopes(steps, chords)
     return from_slopes(knots, points, slopes, slopes)
 
@@ -140,11 +140,13 @@ def from_slopes(
     """
     if not per_piece:
         leaving, arriving = leaving[:-1], arriving[1:]
-    step = np.diff(knots)[:, None]
-    chord = np.diff(points, axis=0) / step
+    step = (knots[1:] - knots[:-1])[:, None]
+    chord = (points[1:] - points[:-1]) / step
     bend = (leaving + arriving - 2.0 * chord) / step
-    second = (chord - leaving) / step - bend
-    return PiecewiseCubic(knots, np.stack([points[:-1], leaving, second, bend / step], axis=1))
+    coefficients = np.empty((len(chord), 4, 2))
+    coefficients[:, 0], coefficients[:, 1] = points[:-1], leaving
+    coefficients[:, 2], coefficients[:, 3] = (chord - leaving) / step - bend, bend / step
+    return PiecewiseCubic(knots, coefficients)
 
 
 def frame_of(first: Floats) -> tuple[Floats, Floats]:

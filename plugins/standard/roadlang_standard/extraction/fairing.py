@@ -69,8 +69,10 @@ def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floa
 
     A closed curve repeats its first point at the end, and so does the result.
     """
-    apart = np.append(True, np.hypot(*(points[1:] - points[:-1]).T) > 1e-9)
-    points = points[apart]
+    steps = points[1:] - points[:-1]
+    apart = np.hypot(steps[:, 0], steps[:, 1]) > 1e-9
+    if not apart.all():
+        points = points[np.append(True, apart)]
     if len(points) < 3:
         length = float(stations(points)[-1])
         share = np.linspace(0.0, 1.0, max(2, round(length / step) + 1))

@@ -30,13 +30,12 @@ def meeting_point(guess: Floats, passing: Sequence[Passing], limit: float) -> Fl
     it joins, and two roads that cross meet where they cross.
     """
     place = np.asarray(guess, float)
-    lengths = [stations(line.curve) for line in passing]
+    curves = [(_Measured.of(line.curve), _THROUGH if line.through else 1.0) for line in passing]
     for _ in range(_ROUNDS):
         system, right = _GUESS * np.eye(2), _GUESS * guess
-        for line, along in zip(passing, lengths, strict=True):
-            foot, normal = _foot(line.curve, along, place)
-            weight = _THROUGH if line.through else 1.0
-            outer = weight * np.outer(normal, normal)
+        for curve, weight in curves:
+            foot, normal = curve.foot(place)
+            outer = weight * (normal[:, None] * normal)
             system, right = system + outer, right + outer @ foot
         place = np.linalg.solve(system, right)
         away = float(np.hypot(*(place - guess)))
@@ -45,33 +44,45 @@ def meeting_point(guess: Floats, passing: Sequence[Passing], limit: float) -> Fl
     return np.asarray(place)
 
 
-def _foot(curve: Floats, along: Floats, place: Floats) -> tuple[Floats, Floats]:
-    """The point of a polyline nearest to a place, and the normal there."""
-    station = _foot_station(curve, along, place, 0.0, 0.0)
-    before, after = max(0.0, station - 1.5), min(float(along[-1]), station + 1.5)
-    a, b, at = _at(curve, along, np.array([before, after, station]))
-    ahead = (b - a) / max(1e-9, float(np.hypot(*(b - a))))
-    return at, np.array([-ahead[1], ahead[0]])
+@dataclass(frozen=True)
+class _Measured:
+    """A polyline (n, 2), how far along it each point is (n,), and its steps: as vectors (n - 1, 2),
+    and their lengths (n - 1,)."""
+
+    curve: Floats
+    along: Floats
+    steps: Floats
+    lengths: Floats
+
+    @staticmethod
+    def of(curve: Floats) -> _Measured:
+        steps = curve[1:] - curve[:-1]
+        return _Measured(curve, stations(curve), steps, np.hypot(steps[:, 0], steps[:, 1]))
+
+    def foot(self, place: Floats) -> tuple[Floats, Floats]:
+        """The point nearest to a place, and the normal there."""
+        station = self.foot_station(place, 0.0, 0.0)
+        before, after = max(0.0, station - 1.5), min(float(self.along[-1]), station + 1.5)
+        a, b, at = _at(self.curve, self.along, np.array([before, after, station]))
+        ahead = (b - a) / max(1e-9, float(np.hypot(*(b - a))))
+        return at, np.array([-ahead[1], ahead[0]])
+
+    def foot_station(self, place: Floats, expected: float, doubt: float) -> float:
+        """As `foot_station`."""
+        start, step, length = self.curve[:-1], self.steps, self.lengths
+        share = ((place - start) * step).sum(axis=1) / np.maximum(length**2, 1e-18)
+        share = np.minimum(np.maximum(share, 0.0), 1.0)
+        off = start + share[:, None] * step - place
+        away, along = np.hypot(off[:, 0], off[:, 1]), self.along[:-1] + share * length
+        if doubt:
+            away += doubt * np.abs(along - expected)
+        return float(along[int(away.argmin())])
 
 
 def foot_station(curve: Floats, place: Floats, expected: float, doubt: float) -> float:
     """Length along a polyline (n, 2) at its point nearest to a place; each pixel of distance from
     the `expected` length counts as `doubt` pixels."""
-    return _foot_station(curve, stations(curve), place, expected, doubt)
-
-
-def _foot_station(
-    curve: Floats, lengths: Floats, place: Floats, expected: float, doubt: float
-) -> float:
-    start, step = curve[:-1], curve[1:] - curve[:-1]
-    length = np.hypot(*step.T)
-    share = ((place - start) * step).sum(axis=1) / np.maximum(length**2, 1e-18)
-    share = np.minimum(np.maximum(share, 0.0), 1.0)
-    along = lengths[:-1] + share * length
-    away = np.hypot(*(start + share[:, None] * step - place).T)
-    if doubt:
-        away += doubt * np.abs(along - expected)
-    return float(along[int(np.argmin(away))])
+    return _Measured.of(curve).foot_station(place, expected, doubt)
 
 
 def at_stations(curve: Floats, at: Floats) -> Floats:
@@ -80,7 +91,10 @@ def at_stations(curve: Floats, at: Floats) -> Floats:
 
 
 def _at(curve: Floats, along: Floats, at: Floats) -> Floats:
-    return np.column_stack([np.interp(at, along, column) for column in curve.T])
+    found = np.empty((len(at), 2))
+    for axis in (0, 1):
+        found[:, axis] = np.interp(at, along, curve[:, axis])
+    return found
 
 
 def extended(curve: Floats, by: tuple[float, float]) -> Floats:

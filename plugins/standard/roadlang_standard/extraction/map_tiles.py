@@ -73,24 +73,29 @@ class _Roads:
         return float(lengths @ [of(tone) for tone in self.roads] / lengths.sum())
 
 
-def roads_of_map(image: Image, width: float | None = None) -> FoundNetwork | None:
+def roads_of_map(
+    image: Image, width: float | None = None, is_plan: Callable[[], bool] = lambda: False
+) -> FoundNetwork | None:
     """The roads (pixels) of a rendered map (h, w, 3).
 
-    None if the picture has too few colors for a map, or if none of them looks like roads.
+    None if the picture has too few colors for a map, if none of them looks like roads, or if it
+    `is_plan`, which is asked before what takes longest.
     """
     tolerance = tolerance_of(image)
     if tolerance is not LOSSY:
-        return _roads_of_map(with_contrast(image), tolerance, width)
+        return _roads_of_map(with_contrast(image), tolerance, width, is_plan)
     image = without_jpeg_noise(image)
-    found = _roads_of_map(image, tolerance, width)
+    found = _roads_of_map(image, tolerance, width, is_plan)
     if found is not None:
         return found
     # Contrast makes more of JPEG's noise, too: it is raised where there are no roads else.
     raised = with_contrast(image)
-    return None if raised is image else _roads_of_map(raised, tolerance, width)
+    return None if raised is image else _roads_of_map(raised, tolerance, width, is_plan)
 
 
-def _roads_of_map(image: Image, tolerance: Tolerance, width: float | None) -> FoundNetwork | None:
+def _roads_of_map(
+    image: Image, tolerance: Tolerance, width: float | None, is_plan: Callable[[], bool]
+) -> FoundNetwork | None:
     # Names on roads leave no even strips of them: the colors of roads are chosen without names.
     names = letters_of_map(image, LARGER)
     plain = image if tolerance is LOSSY else without_letters(image, names)
@@ -105,7 +110,7 @@ def _roads_of_map(image: Image, tolerance: Tolerance, width: float | None) -> Fo
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
     letters = names if typical <= LARGER else letters_of_map(image, typical)
     shown = [tone.color for tone in chosen.tones] if thin else colors
-    if is_drawing(chosen.tones, chosen.roads, letters, len(shown)):
+    if is_drawing(chosen.tones, chosen.roads, letters, len(shown)) or is_plan():
         return None
     is_plain = plain is image and not thin
     if is_plain:

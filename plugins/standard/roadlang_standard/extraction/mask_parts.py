@@ -8,6 +8,9 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+_SAMPLED = 101
+"""Every so many pixels are looked at for large parts."""
+
 
 def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int32]]:
     """How many labels there are, and the label (h, w) of each pixel, 0 where the mask is not set.
@@ -21,6 +24,28 @@ def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int
     else:
         count, labels = cv2.connectedComponentsWithAlgorithm(seen, 4, cv2.CV_32S, cv2.CCL_BOLELLI)
     return count, np.asarray(labels, np.int32)
+
+
+def small_parts(mask: Booleans, most: float, connectivity: int = 4) -> Booleans | None:
+    """The parts (h, w) of a mask of fewer than `most` pixels; None if there are none.
+
+    A few pixels tell which parts are large for sure: those of the others alone are counted.
+    """
+    count, labels = parts_of(mask, connectivity)
+    flat = labels.ravel()
+    doubtful = np.bincount(flat[::_SAMPLED], minlength=count) < most
+    doubtful[0] = False
+    if not doubtful.any():
+        return None
+    found = np.asarray(doubtful.take(labels))
+    pixels = np.flatnonzero(found)
+    owner = flat[pixels]
+    areas = np.bincount(owner, minlength=count)
+    large = areas[owner] >= most
+    if large.all():
+        return None
+    found.ravel()[pixels[large]] = False
+    return found
 
 
 def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slice, slice]:

@@ -18,7 +18,7 @@ from .found_network import FoundNetwork
 from .graph import Graph
 from .graph_cleanup import contract, drop_crumbs, drop_loops, extend_to_border, join, prune
 from .linking import link
-from .mask_parts import parts_of
+from .mask_parts import small_parts
 from .oblique import join_oblique_crossings
 from .skeleton import skeleton
 from .square_stubs import add_square_stubs
@@ -167,7 +167,5 @@ def without_specks(mask: Booleans, least: float) -> Booleans:
 
 def without_holes(mask: Booleans, least: float, connectivity: int = 4) -> Booleans:
     """The mask with holes of fewer than `least` pixels filled; itself if there are none."""
-    count, labels = parts_of(~mask, connectivity)
-    small = np.bincount(labels.ravel(), minlength=count) < least
-    small[0] = False
-    return mask | small.take(labels) if small.any() else mask
+    holes = small_parts(~mask, least, connectivity)
+    return mask if holes is None else mask | holes
