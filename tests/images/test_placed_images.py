@@ -177,7 +177,7 @@ def test_pyproj_is_asked_for_longitude_and_latitude(monkeypatch: pytest.MonkeyPa
     degrees, reason = _to_degrees("EPSG:2056")
     assert degrees is not None
     assert (degrees(700.0, 4700.0), reason) == ((47.0, 7.0), "")
-    for grid, name in (("EPSG:1", "EPSG:1"), ('PROJCS["odd"]', "of its .prj file")):
+    for grid, name in (("EPSG:1", "EPSG:1"), ('PROJCS["odd"]', "of the file beside it")):
         assert _to_degrees(grid) == (None, f"its coordinate system {name} is not known to `pyproj`")
 
 

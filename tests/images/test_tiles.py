@@ -71,6 +71,24 @@ def test_a_tile_that_is_turned_is_turned_back(tmp_path: Path, pixels: np.ndarray
     assert np.abs(whole.pixels.astype(int) - tiles.pixels).max() <= 1
 
 
+@pytest.mark.parametrize("turned", [False, True])
+def test_transparent_pixels_do_not_cover_another_tile(
+    tmp_path: Path, pixels: np.ndarray, turned: bool
+) -> None:
+    written(tmp_path / "whole.png", pixels)
+    written(tmp_path / "tile_1.png", pixels[:, :80])
+    right = np.dstack([pixels[:, 50:], np.full((90, 80), 255, np.uint8)])
+    right[:, :30] = 0
+    written(
+        tmp_path / "tile_2.png", cv2.rotate(right, cv2.ROTATE_180) if turned else right, (50, 0)
+    )
+    if turned:
+        x, y = WEST + 129.5 * SIZE, NORTH - 89.5 * SIZE
+        (tmp_path / "tile_2.pgw").write_text(f"-{SIZE}\n0\n0\n{SIZE}\n{x}\n{y}\n")
+    whole, tiles = opened(tmp_path / "whole.png"), opened(tmp_path / "tile_*.png")
+    assert np.abs(whole.pixels.astype(int) - tiles.pixels).max() <= turned
+
+
 def test_what_no_tile_shows_has_the_color_of_borders(tmp_path: Path) -> None:
     gray = np.full((20, 20, 3), 77, np.uint8)
     gray[5:15, 5:15] = 200

@@ -22,7 +22,8 @@ Matrix = tuple[float, float, float, float, float, float]
 class Georeference:
     """The affine map from corners of pixels, columns and rows counted from the upper left corner
     of the picture, to coordinates: x = m[0] column + m[1] row + m[2], y = m[3] column + m[4] row +
-    m[5]. `grid` says of what: "EPSG:32632", or the text of a `.prj` file; empty if not known.
+    m[5]. `grid` says of what: "EPSG:32632", or the description in a file such as `.prj`; empty if
+    not known.
     """
 
     matrix: Matrix
@@ -70,7 +71,7 @@ def _grid(keys: dict[int, int]) -> str:
 
 
 def world_file_reference(numbers: Sequence[float], projection: str) -> Georeference:
-    """Of the six numbers of a world file, and the text of the `.prj` file beside it, if any.
+    """Of the six numbers of a world file, and the description of its grid, if there is one.
 
     Without one, coordinates that can be degrees in pixels of less than 100 m are longitude and
     latitude.
@@ -78,7 +79,7 @@ def world_file_reference(numbers: Sequence[float], projection: str) -> Georefere
     a, d, b, e, c, f = numbers
     small = max(map(abs, (a, b, d, e))) < 1e-3
     in_degrees = small and abs(c) <= 180.0 and abs(f) <= 90.0
-    grid = _named(projection) if projection else _DEGREES if in_degrees else ""
+    grid = named_grid(projection) if projection else _DEGREES if in_degrees else ""
     return Georeference(_from_middles((a, b, c, d, e, f)), grid)
 
 
@@ -88,7 +89,7 @@ def _from_middles(matrix: Matrix) -> Matrix:
     return a, b, c - (a + b) / 2.0, d, e, f - (d + e) / 2.0
 
 
-def _named(projection: str) -> str:
+def named_grid(projection: str) -> str:
     """The EPSG code in the description of a grid, if it is one of the usual; else all of it."""
     text = projection.strip()
     codes = re.findall(r'(?:AUTHORITY|ID)\[\s*"EPSG"\s*,\s*"?(\d+)"?\s*\]\s*\]\s*$', text)

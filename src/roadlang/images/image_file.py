@@ -19,6 +19,7 @@ from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
 from .placed_pixels import Pixels, PlacedPixels, placed
+from .tiff_bands import TiffBands
 
 MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
@@ -72,7 +73,7 @@ def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | Non
         shown = placed(read[0].pixels, read[0].found, files[0][1], span)
         return OpenedImage(shown, inputs)
     tiles = [
-        Tile(name, each.pixels, each.found or FoundScale(None))
+        Tile(name, each.pixels, each.found or FoundScale(None), each.shown)
         for (_, name), each in zip(files, read, strict=True)
     ]
     try:
@@ -85,6 +86,8 @@ def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | Non
 @dataclass(frozen=True)
 class _ReadImage:
     pixels: Pixels
+    shown: NDArray[np.bool_] | None
+    """(height, width) where it shows something; None: everywhere."""
     found: FoundScale | None
     inputs: tuple[tuple[str, str], ...]
 
@@ -97,9 +100,13 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     _check_size(header, written, span)
     if not is_complete(header.format, content):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
+    bands = TiffBands.of(content) if header.format == "TIFF" else TiffBands()
     pixels = _decoded(content, header)
     if pixels is None or pixels.size == 0:
-        raise _refusal(Code.DAMAGED_IMAGE, span, written, format=header.format)
+        raise _refusal(
+            Code.DAMAGED_IMAGE, span, written, format=header.format, help=(bands.unsupported,)
+        )
+    pixels = bands.colors(pixels)
     found = scale_in_file(path, content, header.format)
     folder = os.path.dirname(written)
     beside = () if found is None else found.files
@@ -107,7 +114,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
         (written, hashlib.sha256(content).hexdigest()),
         *((os.path.join(folder, name), digest) for name, digest in beside),
     )
-    return _ReadImage(as_colors(pixels), found, inputs)
+    return _ReadImage(as_colors(pixels), bands.shown(pixels), found, inputs)
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:

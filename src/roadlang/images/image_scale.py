@@ -1,4 +1,4 @@
-"""Meters per pixel and place of a picture, from a GeoTIFF's tags or from a world file beside it."""
+"""Meters per pixel and place of a picture, from a GeoTIFF's tags or from files beside it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,14 @@ from pathlib import Path
 
 from ..files.reading import UnreadableFile, read_start
 from ..files.table_text import number_in
-from .georeference import Georeference, geo_keys, geotiff_reference, world_file_reference
+from .gdal_metadata import gdal_metadata
+from .georeference import (
+    Georeference,
+    geo_keys,
+    geotiff_reference,
+    named_grid,
+    world_file_reference,
+)
 from .tiff import TiffError, TiffTags
 
 _PIXEL_SCALE = 33550
@@ -44,7 +51,7 @@ def scale_in_file(path: Path, content: bytes, format: str) -> FoundScale | None:
         scale, reference = _geotiff(content), geotiff_reference(content)
         if scale is not None or reference is not None:
             return FoundScale(scale, reference)
-    return _world_file(path)
+    return _world_file(path) or _gdal_file(path)
 
 
 def _geotiff(content: bytes) -> float | None:
@@ -102,20 +109,32 @@ def _world_file(path: Path) -> FoundScale | None:
         numbers = [number for word in words if (number := _number(word)) is not None]
         if len(numbers) == 6:
             area = abs(numbers[0] * numbers[3] - numbers[1] * numbers[2])
-            beside, text = _projection_file(path.with_suffix(".prj"))
+            beside, text = _projection(path)
             reference = world_file_reference(numbers, text) if area else None
             files = ((candidate.name, hashlib.sha256(data).hexdigest()), *beside)
             return FoundScale(_usable(math.sqrt(area)), reference, files)
     return None
 
 
-def _projection_file(path: Path) -> tuple[tuple[tuple[str, str], ...], str]:
-    """Its name and sha256, and its text; nothing where there is none."""
+def _projection(path: Path) -> tuple[tuple[tuple[str, str], ...], str]:
+    """The description of the grid in a file beside a picture, and the name and sha256 of that file;
+    nothing where there is none."""
+    beside = path.with_suffix(".prj")
     try:
-        data = read_start(path, _PROJECTION_FILE)
+        data = read_start(beside, _PROJECTION_FILE)
     except UnreadableFile:
-        return (), ""
-    return ((path.name, hashlib.sha256(data).hexdigest()),), data.decode("utf-8", "replace")
+        stated = gdal_metadata(path)
+        return ((), "") if stated is None else ((stated.file,), stated.grid)
+    return ((beside.name, hashlib.sha256(data).hexdigest()),), data.decode("utf-8", "replace")
+
+
+def _gdal_file(path: Path) -> FoundScale | None:
+    stated = gdal_metadata(path)
+    if stated is None or stated.matrix is None:
+        return None
+    a, b, _, d, e, _ = stated.matrix
+    reference = Georeference(stated.matrix, named_grid(stated.grid))
+    return FoundScale(_usable(math.sqrt(abs(a * e - b * d))), reference, (stated.file,))
 
 
 def _usable(scale: float) -> float | None:

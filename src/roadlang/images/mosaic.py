@@ -28,11 +28,13 @@ class TilesDoNotFit(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Tile:
-    """`pixels` (height, width, 3) of the file `name`, and what it says of its size and place."""
+    """`pixels` (height, width, 3) of the file `name`, and what it says of its size and place;
+    `shown` (height, width) where it shows something, None: everywhere."""
 
     name: str
     pixels: Pixels
     found: FoundScale
+    shown: NDArray[np.bool_] | None = None
 
     @property
     def reference(self) -> Georeference:
@@ -49,7 +51,7 @@ class Tile:
 
 
 def mosaic(tiles: Sequence[Tile], most_pixels: int) -> tuple[Pixels, FoundScale]:
-    """One picture in the pixels of the first tile; a later tile covers an earlier one.
+    """One picture in the pixels of the first tile; what a later tile shows covers an earlier one.
 
     What no tile shows has the usual color of their borders. Raises TilesDoNotFit, also where the
     picture would have more than `most_pixels`.
@@ -67,10 +69,10 @@ def mosaic(tiles: Sequence[Tile], most_pixels: int) -> tuple[Pixels, FoundScale]
         raise TilesDoNotFit(f"they span {high[0] - low[0]:.0f} x {high[1] - low[1]:.0f} px, {most}")
     width, height = (int(side) for side in high - low)
     canvas = np.empty((height, width, 3), np.uint8)
-    canvas[:] = border_color([tile.pixels for tile in tiles])
+    canvas[:] = border_color([tile.pixels for tile in tiles], [tile.shown for tile in tiles])
     shift = np.array([[1.0, 0.0, -low[0]], [0.0, 1.0, -low[1]], [0.0, 0.0, 1.0]])
     for tile, placement in zip(tiles, placements, strict=True):
-        _paste(canvas, tile.pixels, shift @ placement)
+        _paste(canvas, tile, shift @ placement)
     a, b, c, d, e, f = (first.matrix @ np.linalg.inv(shift))[:2].ravel().tolist()
     reference = replace(first.reference, matrix=(a, b, c, d, e, f))
     return canvas, FoundScale(first.found.meters, reference)
@@ -91,19 +93,32 @@ def _corners(tile: Tile, placement: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(places @ placement[:2].T)
 
 
-def _paste(canvas: Pixels, pixels: Pixels, placement: NDArray[np.float64]) -> None:
-    height, width = pixels.shape[:2]
+def _paste(canvas: Pixels, tile: Tile, placement: NDArray[np.float64]) -> None:
+    height, width = tile.pixels.shape[:2]
     off = (placement[:2, :2] - np.eye(2)) * (width, height)
     if np.abs(off).sum() < _LEAST_TURN:
         column, row = (round(float(value)) for value in placement[:2, 2])
         row = min(max(row, 0), len(canvas) - height)
         column = min(max(column, 0), canvas.shape[1] - width)
-        canvas[row : row + height, column : column + width] = pixels
+        part = canvas[row : row + height, column : column + width]
+        _copy(part, tile.pixels, tile.shown)
         return
     # From middles of pixels to middles of pixels.
     half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
     matrix = (np.linalg.inv(half) @ placement @ half)[:2]
+    size = (canvas.shape[1], len(canvas))
+    drawn = canvas if tile.shown is None else canvas.copy()
     cv2.warpAffine(
-        pixels, matrix, (canvas.shape[1], len(canvas)), dst=canvas,
+        tile.pixels, matrix, size, dst=drawn,
         flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_TRANSPARENT,
     )  # fmt: skip
+    if tile.shown is not None:
+        shown = cv2.warpAffine(tile.shown.astype(np.uint8), matrix, size, flags=cv2.INTER_NEAREST)
+        _copy(canvas, drawn, shown > 0)
+
+
+def _copy(canvas: Pixels, pixels: Pixels, shown: NDArray[np.bool_] | None) -> None:
+    if shown is None:
+        canvas[:] = pixels
+    else:
+        canvas[shown] = pixels[shown]

@@ -81,7 +81,7 @@ def _to_degrees(grid: str) -> tuple[ToDegrees | None, str]:
     known = to_degrees(int(grid[5:])) if grid.startswith("EPSG:") else None
     if known is not None:
         return known, ""
-    name = grid if grid.startswith("EPSG:") else "of its .prj file"
+    name = grid if grid.startswith("EPSG:") else "of the file beside it"
     try:
         import pyproj
     except ImportError:

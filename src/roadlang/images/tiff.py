@@ -6,6 +6,7 @@ from __future__ import annotations
 import struct
 
 _FORMATS = {1: "B", 3: "H", 4: "I", 11: "f", 12: "d", 16: "Q"}
+_TEXT = 2
 _MOST_VALUES = 10_000
 _BIG = 43
 _NARROW, _WIDE = ("I", "H", 12, 4), ("Q", "Q", 20, 8)
@@ -45,6 +46,15 @@ class TiffTags:
         if struct.calcsize("=" + layout) > self._room:
             (at,) = self._unpack(self._place, at)
         return self._unpack(layout, at)
+
+    def text(self, tag: int) -> str:
+        """The text of a tag; empty where it is not there or holds no text."""
+        kind, count, at = self._entries.get(tag, (0, 0, 0))
+        if kind != _TEXT or count > _MOST_VALUES:
+            return ""
+        if count > self._room:
+            (at,) = self._unpack(self._place, at)
+        return self._content[at : at + count].split(b"\0")[0].decode("ascii", "replace")
 
     def _unpack(self, layout: str, at: int) -> tuple[int, ...]:
         try:
