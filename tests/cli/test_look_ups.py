@@ -110,3 +110,10 @@ def test_the_name_that_another_tool_has_for_a_kind_leads_to_it(
 ) -> None:
     assert run(list(words)) == 2
     assert f"did you mean `{meant}`?" in capsys.readouterr().err
+
+
+def test_the_name_of_a_plugin_shows_its_kinds(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["plugins", "show", "godot"]) == 0
+    shown = capsys.readouterr().out
+    assert "simulate godot: " in shown
+    assert "emit svg: " not in shown

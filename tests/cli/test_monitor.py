@@ -36,6 +36,14 @@ def test_numbers_are_printed_in_six_digits(trace: Any, capsys: pytest.CaptureFix
     assert "decided at 1.5: v < 4.44444, where v = 6" in capsys.readouterr().out
 
 
+def test_a_robustness_of_zero_has_no_sign(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "log.csv").write_text("t,x\n0,1\n1,1\n")
+    assert run(["monitor", "always (x == 1)", str(tmp_path / "log.csv"), "--open"]) == 0
+    assert "-0" not in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("later", ["1711846790100000000", "1711846790.10025", "846791.000001"])
 def test_time_stamps_keep_their_digits(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], later: str

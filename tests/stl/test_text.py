@@ -86,6 +86,8 @@ def test_printed_formulas_read_back(seed: int) -> None:
         ("abbs(x) < 1", "RL322", 1, "abs"),
         ('"x" < 1', "RL323", 1, "x"),
         ("x < 1..2", "RL323", 5, None),
+        ("rise close > 2 and q", "RL001", 6, "(close > 2)"),
+        ("always (next abs(x) < 3)", "RL001", 14, "(abs(x) < 3)"),
         ("x < 5parsec", "RL324", 5, "5"),
         ("x < 5meters", "RL324", 5, "5m"),
         ("x < 5 meters", "RL009", 5, "5m"),

@@ -66,7 +66,7 @@ class _Changes:
             self.failed |= not holds
             if holds != self.holds:
                 word = "holds" if holds else "violated"
-                echo(f"{position_text(position):<12}  {word:<8}  {rho:.6g}")
+                echo(f"{position_text(position):<12}  {word:<8}  {rho + 0.0:.6g}")
             self.holds = holds
 
 

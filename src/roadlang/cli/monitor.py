@@ -273,4 +273,4 @@ def _table(findings: list[dict[str, Any]], is_open: bool) -> str:
 
 
 def _short(value: float | str) -> str:
-    return value if isinstance(value, str) else f"{value:.6g}"
+    return value if isinstance(value, str) else f"{value + 0.0:.6g}"  # -0.0 is 0

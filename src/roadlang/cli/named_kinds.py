@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 
 def named_kinds(registry: Registry, words: Sequence[str]) -> list[KindEntry]:
-    """Those of a name, or of a verb and a name (`emit svg`, `emit with svg`); loaded."""
+    """Those of a name, or of a verb and a name (`emit svg`, `emit with svg`), or, where no kind has
+    the name, those of the plugin that does; loaded."""
     from ..plugins.guard import plugin_guard
 
     spoken = [word for word in words if word != "with"]
@@ -24,6 +25,8 @@ def named_kinds(registry: Registry, words: Sequence[str]) -> list[KindEntry]:
         for entry in registry.entries
         if spoken[-1] in (entry.name, entry.qualified) and verb in (None, entry.verb)
     ]
+    if not found and verb is None:
+        found = [entry for entry in registry.entries if entry.origin.plugin == spoken[-1]]
     for entry in found:
         with plugin_guard(entry, None):
             entry.load()

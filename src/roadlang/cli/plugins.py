@@ -72,7 +72,7 @@ def show(words: tuple[str, ...], as_json: bool) -> None:
     """Show the options of a kind or statement: `show sine`.
 
     Put the verb first where several kinds have the same name: `show emit svg`. Statements have
-    options, too: `show world`.
+    options, too: `show world`. The name of a plugin shows all of its kinds.
     """
     from ..plugins.discovery import load_registry
     from ..semantics.statement_reference import BY_WORD

@@ -215,6 +215,8 @@ def _point(
     from ..types.assignable import check_assignable
 
     if statement.on is not None and network is None:
+        if isinstance(statement.on, ast.Name) and statement.on.text in checker.program.spoiled:
+            return None  # who knows what it is
         road = statement.on.span.text
         help_ = f"write a length, such as `at 20m`, or leave `on {road}` out"
         checker.report(Code.POINT_ON_ROAD, typed.span, name=statement.name.text, help=help_)

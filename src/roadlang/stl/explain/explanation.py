@@ -65,8 +65,8 @@ class Explanation:
 
     def lines(self) -> list[str]:
         """The explanation in words, one finding a line."""
-        lo, hi = self.range
-        lines = [f"{self.verdict}: robustness {self.rho:.6g}, range [{lo:.6g}, {hi:.6g}]"]
+        rho, lo, hi = (f"{value + 0.0:.6g}" for value in (self.rho, *self.range))  # -0.0 is 0
+        lines = [f"{self.verdict}: robustness {rho}, range [{lo}, {hi}]"]
         place = position_text(self.position)
         if self.window_empty:
             lack = "too few samples" if self.predicate.startswith(MEASURE_WORDS) else "no sample"

@@ -68,7 +68,9 @@ def _with_origin(text: str, errors: Sequence[Diagnostic]) -> Sequence[Diagnostic
     name = _column(text, errors[0]) if errors and not hints else None
     first = name.partition(" ")[0] if name is not None else ""
     meant = meant_temporal(first) if name is not None else None
-    if first in BY_WORD:  # of the words that may be names too
+    if first in BY_WORD and BY_WORD[first].form == "step":
+        pass  # the parser says what it lacks
+    elif first in BY_WORD:  # of the words that may be names too
         hints.append(f"what follows `{first}` stands in parentheses: `{first} (x > 0)`")
     elif meant is not None:
         hints.append(f"did you mean `{meant}`?")

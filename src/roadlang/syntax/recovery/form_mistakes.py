@@ -123,6 +123,28 @@ def list_operand(place: ErrorPosition) -> Mistake | None:
     return Mistake(diagnose(Code.LIST_AS_OPERAND, place.span()))
 
 
+def list_as_source(place: ErrorPosition) -> Mistake | None:
+    """`road r from [a, b]`, `network n from [a, b]`: several roads are no source."""
+    if place.kind() != "LSQB" or place.kind(-1) != "FROM":
+        return None
+    names, offset = [], 1
+    while place.kind(offset) == "NAME":
+        names.append(place.word(offset))
+        offset += 2 if place.kind(offset + 1) == "COMMA" else 1
+    joined = f"{names[0] if names else 'a'} {{ then: [{', '.join(names[1:]) or 'b'}] }}"
+    help_ = f"`road NAME from {joined}` joins roads end to end"
+    if place.first_kind == "NETWORK":
+        help_ = f"a network is made from an image, a map file or another network; {help_}"
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(),
+        expected="a name or a string in double quotes",
+        found="`[`",
+        help=help_,
+    )
+    return Mistake(found, hopeless=True)
+
+
 def actor_order(place: ErrorPosition) -> Mistake | None:
     """`is K at P on R`: the order is fixed."""
     if place.first_kind not in ("AGENT", "OBJECT") or place.kind() not in ("ON", "IS"):

@@ -29,7 +29,13 @@ from .expression_habits import (
     title_of_scenario,
     typed_value,
 )
-from .form_mistakes import actor_order, interval_form, list_operand, option_without_value
+from .form_mistakes import (
+    actor_order,
+    interval_form,
+    list_as_source,
+    list_operand,
+    option_without_value,
+)
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
 from .placement_habits import position_on_road
 from .scenic_habits import controllers_in_turn, scenic_operator, scenic_placement
@@ -44,6 +50,7 @@ from .sign_mistakes import (
     wrong_sign,
 )
 from .statement_habits import foreign_pass_help, json_document, override_with_role
+from .step_operators import bare_operand
 from .token_names import expectation, finding
 from .weighted_choice import weights_map
 from .word_mistakes import (
@@ -60,6 +67,8 @@ from .word_mistakes import (
 _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     count_before_kind,
     loose_unit,
+    bare_operand,
+    list_as_source,
     third_dot,
     clock_time,
     decimal_point,
