@@ -1,5 +1,5 @@
 extends RefCounted
-## What the hand of a human gets hold of.
+## What a person can grab with the mouse.
 
 const Light := preload("../build/light.gd")
 const Protocol := preload("../net/protocol.gd")

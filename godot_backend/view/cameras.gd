@@ -9,14 +9,15 @@ const Agent := preload("../agents/agent.gd")
 const Stage := preload("../build/stage.gd")
 const Surroundings := preload("../build/surroundings.gd")
 
-## Where the chase camera is, meters behind the middle of a car and above the ground, and that car.
+## Position of the chase camera, meters behind the center of a car and above the ground, and the
+## size of that car.
 const CHASE := Vector2(7.5, 2.2)
 const CAR := Vector2(4.5, 1.45)
-## Meters that it is farther behind for each by which what it follows is taller.
+## Extra meters behind for each meter by which the followed agent is taller.
 const BACK_FOR_TALL := 2.5
 const TOP_HEIGHT := 400.0
 const FLY_SPEED := 25.0
-## Degrees, from the upper to the lower edge of a picture.
+## Vertical field of view, in degrees.
 const FIELD := 60.0
 
 var kind := Kind.CHASE
@@ -29,7 +30,7 @@ var _top_size := 200.0
 var _yaw := 0.6
 var _pitch := -0.35
 var _place := Vector3(0.0, 30.0, 60.0)
-## The scene for which the free camera was put where it sees all of it.
+## The scene for which the free camera was placed so that it sees all of it.
 var _framed := ""
 var _field := FIELD
 
@@ -45,7 +46,7 @@ func make_current() -> void:
 	camera.make_current()
 
 
-## Takes a wish: {camera, agent, x, y, z, yaw, pitch, size, field}; angles in radians, x east,
+## Handles a request: {camera, agent, x, y, z, yaw, pitch, size, field}; angles in radians, x east,
 ## y north, z up.
 func take(wish: Dictionary) -> void:
 	match wish.get("camera", ""):
@@ -69,7 +70,7 @@ func take(wish: Dictionary) -> void:
 	aim(camera)
 
 
-## Puts a camera where the view is taken from.
+## Moves a camera to the current view.
 func aim(target: Camera3D) -> void:
 	target.far = 6000.0
 	target.fov = _field
@@ -85,27 +86,27 @@ func aim(target: Camera3D) -> void:
 			)
 		Kind.FREE:
 			target.projection = Camera3D.PROJECTION_PERSPECTIVE
-			# Depth is finest where the nearest that is seen is far away.
+			# Depth is most precise when the near plane is far away.
 			target.near = clampf(0.05 * _place.y, 0.1, 10.0)
 			target.transform = free_pose(_place, _yaw, _pitch)
 		Kind.CHASE:
 			_chase(target)
 
 
-## Of a camera that looks from anywhere: radians counter-clockwise from east and upward.
+## Direction of the free camera: radians counterclockwise from east, and upward.
 static func free_pose(place: Vector3, yaw: float, pitch: float) -> Transform3D:
 	return Transform3D(Basis(Vector3.UP, yaw - PI / 2) * Basis(Vector3.RIGHT, pitch), place)
 
 
-## How far behind and above an agent of a length and a height the chase camera is: over its roof,
-## and so far away that it does not fill the picture.
+## How far the chase camera is behind and above an agent of this length and height: above its roof,
+## and far enough away that the agent does not fill the picture.
 static func chase_offset(size: Vector3) -> Vector2:
 	var taller := maxf(size.y - CAR.y, 0.0)
 	var longer := maxf(size.x - CAR.x, 0.0)
 	return CHASE + Vector2(0.5 * longer + BACK_FOR_TALL * taller, taller)
 
 
-## Prepares the world for a camera of this view.
+## Prepares the world for this kind of camera.
 func surround(target: Camera3D) -> void:
 	var stage := _worlds.stage(0)
 	if stage != null:
@@ -116,7 +117,8 @@ func has_no_scene() -> bool:
 	return _worlds.stage(0) == null
 
 
-## Puts the cameras that look from above where they see all of a scene that no client has aimed at.
+## Places the top and free cameras so that they see the whole scene, unless the client has moved
+## them.
 func _frame() -> void:
 	var stage := _worlds.stage(0)
 	if stage == null or stage.scene_name == _framed:
@@ -132,7 +134,7 @@ func _frame() -> void:
 	_place = Vector3(middle.x - 1.2 * reach, 0.85 * reach + 5.0, middle.y + 1.2 * reach)
 
 
-## What the roads of a scene cover, in x and z: the ground may be much larger after edits.
+## The bounds of the roads in x and z: after edits the ground may be much larger.
 static func roads_of(stage: Stage) -> Rect2:
 	var out := Rect2()
 	for road_kind: int in [Protocol.SEGMENT, Protocol.PATCH, Protocol.TILES]:
@@ -146,7 +148,7 @@ static func roads_of(stage: Stage) -> Rect2:
 	return out
 
 
-## The agent with the number that was asked for, else the first.
+## The requested agent, or else the first one.
 func _followed() -> Agent:
 	var stage := _worlds.stage(0)
 	var agents: Array[Agent] = []
@@ -158,7 +160,7 @@ func _followed() -> Agent:
 	return null if agents.is_empty() else agents[0]
 
 
-## From far above, the whole depth of the air would lie between.
+## From high above, there would be too much fog between camera and ground.
 func _without_fog() -> Environment:
 	var stage := _worlds.stage(0)
 	if stage == null or stage.all(Protocol.WORLD).is_empty():

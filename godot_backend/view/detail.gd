@@ -1,15 +1,15 @@
 extends Node
-## Draws with less detail while something is dragged where frames are slow, as without a graphics
-## card: what is dragged is to follow the pointer.
+## Reduces detail during a drag if frames are slow, as without a graphics card, so that the dragged
+## handle keeps up with the pointer.
 
 const Protocol := preload("../net/protocol.gd")
 const Worlds := preload("../build/worlds.gd")
 const Weather := preload("../build/weather.gd")
 const Hands := preload("hands.gd")
 
-## Seconds of a frame that is slow.
+## Duration in seconds from which a frame counts as slow.
 const SLOW := 0.04
-## Of the picture's width and height, in less detail.
+## Scale of width and height with reduced detail.
 const SCALE := 0.5
 
 var _worlds: Worlds
@@ -29,7 +29,7 @@ func _process(dt: float) -> void:
 	look(dt)
 
 
-## Looks at the last frame, which took `dt` seconds, and chooses the detail of the next.
+## Chooses the detail of the next frame from the duration `dt` of the last one, in seconds.
 func look(dt: float) -> void:
 	var is_low := _hands.is_dragging() and (_is_low or dt > SLOW)
 	if is_low != _is_low:

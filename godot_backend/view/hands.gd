@@ -1,8 +1,9 @@
 extends Control
-## Lets a human drag handles with the mouse: they are circles of one size, whatever the camera.
+## Lets a person drag handles with the mouse: circles of the same size on screen for every camera.
 ##
-## The handle under the pointer is highlighted; a click selects it. Delete removes what is selected,
-## Insert puts a handle where the pointer is, Ctrl+Z and Ctrl+Y undo and redo. The client is told.
+## The handle under the pointer is highlighted; a click selects it. Delete removes the selected
+## handle, Insert adds one at the pointer, Ctrl+Z and Ctrl+Y undo and redo. Every edit is sent to
+## the client.
 
 const Protocol := preload("../net/protocol.gd")
 const Server := preload("../net/server.gd")
@@ -12,12 +13,12 @@ const Handles := preload("../build/handles.gd")
 const Agent := preload("../agents/agent.gd")
 const Cameras := preload("cameras.gd")
 
-## Pixels within which the pointer takes a handle.
+## Greatest distance in pixels at which the pointer grabs a handle.
 const GRIP := 14.0
-## Pixels that the pointer travels before a press becomes a drag.
+## Pixels that the pointer must move before a press becomes a drag.
 const SLACK := 4.0
 const RADIUS := 6.0
-## Meters beyond which a camera on the ground shows no handles.
+## Distance in meters beyond which a camera near the ground shows no handles.
 const FAR := 300.0
 const ABOVE := 0.2
 const TELL_USEC := 20000
@@ -34,17 +35,17 @@ const COLORS: Array[Color] = [
 var _worlds: Worlds
 var _cameras: Cameras
 var _server: Server
-## Handles by the id of their thing and their index in it.
+## Handles by the id of the thing that they belong to and their index in it.
 var _hovered := NOTHING
 var _selected := NOTHING
 var _held := NOTHING
-## The pixel of the press, and whether the pointer has left it since.
+## The pixel of the press, and whether the pointer has moved since.
 var _pressed := Vector2.ZERO
 var _is_dragged := false
-## From the pointer's place on the ground to that of what is held.
+## Offset from the place of the pointer on the ground to the dragged handle.
 var _offset := Vector2.ZERO
 var _to := Vector2.ZERO
-## Where what is held was when it was taken.
+## Place of the dragged handle when it was grabbed.
 var _from := Vector2.ZERO
 var _drag := 0
 var _told := 0
@@ -58,12 +59,12 @@ func setup(worlds: Worlds, cameras: Cameras, server: Server) -> void:
 	set_anchors_preset(PRESET_FULL_RECT)
 
 
-## Whether a handle follows the pointer.
+## Whether a handle is being dragged.
 func is_dragging() -> bool:
 	return _is_dragged and not _same(_held, NOTHING)
 
 
-## Takes hold of a handle, or lets go.
+## Grabs a handle, or releases it.
 func hold(handle: Dictionary) -> void:
 	_held = handle
 	_is_dragged = not _same(handle, NOTHING)
@@ -79,8 +80,8 @@ static func on_ground(camera: Camera3D, pixel: Vector2) -> Vector2:
 	return Vector2(hit.x, -hit.z)
 
 
-## The handle that a pointer would take, with the place of what it takes hold of; agents can be
-## taken by their bodies too.
+## The handle that the pointer would grab, with its place; agents can be grabbed anywhere on their
+## bodies too.
 func under(pixel: Vector2) -> Dictionary:
 	var best := NOTHING
 	var least := GRIP
@@ -214,7 +215,7 @@ func _grips(handles: Handles, index: int) -> Array[Vector2]:
 	return out
 
 
-## Where the camera sees a place; infinite where it does not.
+## The pixel at which the camera sees a place; infinite if it does not see it.
 func _pixel(place: Vector2) -> Vector2:
 	var camera := _cameras.camera
 	var at := Vector3(place.x, ABOVE, -place.y)

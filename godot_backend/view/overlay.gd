@@ -1,6 +1,6 @@
 extends CanvasLayer
-## Text over the picture: speeds, and how well each requirement and expectation holds; what to do
-## in a window without a scene.
+## Text over the picture: speeds, and the robustness of each requirement and expectation; in a
+## window without a scene, how to send one.
 
 const Protocol := preload("../net/protocol.gd")
 
@@ -25,7 +25,7 @@ func _ready() -> void:
 	add_child(_label)
 
 
-## Shows what to do while there is no scene.
+## Shows how to send a scene while there is none.
 func welcome(port: int, is_empty: bool) -> void:
 	_welcome.visible = is_empty
 	_welcome.text = (

@@ -1,5 +1,5 @@
 extends Node3D
-## Wooded hills around the built area: for the eye alone, nothing touches them.
+## Wooded hills around the built area: decoration without collision.
 
 const Worlds := preload("../build/worlds.gd")
 const Looks := preload("../build/looks.gd")
@@ -9,16 +9,16 @@ const TreeShape := preload("../shapes/tree_shape.gd")
 const SPOKES := 128
 const RINGS := 24
 const REACH := 2600.0
-## What scenery is, for the labels of cameras.
+## Classes of the scenery in the labels of cameras.
 const GROUND := 1
 const PLANTS := 2
 const HEIGHT := 110.0
 const TREES := 2600
-## Trees are drawn in groups, by direction and distance, of which a camera draws those that it sees.
+## Trees are grouped by direction and distance; a camera draws only the groups that it sees.
 const WEDGES := 16
-## Where each group but the first begins, meters beyond what is built.
+## Where each group except the first begins, in meters from the built area.
 const BANDS: Array[float] = [0.0, 150.0, 500.0]
-## Rings of hills that have trees, and how far the trees begin within the flat ground, meters.
+## Rings of hills with trees, and how many meters into the flat ground the trees begin.
 const WOODED := 15
 const INSIDE := 100.0
 const MEADOW := Color(0.92, 0.97, 0.9)
@@ -37,7 +37,7 @@ func _init(worlds: Worlds) -> void:
 	_noise.fractal_octaves = 3
 
 
-## Makes the hills anew where the built area has another size.
+## Rebuilds the hills if the size of the built area has changed.
 func rebuild() -> void:
 	var stage := _worlds.stage(0)
 	var extent := 0.0 if stage == null else stage.extent
@@ -45,14 +45,14 @@ func rebuild() -> void:
 		return
 	_extent = extent
 	for child in get_children():
-		# At once: what is taken in this frame is not to show it.
+		# At once, so that a picture of this frame does not show it.
 		child.free()
 	if extent > 0.0:
 		_add_hills()
 		_add_trees()
 
 
-## Height of the hills: flat where anything is built, rising beyond.
+## Height of the hills: flat in the built area, rising outside.
 func _height(place: Vector2) -> float:
 	var beyond := maxf(absf(place.x), absf(place.y)) - _extent
 	var rise := smoothstep(10.0, 900.0, beyond)
@@ -60,7 +60,7 @@ func _height(place: Vector2) -> float:
 	return rise * HEIGHT * maxf(swell, 0.05) - 0.06
 
 
-## How wooded a place is, from 0 to 1.
+## Density of trees at a place, from 0 to 1.
 func _wood(place: Vector2) -> float:
 	return smoothstep(-0.15, 0.3, _noise.get_noise_2dv(place * 2.7 + Vector2(900, 400)))
 
@@ -123,7 +123,7 @@ func _add_trees() -> void:
 		add_child(instance)
 
 
-## Wedge, band and kind of a tree.
+## Direction group, distance group and kind of a tree.
 func _group_of(place: Vector3, is_round: bool) -> Vector3i:
 	var wedge := floori(WEDGES * (0.5 + atan2(place.z, place.x) / TAU)) % WEDGES
 	var beyond := maxf(absf(place.x), absf(place.z)) - _extent
@@ -133,7 +133,7 @@ func _group_of(place: Vector3, is_round: bool) -> Vector3i:
 	return Vector3i(wedge, band, int(is_round))
 
 
-## A place on a triangle of the hills, or on the flat ground before them.
+## A place on a triangle of the hills, or on the flat ground in front of them.
 func _place_on_hill(random: RandomNumberGenerator) -> Vector3:
 	var ring := int(pow(random.randf(), 1.3) * (WOODED + 2)) - 2
 	var spoke := random.randi() % SPOKES
@@ -152,7 +152,7 @@ func _place_on_hill(random: RandomNumberGenerator) -> Vector3:
 	return foot + (_corners[cell[1]] - foot) * u + (_corners[cell[2]] - foot) * v
 
 
-## The point of the unit square's rim in a direction: the flat ground is a square.
+## The point on the edge of the unit square in a direction: the flat ground is a square.
 func _on_square(angle: float) -> Vector2:
 	var direction := Vector2.from_angle(angle)
 	return direction / maxf(absf(direction.x), absf(direction.y))

@@ -1,5 +1,5 @@
 extends Node
-## Takes pictures of the first world at any size, and sends them to the client.
+## Renders pictures of the main world in any size, and sends them to the client.
 
 const Protocol := preload("../net/protocol.gd")
 const Server := preload("../net/server.gd")
@@ -8,8 +8,9 @@ const Cameras := preload("cameras.gd")
 
 const MOST_PIXELS := 8192
 const MOST_WAITING := 64
-## Of the shadows for each column of a picture, as a power of two: with less they are blocky in the
-## foreground, more cost time and are not seen. Cameras of agents draw with fewer.
+## Size of the shadow map for each column of a picture, rounded to a power of two: with less,
+## shadows are blocky in the foreground; more takes time and makes no visible difference. Cameras of
+## agents use less.
 const SHADOW_PIXELS := 3
 const LEAST_SHADOW := 1024
 const MOST_SHADOW := 4096
@@ -21,7 +22,7 @@ var _camera := Camera3D.new()
 var _queue: Array[Wish] = []
 
 
-## A picture that is wished for since a frame.
+## A picture that was requested in an earlier frame.
 class Wish:
 	extends RefCounted
 	var settings: Dictionary
@@ -41,7 +42,7 @@ func _init(cameras: Cameras, server: Server) -> void:
 	add_child(_viewport)
 
 
-## Takes a wish: {id, width, height, format: png or jpg}; returns "" or what is wrong.
+## Handles a request: {id, width, height, format: png or jpg}; returns "" or what is wrong.
 func take(wish: Dictionary) -> String:
 	if _queue.size() >= MOST_WAITING:
 		return "too many pictures at once: wait for them"
@@ -49,12 +50,12 @@ func take(wish: Dictionary) -> String:
 	return ""
 
 
-## The client that wished for something is gone.
+## The client that requested pictures has disconnected.
 func forget() -> void:
 	_queue.clear()
 
 
-## Draws what is wished for. In lock-step no frame comes before the client's next step, so
+## Draws the requested pictures. In lockstep no frame comes before the client's next step, so
 ## the simulation calls this while it waits.
 func draw_waiting() -> void:
 	while not _queue.is_empty() and not _server.is_behind():
@@ -62,7 +63,7 @@ func draw_waiting() -> void:
 
 
 func _process(_dt: float) -> void:
-	# What was built in this frame is in its place from the next one on.
+	# What was built in this frame is only in place in the next one.
 	if not _queue.is_empty() and Engine.get_process_frames() > _queue[0].frame + 1:
 		draw_waiting()
 

@@ -1,8 +1,8 @@
 extends Node3D
-## What a human sees and does: cameras, pictures, the overlay, handles.
+## What a person sees and does: cameras, pictures, the overlay, handles.
 
-## A window of roadlang's own; pictures that are asked for and nothing between them; the same in a
-## game that keeps its own cameras, window and landscape.
+## It works in a window of roadlang, without a window (where only requested pictures are drawn), and
+## in a game that keeps its own cameras, window and landscape.
 enum Eyes { WINDOW, STILL, GUEST }
 
 const Protocol := preload("../net/protocol.gd")
@@ -63,12 +63,12 @@ func _ready() -> void:
 		RenderingServer.render_loop_enabled = false
 
 
-## Notes that something was built or removed.
+## Records that something was built or removed.
 func scene_changed() -> void:
 	_stale = true
 
 
-## Takes a wish of the client; returns "" or why it cannot be had.
+## Handles a request of the client; returns "" or the reason why it is refused.
 func take(type: int, wish: Dictionary) -> String:
 	if _headless:
 		return "" if type == Protocol.NOTE else "this engine runs headless: it has no pictures"
@@ -87,14 +87,14 @@ func take(type: int, wish: Dictionary) -> String:
 	return ""
 
 
-## The client is gone: what it wished for is not drawn.
+## The client has disconnected: its requests are dropped.
 func abandon() -> void:
 	if _shots != null:
 		_shots.forget()
 		_looks.forget()
 
 
-## Draws what waits to be drawn, in a frame that lasts until the client's next step.
+## Draws pending requests, in a frame that lasts until the client's next step.
 func draw_waiting() -> void:
 	if _shots != null:
 		_shots.draw_waiting()

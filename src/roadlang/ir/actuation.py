@@ -19,7 +19,7 @@ class ActuationBatch:
     acceleration: Floats
     """m/s^2, braking negative"""
     active: Booleans
-    """whose fault is active: `when:` and `while:` hold"""
+    """whether the fault is active: `when:` and `while:` hold"""
     step: float
     """seconds between decisions"""
     random: BatchRandom

@@ -17,11 +17,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RoadBatch(Frozen):
-    """A road in V variants, sampled at S stations of its root road (arc length, meters).
+    """V variants of a road, sampled at S stations of its root road (arc length, meters).
 
-    All roads that derive from one root share its stations, so that they can be compared point by
-    point. Arrays have V rows, or one row where all variants are equal. They are computed when they
-    are first used.
+    All roads with the same root share its stations, so that they can be compared point by point.
+    Arrays have V rows, or one row if all variants are equal; they are computed when first used.
     """
 
     name: str
@@ -32,7 +31,7 @@ class RoadBatch(Frozen):
     displacement: Floats
     """(V, S) meters: the sum of all displacements from the root, left positive"""
     confidence: float
-    """how sure the extractor is of the road, 0 to 1; 1 of a road that no extractor found"""
+    """confidence of the extractor, 0 to 1; 1 for roads that were not extracted"""
     interval: tuple[Any, Any] | None = None
     """`over: [a, b]` of the pass that perturbs it: arc lengths, or (V, 1) columns of such"""
     others: tuple[RoadBatch, ...] = ()
@@ -66,12 +65,12 @@ class RoadBatch(Frozen):
 
     @property
     def closed(self) -> bool:
-        """Whether the roads end where they begin."""
+        """Whether the roads are closed."""
         return self.curves.closed
 
     @property
     def period(self) -> float | None:
-        """Meters once round the root road, of a closed one."""
+        """Length of the root road in meters, for closed roads."""
         return self.curves.period
 
     @property
@@ -81,7 +80,7 @@ class RoadBatch(Frozen):
 
     @property
     def variants(self) -> int:
-        """Number of roads, V."""
+        """Number of variants, V."""
         return self.curves.variants
 
     @property
@@ -91,7 +90,7 @@ class RoadBatch(Frozen):
         return length
 
     def take(self, rows: NDArray[np.intp]) -> RoadBatch:
-        """The variants at `rows`, in every field; what has one row for all variants keeps it."""
+        """The variants at `rows`; arrays with one row for all variants keep it."""
         every = {field.name: getattr(self, field.name) for field in fields(self)}
         chosen = {"curves": _rows(self.curves, rows)}
         if self.displacement is getattr(self.curves, "displacement", None):
@@ -129,7 +128,7 @@ class BatchRandom:
 
     @property
     def variants(self) -> int:
-        """For how many variants there are numbers, V."""
+        """Number of variants, V."""
         return len(self.keys)
 
     def uniform(self, count: int, stream: int = 0) -> Floats:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 class Control:
     """Steering angle of the front wheels (left positive), acceleration (braking negative).
 
-    What walks turns to `heading` at once, where that is a number. `line_offset` and `line_time`
-    move the line to follow, `pose` puts the agent at a place: see `ControlBatch`.
+    Pedestrians turn to `heading` at once if it is a number. `line_offset` and `line_time` move the
+    line to follow, `pose` puts the agent at a place: see `ControlBatch`.
     """
 
     steering: float
@@ -26,11 +26,11 @@ class Control:
     line_time: float = 0.0
     pose: tuple[float, float, float, float] | None = None
     failure: str = ""
-    """why the controller fails from this step on, where the drive goes on without it"""
+    """why the controller fails from this step on, if the drive goes on without it"""
 
     @property
     def is_open(self) -> bool:
-        """Whether steering or acceleration is left to a controller before."""
+        """Whether steering or acceleration is left to an earlier controller."""
         return math.isnan(self.steering) or math.isnan(self.acceleration)
 
     def filled(self, earlier: Control) -> Control:
@@ -43,29 +43,31 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class ControlBatch:
-    """Columns (N,) of what `Control` says of one agent. Where `steering` or `acceleration` is NaN,
-    the last controller before it that gives a number decides, else it is 0. `heading` is for what
-    walks: it turns there at once, if not NaN."""
+    """Columns (N,) of what `Control` says of one agent. If `steering` or `acceleration` is NaN, the
+    last controller before it that gives a number decides; without one it is 0. `heading` is for
+    pedestrians, who turn at once if it is not NaN."""
 
     steering: Floats
     acceleration: Floats
     heading: Floats | None = None
     line_offset: Floats | None = None
-    """moves the line that the agent follows so many meters left of its reference line, for all
-    later controllers, and where widths change keeps it beside the nearest lane; NaN: as before"""
+    """moves the path of the agent to this many meters left of its reference line, for all later
+    controllers; where widths change, the path keeps its place relative to the nearest lane; NaN: no
+    change"""
     line_time: Floats | None = None
-    """seconds in which the line moves there, smoothly; None or 0: at once"""
+    """duration of this move in seconds; None or 0: at once"""
     pose: Floats | None = None
     """(N, 4) x, y, heading and speed one step later; NaN: left to the equations of motion"""
     acceleration_limit: Floats | None = None
-    """(N,) m/s^2: upper limit of what controllers before it decide where it leaves that open"""
+    """(N,) m/s^2: upper limit of the acceleration that earlier controllers decide, if
+    `acceleration` is NaN"""
     failures: Mapping[int, str] | None = None
-    """by place in the batch: why the controller of that agent fails from this step on, where the
-    drive goes on without it. Traces have it as an event `controller_failed`, tables as columns"""
+    """by place in the batch: why the controller of that agent fails from this step on, if the drive
+    goes on without it. Traces have it as an event `controller_failed`, tables as columns"""
 
     @classmethod
     def of(cls, controls: Sequence[Control]) -> ControlBatch:
-        """A batch of what is decided one by one."""
+        """A batch of single decisions."""
         import numpy as np
 
         names = ("steering", "acceleration", "heading", "line_offset", "line_time")

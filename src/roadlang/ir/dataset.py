@@ -30,7 +30,7 @@ class DatasetFrame:
 
 @dataclass(frozen=True, slots=True)
 class Dataset:
-    """All of one run of `roadlang render --dataset`."""
+    """The result of a run of `roadlang render --dataset`."""
 
     name: str
     """of the scenario"""
@@ -39,7 +39,7 @@ class Dataset:
     roadlang: str
     """version"""
     engine: str
-    """that drew the pictures"""
+    """engine that rendered the pictures"""
     source: str
     """the scene file"""
     seed: int
@@ -51,13 +51,13 @@ class Dataset:
     frames: tuple[DatasetFrame, ...]
     """in the order of moments and cameras"""
     params: Mapping[str, str] = field(default_factory=dict)
-    """set from outside, as written"""
+    """values of params set by the user, as written"""
     inputs: Mapping[str, str] = field(default_factory=dict)
     """sha256 by path as written"""
     plugins: Mapping[str, str] = field(default_factory=dict)
     """version by distribution"""
     clips: tuple[str, ...] = ()
-    """files of the color pictures of a camera in a scene, where they were wanted"""
+    """video files of the color pictures of a camera in a scene, if requested"""
     depth_unit: float = 0.01
     """meters for 1 in depth pictures; 0 there is nothing within 655.35 m"""
     schema: str = DATASET_SCHEMA

@@ -13,7 +13,7 @@ Rectangle = tuple[float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class CameraGeometry:
-    """A camera at the time of a picture.
+    """A camera at the moment of a picture.
 
     A point p of camera coordinates (meters right, down and forward) is at `position` + `rotation` p
     in the world, and in pixels at (`fx` p0 / p2 + `cx`, `fy` p1 / p2 + `cy`), from the top left
@@ -44,7 +44,7 @@ class CameraGeometry:
 
 @dataclass(frozen=True, slots=True)
 class LabeledThing:
-    """An agent or object whose box is in the picture, also where something else hides it."""
+    """An agent or object whose box is in the picture, even if something hides it."""
 
     name: str
     """in the scene"""

@@ -72,7 +72,7 @@ class Manifest:
     plugins: Mapping[str, str] = field(default_factory=dict)
     """version by distribution"""
     overrides: Mapping[str, str] = field(default_factory=dict)
-    """params set from outside, as written"""
+    """params set by the user, as written"""
     requirements: tuple[RequirementRecord, ...] = ()
     """how each fared"""
     files: tuple[OutputFile, ...] = ()

@@ -34,7 +34,7 @@ _NO_JUNCTION = (math.inf, 0.0, math.inf)
 
 @dataclass(frozen=True, slots=True)
 class Observation(Frozen):
-    """The state of one agent, SI units and radians; the line is the one that it should follow.
+    """The state of one agent, in SI units and radians. The line is the path that it should follow.
 
     `line_ahead(d)` gives x, y, heading and curvature of that line `d` meters on.
     """
@@ -55,7 +55,7 @@ class Observation(Frozen):
     wheelbase: float
     line_ahead: Callable[[float], tuple[float, float, float, float]]
     others: Mapping[str, Observation] = field(default_factory=dict)
-    """all agents by name, this one too; theirs have no `others`"""
+    """all agents by name, including this one; their own `others` are empty"""
     road_offset: float = 0.0
     """distance from the center line of the road, left positive"""
     road_width: float = math.inf
@@ -66,9 +66,9 @@ class Observation(Frozen):
     vehicle_ahead: Callable[[], tuple[float, float]] = lambda: (math.inf, 0.0)
     """`vehicle_ahead()`: gap to the next agent ahead in the lane, and its speed along it"""
     acceleration_ahead: Callable[[], float] = lambda: 0.0
-    """of that one, along the lane"""
+    """acceleration of the vehicle ahead, along the lane"""
     obstacle_ahead: Callable[[], float] = lambda: math.inf
-    """`obstacle_ahead()`: gap to the next object that stands in the way"""
+    """`obstacle_ahead()`: gap to the next object in the way"""
     lane_end: Callable[[], float] = lambda: math.inf
     """`lane_end()`: how far ahead of the center its lane becomes too narrow to drive in"""
     length: float = 4.5
@@ -77,7 +77,7 @@ class Observation(Frozen):
     acceleration: float = 0.0
     """along the body"""
     contacts: float = 0.0
-    """how many things were touched"""
+    """number of contacts so far"""
     traveled: float = 0.0
     """meters along the line since the start of the drive"""
     lane_place: Callable[[], LanePlace] = LanePlace
@@ -91,13 +91,15 @@ class Observation(Frozen):
     """`speed_limit_ahead(b, d)`: the greatest speed, `d` meters on, from which the speed limits
     ahead can be obeyed by braking with `b`"""
     stop_ahead: Callable[[], float] = lambda: math.inf
-    """`stop_ahead()`: how far before the front it has to stop, infinite: nowhere. Who asks obeys"""
+    """`stop_ahead()`: distance from the front to where it has to stop, infinite for nowhere; an
+    agent that calls it obeys"""
     right_of_way: Callable[[float, float], tuple[float, float, float]] = lambda polite, bold: _FREE
     """`right_of_way(p, a)`: what `stop_ahead` says, and where lanes merge the gap to who goes first
     there, infinite for nobody, and its speed; politeness and aggression are from 0 to 1"""
     junction_ahead: Callable[[], tuple[float, float, float]] = lambda: _NO_JUNCTION
     """`junction_ahead()`: how far ahead of its front its next junction begins, negative inside,
-    infinite for none; the length of its way there; and the seconds until red, infinite for never"""
+    infinite for none; the length of its path inside; and the seconds until the signal turns red,
+    infinite for never"""
     nearby: Callable[[float], tuple[Neighbor, ...]] = lambda range: ()
     """`nearby(r)`: the agents and objects within `r` meters, from center to center"""
     sensors: Mapping[str, Reading] = field(default_factory=dict)
@@ -105,12 +107,12 @@ class Observation(Frozen):
 
     @property
     def lane(self) -> int:
-        """The id of the lane in which the agent is, 0 for none."""
+        """Id of the lane of the agent, 0 for none."""
         return self.lane_place().lane
 
     @property
     def lane_offset(self) -> float:
-        """Of the middle of that lane, left of the reference line."""
+        """Offset of the middle of that lane to the left of the reference line."""
         return self.lane_place().offset
 
     @property
@@ -120,7 +122,7 @@ class Observation(Frozen):
 
     @property
     def speed_limit(self) -> float:
-        """Of that lane, infinite where there is none."""
+        """Speed limit of that lane, infinite without one."""
         return self.lane_place().speed_limit
 
 

@@ -119,7 +119,7 @@ class Picture(Frozen):
 
 @dataclass(frozen=True)
 class FoundObject:
-    """Something that a legend or map named: `kind`, and its outline's center and size in meters.
+    """An object of a legend or map: `kind`, and its outline's center and size in meters.
 
     `height` in meters; None: that of the kind.
     """
@@ -135,16 +135,16 @@ class FoundObject:
 
 @dataclass(frozen=True)
 class Extraction(Frozen):
-    """Roads in meters, objects of the legend, how sure the extractor is (0 to 1), remarks.
+    """Roads in meters, objects of the legend, confidence of the extractor (0 to 1), remarks.
 
-    `mask`: (height, width) bool, the pixels taken for road, where the extractor has one: tiles
-    are built from it. `width_errors`: meters, the standard deviation of what was measured of each
-    road's width, in the order of the network's edges, where the extractor knows it. `has_widths`
-    is False where the picture says nothing of the widths, as one typed in characters: those of the
+    `mask`: (height, width) bool, the pixels of the roads, if the extractor computes them: tiles are
+    built from it. `width_errors`: meters, the standard deviation of what was measured of each
+    road's width, in the order of the network's edges, where the extractor knows it. `has_widths` is
+    False where the picture says nothing of the widths, as one typed in characters: those of the
     edges are then the most that there is room for, and their lanes say how wide the roads are.
     `confidences`: of each road, in the same order, at even arc lengths from its start to its end,
-    where they differ along it: each edge's `confidence` is about their mean.
-    `warnings`: of parts of a map that could not be used, with their places.
+    where they differ along it: each edge's `confidence` is about their mean. `warnings`: of parts
+    of a map that could not be used, with their places.
     """
 
     network: RoadNetwork

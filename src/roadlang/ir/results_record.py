@@ -37,7 +37,7 @@ class ResultsRecord:
     expects: tuple[str, ...] = ()
     """of a search: the expectations to violate, the most important first"""
     params: Mapping[str, str] = field(default_factory=dict)
-    """set from outside, as written"""
+    """values of params set by the user, as written"""
     inputs: Mapping[str, str] = field(default_factory=dict)
     """sha256 by path as written, the scene file and its includes among them"""
     plugins: Mapping[str, str] = field(default_factory=dict)

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class RoadBounds:
-    """A road by the options of its passes. Bounds are in meters: a number, or (V, 1) of variants.
+    """Bounds of a road that follow from the options of its passes, in meters: a number, or (V, 1)
+    for variants.
 
     `root`: the road that it derives from; `passes`: the greatest displacement by each pass between
     the root and the road, by the place of the pass, infinite where it is not known; `reached`: the
@@ -30,17 +31,18 @@ class RoadBounds:
 
     @property
     def displacement(self) -> Bound:
-        """How far the road can be from its root, at any station."""
+        """Upper bound of the distance between the road and its root at any station."""
         return sum(self.passes.values(), start=0.0)
 
     def apart(self, other: RoadBounds) -> Bound:
-        """How far two roads can be from each other at any station; infinite of different roots."""
+        """Upper bound of the distance between two roads at any station; infinite if their roots
+        differ."""
         if self.root != other.root:
             return math.inf
         return sum(self._different(other).values(), start=0.0)
 
     def reach(self, other: RoadBounds) -> float:
-        """How far two roads are from each other at some station, at least; 0 of different roots.
+        """A distance that two roads reach at some station; 0 if their roots differ.
 
         The bounds of the passes are numbers or arrays of one value.
         """

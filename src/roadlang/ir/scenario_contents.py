@@ -10,20 +10,20 @@ from .read_only import Frozen
 
 @dataclass(frozen=True)
 class ScenarioContents(Frozen):
-    """The parts of a scenario by name, and the kinds in it as scenes record them: `sine`, and of
-    other plugins `acme.mpc`. Where a kind is drawn at random all that may be drawn are listed."""
+    """The parts of a scenario by name, and its kinds as scenes record them: `sine`, or `acme.mpc`
+    for kinds of other plugins. If a kind is random, all possible kinds are listed."""
 
     networks: tuple[str, ...] = ()
     """names of the networks"""
     roads: tuple[str, ...] = ()
-    """names of the roads, without those of networks"""
+    """names of the roads that are not in networks"""
     agents: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """kinds of each agent: `{"ego": ("car",)}`"""
     objects: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """kinds of each object"""
     controllers: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """kinds that drive each agent, in order; no entry for one without"""
+    """controllers of each agent, in order; agents without one have no entry"""
     world: tuple[str, ...] = ()
     """options that `world` sets: `rain`, `time_of_day`, ..."""
     expectations: tuple[str, ...] = ()
-    """names of what drives are judged by"""
+    """names of the expectations about drives"""

@@ -145,7 +145,7 @@ class Provenance(Frozen):
     source: str = ""
     """name of the scene file, without its folder"""
     overrides: Mapping[str, str] = field(default_factory=dict)
-    """params set from outside, as written"""
+    """params set by the user, as written"""
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,7 +24,7 @@ middle of the road and over it), `outer`, or a kind of lane: the nearest of that
 
 @dataclass(frozen=True, slots=True)
 class LanePlace:
-    """The lane in which an agent is, meters. Offsets are to the left of its reference line, as
+    """The lane of an agent; lengths in meters. Offsets are to the left of its reference line, as
     `Observation.road_offset` is: the middle of its road or, on a route, of its lane."""
 
     default_speed: ClassVar[float] = DEFAULT_SPEED
@@ -81,8 +81,8 @@ class LanePlaces:
 
 @dataclass(frozen=True, slots=True)
 class LanesBeside:
-    """Columns (N,) of a lane and of those beside it for motor vehicles: middles, meters left of the
-    reference lines, and directions, 1 for that of the agent; NaN for none."""
+    """Columns (N,) of a lane and its neighboring lanes for motor vehicles: middles in meters to the
+    left of the reference lines, and directions (1: that of the agent); NaN for no lane."""
 
     middle: Floats
     width: Floats

@@ -107,7 +107,8 @@ class AgentTrace(Frozen):
 
     @classmethod
     def standing(cls, actor: SceneActor, time: Floats, elevation: float = math.nan) -> AgentTrace:
-        """What stands where the scene has it, at all times (T,), `elevation` meters high."""
+        """An agent that does not move, at its place in the scene at all times (T,), `elevation`
+        meters high."""
         import numpy as np
 
         zero = np.zeros(len(time))
@@ -135,13 +136,13 @@ class AgentTrace(Frozen):
 
     @property
     def has_left(self) -> Booleans:
-        """(T,) whether it is no longer there; never, where the engine does not report it."""
+        """(T,) whether it has left; always False if the engine does not report it."""
         gone: Booleans = self.present == 0.0
         return gone
 
     @property
     def samples_there(self) -> int:
-        """How many of the first samples it is there for."""
+        """Number of samples before it leaves."""
         left = self.has_left
         return int(left.argmax()) if left.any() else len(self.time)
 

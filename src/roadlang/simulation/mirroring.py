@@ -28,13 +28,13 @@ from .vehicles.poses import Poses
 
 
 class Mirror:
-    """A scene that another engine drives, step by step. Here it is decided what agents are to do,
-    with conditions, lines that move, lanes, neighbors and right of way; and what happens becomes a
-    trace with all columns: the same code as in the embedded engine.
+    """A scene that another engine drives, step by step. The mirror makes the decisions of the
+    agents (conditions, paths, lanes, neighbors, right of way) and records a trace with all columns,
+    by the same code as the embedded engine.
 
     `controllers`: of the agents that are to be decided for; those of scenes are `Driver`s, any
-    other decides by its method `control`. `step`: seconds between decisions; `bodies`: what kinds
-    of agents are, by name. Columns are in the order of the agents of the scene.
+    other decides by its method `control`. `step`: seconds between decisions; `bodies`: properties
+    of the kinds of agents, by name. Columns are in the order of the agents of the scene.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class Mirror:
 
     @property
     def present(self) -> Booleans:
-        """(N,) who has not left the scene at the end of its line."""
+        """(N,) whether the agent has not yet left the scene at the end of its path."""
         return self._world.present
 
     @property
@@ -89,16 +89,15 @@ class Mirror:
         return bool(self._world.finished[0])
 
     def follow(self, pose: Floats, steering: Floats, *, passed: bool) -> None:
-        """Where all agents are: `pose` (N, 4) x, y, heading, speed; `steering` (N,). `passed`:
-        whether a step has passed since the last call."""
+        """Set the state of all agents: `pose` (N, 4) x, y, heading, speed; `steering` (N,).
+        `passed`: whether a step has passed since the last call."""
         self._world.follow(pose, steering, self._poses, passed=passed)
         self._known = None
 
     def carry_on(self, before: Mirror, restarted: frozenset[str] = frozenset()) -> None:
-        """Go on with a drive that another mirror has followed, of the scene before an edit.
-
-        Agents of both keep pose, speed and counts, projected onto their lines; their conditions and
-        controllers remember what they did. Agents or groups that are `restarted` begin anew.
+        """Continue the drive of another mirror, whose scene was edited. Agents of both scenes keep
+        pose, speed and counts, projected onto their paths, and the state of their conditions and
+        controllers. Agents or groups in `restarted` start again.
         """
         rows = Continued.of(before._world, self._world, restarted)
         carry_world(before._world, self._world, rows)
@@ -107,11 +106,11 @@ class Mirror:
         self.forget()
 
     def forget(self) -> None:
-        """The trace begins now."""
+        """Discard the trace recorded so far."""
         self._recorder = Recorder(self._world)
 
     def touch(self, contact: Contact) -> None:
-        """An agent has touched something for the first time."""
+        """Record the first contact of an agent with something."""
         self._world.contacts[contact.agent] += 1.0
         hardest = max(self._world.collision[contact.agent], contact.speed)
         self._world.collision[contact.agent] = hardest
@@ -122,7 +121,7 @@ class Mirror:
         self._recorder.record(self._world, self._poses)
 
     def trace(self, engine: str) -> Trace:
-        """What was recorded, driven by an engine of this name."""
+        """The recorded trace, with this name of the engine."""
         return replace(self._recorder.traces()[0], engine=engine)
 
     def due_readings(self) -> list[DueReading]:
@@ -133,7 +132,7 @@ class Mirror:
         return self._drivers.sensing.due(self._drivers.truth(self._world, self._poses))
 
     def deliver(self, agent: str, sensor: str, arrays: Mapping[str, ArrayLike]) -> None:
-        """What the engine has measured now. Raises RL474 for arrays of another shape."""
+        """Pass in what the engine measured. Raises RL474 for arrays of another shape."""
         assert self._drivers.sensing is not None, "it was due"
         self._drivers.sensing.deliver(self._names.index(agent), sensor, arrays)
 
@@ -156,7 +155,7 @@ class Mirror:
         return self._world.limited(acceleration)
 
     def seen(self, name: str) -> Observation:
-        """What an agent sees now."""
+        """The current observation of an agent."""
         view = self._drivers.view(self._world, self._poses)
         return observations(view, np.array([self._names.index(name)]))[0]
 

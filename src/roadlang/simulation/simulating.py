@@ -38,7 +38,7 @@ LEFT_OUT = 0.25
 
 @dataclass(frozen=True)
 class EngineSettings:
-    """How to drive; all in seconds."""
+    """Settings of a drive; times in seconds."""
 
     duration: float = 60.0
     """at most"""
@@ -49,12 +49,12 @@ class EngineSettings:
     vehicle_step: float = 0.02
     """of the equations of motion"""
     after_violation: float = math.inf
-    """for which a drive goes on at most once all that is expected of it is violated for certain"""
+    """time for which a drive continues after all of its expectations are certainly violated"""
     bodies: Mapping[str, Body] = field(default_factory=dict)
-    """what kinds of agents are, by name"""
+    """properties of the kinds of agents, by name"""
 
     def ticks(self, seconds: float) -> int:
-        """Steps of the vehicles in a time, at least one."""
+        """Number of vehicle steps in a time, at least one."""
         return max(1, round(seconds / self.vehicle_step))
 
 

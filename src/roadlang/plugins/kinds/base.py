@@ -14,7 +14,7 @@ _RENAMED = {
 
 
 class Kind:
-    """Anything a plugin brings. The class docstring's first line is its help.
+    """What a plugin provides. The first line of the class docstring is its help text.
 
     A kind is a frozen dataclass that derives from the base class of its verb.
     """
@@ -24,13 +24,14 @@ class Kind:
     name: ClassVar[str] = ""
     """what scene files write: letters, digits and `_`, and no word of the language"""
     also_called: ClassVar[tuple[str, ...]] = ()
-    """other names for it, as in other tools: errors suggest `name` for them"""
+    """names that other tools have for it: errors suggest `name` instead"""
     rest: ClassVar[str] = ""
     """of a kind that is written as a call: the list option that takes all arguments without a name,
     as `items` of `choice(1m, 2m, 3m)`"""
     is_default: ClassVar[bool] = False
-    """of kinds in the wheel: what a file means that names no kind of the verb, such as the
-    distribution of `1m..2m` (its options are `low` and `high`) or what draws without `sample`"""
+    """only for kinds that ship with roadlang: the kind that is used if a file names none for the
+    verb, such as the distribution of `1m..2m` (its options are `low` and `high`) or what draws
+    without `sample`"""
     is_random: ClassVar[bool] = False
     """it draws random numbers other than its options, so that each candidate differs"""
     cost: ClassVar[float] = 0.0

@@ -28,8 +28,7 @@ begins behind it leave as much."""
 
 @dataclass(frozen=True)
 class InitialSpeed:
-    """How fast an agent is when its drive begins, as its controller wants it: no faster than the
-    bends ahead allow."""
+    """The speed that a controller wants at the start of a drive, limited by the bends ahead."""
 
     speed: float | None
     """m/s; None: the speed limit, and 50 km/h where there is none"""
@@ -38,10 +37,10 @@ class InitialSpeed:
     deceleration: float = 3.0
     """m/s^2, before bends"""
     stops_at_junctions: bool = False
-    """on a route, whether it must be able to stop where the next junction begins, as for who obeys
-    right of way"""
+    """on a route, whether it must be able to stop before the next junction, as agents that obey the
+    right of way must"""
     limit_factor: float = 1.0
-    """how many times the speed limit it wants, where it says no speed"""
+    """the wanted speed as a multiple of the speed limit, if `speed` is None"""
 
 
 class Controller(Kind):
@@ -51,19 +50,19 @@ class Controller(Kind):
 
     verb: ClassVar[str] = "drive"
     interval: ClassVar[float] = 0.0
-    """seconds for which steering and acceleration of an agent are held, if that is longer than the
-    step of the simulator: drivers of other cars need not react as fast as the car under test"""
+    """time in seconds between decisions, if that is longer than the step of the simulator: other
+    drivers need not react as fast as the car under test"""
     keeps_distance: ClassVar[bool] = False
-    """whether an agent for which nothing says how fast it begins does so slowly enough to keep its
-    distance to what is ahead in its lane: the time gap that its option `headway` says, else 1 s"""
+    """whether an agent without `start_speed` starts slowly enough to keep its distance to what is
+    ahead in its lane: the time gap of its option `headway`, else 1 s"""
 
     leaves_open: ClassVar[str] = ""
-    """what it leaves to the controller before it, such as "steering": a warning says so where it is
+    """what it leaves to the controller before it, such as "steering": there is a warning if it is
     the first controller of an agent"""
 
     for_vehicles: ClassVar[bool] = False
-    """whether it drives in a lane as vehicles do: a warning says so where it drives an agent on
-    foot"""
+    """whether it drives in a lane as vehicles do: there is a warning if its agent is a
+    pedestrian"""
 
     is_elementwise: ClassVar[bool] = False
     """whether `controls` is elementwise: numpy's functions (`np.sin`, `np.minimum`, `np.where`) and
@@ -79,7 +78,7 @@ class Controller(Kind):
     (RL480)"""
 
     def control(self, observation: Observation) -> Control:
-        """What to do until the next step, from what is seen now.
+        """Decide what to do until the next step.
 
         Returns a `Control` of finite numbers; anything else is RL474. Without it, `controls` is
         called for a batch of one agent.
@@ -87,30 +86,31 @@ class Controller(Kind):
         raise NotImplementedError
 
     def controls(self, observations: ObservationBatch, state: Any) -> ControlBatch:
-        """What N agents do until the next step. Options that are numbers are columns (N,) here.
+        """Decide what N agents do until the next step. Options that are numbers are columns (N,)
+        here.
 
-        What is decided for an agent depends on its row alone. `state` has a row for each agent, as
-        `start` made it; the method changes it in place. Returns a `ControlBatch` of numbers, NaN
-        where something is left open. Anything else is RL474.
+        The decision for an agent must depend on its row alone. `state` has a row for each agent, as
+        returned by `start`; the method changes it in place. Returns a `ControlBatch` of numbers,
+        with NaN for what is left to the controllers before it. Anything else is RL474.
         """
         raise NotImplementedError
 
     def altered(self, wanted: ActuationBatch, state: Any) -> tuple[Floats, Floats]:
-        """Steering and acceleration (N,) of N agents in place of what their controllers want: a
-        fault of actuators. A kind that implements this decides nothing else, and is called at
-        every step, also where it is not `active`. Options and `state` are as in `controls`.
+        """Steering and acceleration (N,) of N agents instead of those that their controllers
+        decided: an actuator fault. A kind that implements this decides nothing else, and is called
+        at every step, also where it is not `active`. Options and `state` are as in `controls`.
         """
         raise NotImplementedError
 
     def initial_speed(self) -> InitialSpeed | None:
-        """How fast an agent in a lane is when its drive begins, if this is its first controller,
-        waits for no condition, and the scene file gives no `start_speed`. By default None: the
-        agent stands."""
+        """The speed of an agent in a lane at the start of its drive, if this is its first
+        controller, has no condition, and the scene file gives no `start_speed`. By default None:
+        the agent stands."""
         return None
 
     def start(self, count: int) -> NDArray[Any] | None:
-        """What `controls` remembers of `count` agents from one step to the next: an array (count,
-        ...) for the start of a drive. By default nothing."""
+        """The state of `controls` for `count` agents at the start of a drive: an array (count, ...)
+        that is kept from step to step. By default None."""
         return None
 
 
@@ -120,30 +120,31 @@ class Simulator(Kind):
     verb: ClassVar[str] = "simulate"
     required_methods: ClassVar[tuple[str, ...]] = ("drive", "drive_all")
     at_once: ClassVar[int] = 64
-    """How many scenes `drive_all` is called with, at most. Results are written when it
-    returns, so use a small number if each drive takes long, a large one if they run in parallel."""
+    """The greatest number of scenes in a call of `drive_all`. Results are written when it returns,
+    so use a small number if each drive takes long, a large one if they run in parallel."""
 
     knows_levels: ClassVar[bool] = False
-    """Whether agents on a bridge do not meet those below it. Otherwise a map with roads that pass
-    over others is a warning (RL444)."""
+    """Whether it keeps agents on a bridge apart from those below. Otherwise a map with roads that
+    cross above others is a warning (RL444)."""
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """What this simulator cannot drive of a scenario; as `Backend.unsupported`, at the
-        `simulate with` of a scene file."""
+        """The parts of a scenario that this simulator cannot drive; reported as for
+        `Backend.unsupported`, at the `simulate with` of the scene file."""
         return ()
 
     def offers(self, sensor: type[Sensor]) -> bool:
-        """Whether controllers get the readings of sensors of this kind, with the options that this
-        simulator has. By default of none; `check` reports a sensor that is not offered (RL257)."""
+        """Whether controllers get readings of sensors of this kind, given the options of this
+        simulator. By default False for all; `check` reports a sensor that is not offered
+        (RL257)."""
         return False
 
     def drive(self, scene: Scene, controllers: Mapping[str, Controller]) -> Trace:
         """Drive a scene.
 
-        `controllers` holds, by agent, what is written in Python, the standard controllers among
-        it; what else steers is in `scene.agents[i].drive`. Returns a `Trace`; anything else is
-        RL474. Raise `DiagnosticError` where the engine cannot be reached or cannot drive the scene.
-        By default `drive_all` is called with one scene; a simulator implements one of the two.
+        `controllers` holds the controllers in Python by agent, including the standard ones; all
+        others are in `scene.agents[i].drive`. Returns a `Trace`; anything else is RL474. Raise
+        `DiagnosticError` if the engine cannot be reached or cannot drive the scene. By default
+        `drive_all` is called with one scene; a simulator implements one of the two.
         """
         (trace,) = self.drive_all([scene], [controllers])
         return trace
@@ -151,7 +152,7 @@ class Simulator(Kind):
     def drive_all(
         self, scenes: Sequence[Scene], controllers: Sequence[Mapping[str, Controller]]
     ) -> Iterable[Trace]:
-        """Drive several scenes: an engine that takes long to start is started once for all.
+        """Drive several scenes: an engine that is slow to start is started once for all of them.
 
         Returns a `Trace` for each scene, in their order. By default `drive` is called for each.
         """

@@ -28,7 +28,7 @@ class RightOfWay:
 
 
 class JunctionControl(Kind):
-    """`control with`: who goes first at the junctions of a network."""
+    """`control with`: the right of way at the junctions of a network."""
 
     verb: ClassVar[str] = "control"
     required_methods: ClassVar[tuple[str, ...]] = ("right_of_way",)
@@ -36,8 +36,8 @@ class JunctionControl(Kind):
     def right_of_way(self, junction: geometry.Junction) -> RightOfWay:
         """The rule at a junction. Options are plain values, drawn anew for each junction.
 
-        `geometry.signal_phases(junction)` and `geometry.minor_roads(junction)` tell which
-        connections may have green together, and which roads are beside the one that goes on.
-        Anything but a `RightOfWay` about roads and connections of this junction is RL474.
+        `geometry.signal_phases(junction)` and `geometry.minor_roads(junction)` say which
+        connections may have a green light together, and which roads are minor roads. Anything but a
+        `RightOfWay` about roads and connections of this junction is RL474.
         """
         raise NotImplementedError

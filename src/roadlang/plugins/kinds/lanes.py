@@ -14,18 +14,18 @@ LaneMarking: TypeAlias = Marking
 class LaneKind(Kind):
     """A lane of a road, written as a call in `left:` or `right:` of a road: `bike(1.5m)`.
 
-    A kind of lane says what it is by its class attributes and needs no method. Its calls also
-    take the options of every lane: `width`, `speed_limit`, `marking`. The drivable kind that
-    `is_default` is that of `lanes: 2`, the other one that of `sidewalks: 2m`.
+    A kind of lane is described by its class attributes and needs no method. Its calls also take the
+    options of all lanes: `width`, `speed_limit`, `marking`. The drivable kind with `is_default` is
+    used for `lanes: 2`, the other one for `sidewalks: 2m`.
     """
 
     verb: ClassVar[str] = "lane"
     default_width: ClassVar[float] = 3.0
-    """meters, where a scene file says none"""
+    """meters, if the scene file gives no width"""
     drivable: ClassVar[bool] = False
     """whether motor vehicles drive on it: the driving area of a road is its drivable lanes"""
     direction: ClassVar[LaneDirection] = "side"
-    """of travel: as on its side of the road, both, or none (nobody travels along it)"""
+    """of travel: that of its side of the road, both, or none (no traffic)"""
     users: ClassVar[tuple[str, ...]] = ()
     """who may use it: "car", "bus", "bicycle", "pedestrian" """
     raised: ClassVar[bool] = False

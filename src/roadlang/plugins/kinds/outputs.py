@@ -20,7 +20,7 @@ class Backend(Kind):
     required_methods: ClassVar[tuple[str, ...]] = ("files", "collection", "drive_files", "send")
 
     def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """What this backend cannot express of a scenario, with the options that it has.
+        """The parts of a scenario that this backend cannot express, given its options.
 
         Returns a reason for each such part, such as "it has pedestrians"; `check` reports them at
         the `emit` (RL243).
@@ -54,12 +54,12 @@ class Backend(Kind):
         return {}
 
     def send(self, scene: Scene) -> None:
-        """Deliver to an engine, after all files are written. Raise `DiagnosticError` where it
-        cannot be reached."""
+        """Send to an engine, after all files are written. Raise `DiagnosticError` if it cannot be
+        reached."""
 
 
 class AgentKind(Kind):
-    """What may follow `agent N is`.
+    """A kind of agent: what may follow `agent N is`.
 
     Its fields are its size and appearance: `length`, `width` and `height` in meters, by which it is
     placed and drawn, and others that simulators may use.
@@ -67,10 +67,10 @@ class AgentKind(Kind):
 
     verb: ClassVar[str] = "agent"
     category: ClassVar[str] = ""
-    """what outputs and engines show it as: `car`, `van`, `truck`, `bus`, `tractor`, `motorcycle`,
+    """how outputs and engines show it: `car`, `van`, `truck`, `bus`, `tractor`, `motorcycle`,
     `bicycle`, `pedestrian` or `animal`. Empty: the vehicle whose usual size it has"""
     role: ClassVar[str] = ""
-    """of a vehicle with one: `taxi`, `police`, `ambulance` or `fire`"""
+    """for vehicles with a role: `taxi`, `police`, `ambulance` or `fire`"""
 
 
 class ObjectKind(Kind):
@@ -78,7 +78,7 @@ class ObjectKind(Kind):
 
     verb: ClassVar[str] = "object"
     category: ClassVar[str] = "obstacle"
-    """what outputs and engines show it as: `tree`, `bush`, `hedge`, `building`, `shelter`, `wall`,
+    """how outputs and engines show it: `tree`, `bush`, `hedge`, `building`, `shelter`, `wall`,
     `fence`, `guardrail`, `barrier`, `cone`, `pole`, `lamp`, `sign`, `traffic_light`, `water`,
     `obstacle`, `crosswalk` (paint on the road), or, of a parked vehicle, that of the vehicle or
     `trailer`"""

@@ -44,11 +44,11 @@ class Extractor(Kind):
     is_pure: ClassVar[bool] = False
 
     def extract(self, picture: Picture) -> Extraction:
-        """Find the roads and, with a legend, the objects of a picture.
+        """Find the roads of a picture and, with a legend, its objects.
 
         Returns an `Extraction`: `picture.network(polylines, width)` makes one of polylines in image
-        coordinates. One without roads is RL412 at the statement, with its `remarks` as help. Raise
-        `DiagnosticError` for what is wrong with the picture.
+        coordinates. An extraction without roads is RL412 at the statement, with its `remarks` as
+        help. Raise `DiagnosticError` for faults of the picture.
         """
         raise NotImplementedError
 
@@ -56,8 +56,8 @@ class Extractor(Kind):
 class Reader(Kind):
     """`read with`: reads an image, network or road from a file.
 
-    The file of a road or network without `read with` is read by the kind whose `suffixes` has the
-    ending of its name; for an image `read with` has to be written.
+    Without `read with`, the file of a road or network is read by the kind that has its ending in
+    `suffixes`; an image always needs `read with`.
     """
 
     verb: ClassVar[str] = "read"
@@ -74,12 +74,11 @@ class Reader(Kind):
         For `road` a `geometry.Curve`, or a `geometry.Road` that has a width and lanes as well; for
         `network` a `geometry.RoadNetwork`, as `geometry.network_of_polylines` makes it, or an
         `Extraction`; for `image` an array (height, width, 3) or (height, width) of uint8. Anything
-        else is RL474. Raise `DiagnosticError` or `geometry.GeometryError` for what is wrong with
-        the file.
+        else is RL474. Raise `DiagnosticError` or `geometry.GeometryError` for faults of the file.
         """
         raise NotImplementedError
 
     def companions(self, path: Path) -> Iterable[str]:
-        """Other files that `read` reads, as the file at `path` names them: absolute, or relative to
-        it. Their digests are recorded with those of all inputs."""
+        """Other files that `read` opens because the file at `path` refers to them: absolute paths,
+        or paths relative to it. Their digests are recorded with those of all inputs."""
         return ()

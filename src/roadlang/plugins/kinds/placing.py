@@ -42,9 +42,9 @@ class Position(Kind):
     geometry_is_user_input: ClassVar[bool] = True
 
     def place(self, length: Floats, width: Floats) -> Standing:
-        """Where the copies stand, on the road of the other; `length` and `width` (R, 1) are their
-        own, in meters. In a network arc length goes on beyond the ends of a road along the lanes. A
-        lane that the road does not have is RL613."""
+        """Where the copies are placed, on the road of the other agent or object; `length` and
+        `width` (R, 1) are their own, in meters. In a network arc length goes on beyond the ends of
+        a road along the lanes. A lane that the road does not have is RL613."""
         raise NotImplementedError
 
     def lane_places(self, lanes: LaneGraph) -> Sequence[RoutePlace]:

@@ -30,7 +30,7 @@ class Drawer(Kind):
         raise NotImplementedError
 
     def least_length(self) -> float:
-        """Meters that the road has at least, computed without numpy; 0 where that is not known.
+        """A lower bound of the length of the road in meters, computed without numpy; 0 if unknown.
 
         `check` draws a road to find positions beyond its end only where they are beyond this.
         """
@@ -45,19 +45,21 @@ class Piece(Kind):
     geometry_is_user_input: ClassVar[bool] = True
 
     def to_segment(self, curvature: float) -> geometry.Straight | geometry.Arc | geometry.Clothoid:
-        """The piece as it goes on from a road that ends with this curvature (1/m, left positive).
+        """The piece as the continuation of a road that ends with this curvature (1/m, left
+        positive).
 
         Returns a `geometry.Straight`, `geometry.Arc` or `geometry.Clothoid`.
         """
         raise NotImplementedError
 
     def least_length(self) -> float:
-        """Meters that the piece has at least, computed without numpy; 0 where not known."""
+        """A lower bound of the length of the piece in meters, computed without numpy; 0 if
+        unknown."""
         return 0.0
 
 
 class Selector(Kind):
-    """How a road is chosen of a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
+    """How a road is chosen from a network, written as a call: `route((0m, 0m), (80m, 0m))`."""
 
     verb: ClassVar[str] = "select"
     required_methods: ClassVar[tuple[str, ...]] = ("select",)
@@ -67,7 +69,7 @@ class Selector(Kind):
         """The path through the network.
 
         Returns a `geometry.Path` of it: what `network.route` and `network.longest` return, or
-        `Path(network, steps)` of steps that follow each other. Anything else is RL474.
+        `Path(network, steps)` with consecutive steps. Anything else is RL474.
         """
         raise NotImplementedError
 
@@ -81,8 +83,8 @@ class Region(Kind):
     def contains(self, points: Floats) -> Booleans:
         """(n,) whether each of the points (n, 2), meters, lies inside.
 
-        Roads are cut where this changes along them, to the millimeter; stretches of less than half
-        a meter may be missed.
+        Roads are cut where this changes along them, to the millimeter; parts shorter than half a
+        meter may be missed.
         """
         raise NotImplementedError
 
@@ -100,7 +102,7 @@ class Perturber(Kind):
     required_methods: ClassVar[tuple[str, ...]] = ("displacement", "displacements")
     geometry_is_user_input: ClassVar[bool] = True
     is_random: ClassVar[bool] = True
-    """it draws from `random`: set to False where the options alone decide the displacement"""
+    """it draws from `random`: set to False if the options alone determine the displacement"""
 
     def displacement(self, road: RoadBatch, random: np.random.Generator) -> Floats:
         """The displacement of one variant; the arrays of `road` have one row.
@@ -121,13 +123,13 @@ class Perturber(Kind):
     def displacement_bound(self) -> Floats | float:
         """The greatest displacement, meters, that the options allow: a number, or (variants, 1).
 
-        Requirements that it decides need no geometry. It must be monotonic in every option;
-        without it nothing is known. A displacement beyond it is RL474.
+        Requirements that it decides need no geometry. It must be monotonic in every option; by
+        default no bound is known. A displacement beyond it is RL474.
         """
         return float("inf")
 
     def displacement_reached(self, length: float, closed: bool, gap: float) -> float:
-        """Meters by which some station of a road of `length` meters is displaced at least, where
+        """A displacement in meters that some station of a road of `length` meters reaches, if
         stations are at most `gap` meters apart.
 
         Requirements that it decides are reported before anything is sampled. Options are plain
@@ -140,7 +142,7 @@ class Perturber(Kind):
         """The shortest wave (one period) or bump (end to end) that the options allow on a road of
         `length` meters: meters along the road, a number or (variants, 1), infinite for none.
 
-        The road is sampled closely enough to show it. It must be monotonic in every option; without
-        it nothing is known, and a displacement that the stations do not show is remarked on.
+        The road is sampled closely enough to show it. It must be monotonic in every option; by
+        default it is unknown, and a remark says when the stations miss a displacement.
         """
         return None

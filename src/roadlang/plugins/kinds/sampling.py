@@ -20,19 +20,19 @@ class Distribution(Kind):
     verb: ClassVar[str] = "distribution"
     required_methods: ClassVar[tuple[str, ...]] = ("quantile",)
     is_ordered: ClassVar[bool] = True
-    """of one with countable values (`cells`): whether neighbors are more alike than others"""
+    """for countable values (`cells`): whether neighboring values are more alike than others"""
 
     def quantile(self, uniform: Floats) -> Any:
         """Values of the distribution, by inversion.
 
         `uniform` is (variants, 1) in [0, 1). Returns an array of the same shape, or of (variants,):
-        finite numbers in SI units, or, where an option takes values of any type to choose among, an
-        array of objects. Anything else is RL474, as is NaN.
+        finite numbers in SI units, or an array of objects if an option takes values of any type to
+        choose from. Anything else is RL474, as is NaN.
         """
         raise NotImplementedError
 
     def support(self) -> tuple[float, float] | None:
-        """Least and greatest value, for bounds; None when not known. Options are plain numbers.
+        """Least and greatest value, for bounds; None if unknown. Options are plain numbers.
 
         Where options are drawn themselves it is evaluated at all ends of their ranges, so both must
         be monotonic in every option. A value beyond it is RL474.
@@ -45,13 +45,13 @@ class Distribution(Kind):
         return [(step + 0.5) / steps for step in range(steps)]
 
     def cells(self) -> Sequence[float] | None:
-        """Of countable values: the upper end of the part of [0, 1] in which `quantile` gives each,
-        ascending to 1. None where values are continuous. Options are plain numbers."""
+        """For countable values: the upper ends, ascending to 1, of the parts of [0, 1] in which
+        `quantile` returns the same value. None for continuous values. Options are plain numbers."""
         return None
 
     def simplest(self) -> float:
-        """Where in [0, 1) `quantile` gives the simplest value, to which failures are shrunk; the
-        median by default. Options are plain numbers."""
+        """The number in [0, 1) at which `quantile` returns the simplest value, toward which
+        failures are shrunk; the median by default. Options are plain numbers."""
         return 0.5
 
 
@@ -60,7 +60,7 @@ class DrawnValue(Protocol):
 
     @property
     def place(self) -> str:
-        """Where in the scenario it is drawn: `bent/perturb 1/amplitude`."""
+        """Its place in the scenario: `bent/perturb 1/amplitude`."""
         ...
 
     def levels(self, steps: int) -> Sequence[float]:
@@ -69,10 +69,10 @@ class DrawnValue(Protocol):
 
 
 class Sampler(Kind):
-    """`sample with`: which points of the unit cube of all random values are tried.
+    """`sample with`: which points of the unit cube of all random values become candidates.
 
     A sampler without methods draws at random. `points` chooses candidates by their index; `steer`
-    chooses them by what is known of others.
+    chooses them based on the results of earlier ones.
     """
 
     verb: ClassVar[str] = "sample"
@@ -92,30 +92,30 @@ class Sampler(Kind):
         raise NotImplementedError
 
     def size(self, draws: Sequence[DrawnValue]) -> int | None:
-        """How many candidates the stream has; None: without end."""
+        """The number of candidates in the stream; None: unlimited."""
         return None
 
     def limit(self) -> int | None:
-        """How many candidates are tried before a scene is given up; None: as many as take about
-        five seconds."""
+        """The number of candidates that are tried before a scene is given up; None: as many as fit
+        in about five seconds."""
         return None
 
     def steer(self, known: Floats, uniform: Floats) -> Floats:
-        """Proposals for candidates: a sampler that has this learns where the requirements hold.
+        """Proposals for candidates; a sampler with this method learns where the requirements hold.
 
-        `known` (n, d) are points of the unit cube near which they do, `uniform` (V, `numbers(d)`)
+        `known` (n, d) are points of the unit cube near which they hold, `uniform` (V, `numbers(d)`)
         random numbers in [0, 1). Returns (V, d) numbers in [0, 1); anything else is RL474.
         """
         raise NotImplementedError
 
     def pilot_size(self) -> int:
-        """How many candidates are measured at most before scenes are steered."""
+        """The greatest number of candidates that are evaluated before steering begins."""
         return 20_000
 
     def falls_back(self) -> bool:
-        """Whether scenes are drawn evenly instead of steered where that is quicker."""
+        """Whether scenes are drawn uniformly instead of steered if that is faster."""
         return True
 
     def numbers(self, dimensions: int) -> int:
-        """How many random numbers `steer` needs for a proposal, at least `dimensions`."""
+        """The number of random numbers that `steer` needs for a proposal, at least `dimensions`."""
         return dimensions

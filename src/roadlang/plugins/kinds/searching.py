@@ -28,9 +28,9 @@ class Axis:
     """where in the scenario it is drawn: `bent/perturb 1/amplitude`"""
     ends: tuple[float, ...] | None = None
     is_ordered: bool = True
-    """of a countable value: whether neighbors are more alike than others"""
+    """for countable values: whether neighbors are more alike than others"""
     simplest: float = 0.5
-    """where its simplest value is"""
+    """coordinate of the simplest value"""
 
     def middles(self) -> tuple[float, ...]:
         """A coordinate for each value of a countable axis; none for a continuous one."""
@@ -89,10 +89,10 @@ class Searcher(Kind):
     verb: ClassVar[str] = "falsify"
     required_methods: ClassVar[tuple[str, ...]] = ("start",)
     is_adaptive: ClassVar[bool] = True
-    """whether it makes use of results; several searches side by side are only made of one that
-    does, as those of another would all ask for the same"""
+    """whether it uses results; only adaptive searchers run as several searches in parallel, because
+    others would all ask for the same points"""
     is_random: ClassVar[bool] = False
-    """whether its points are independent random draws, which tell the failure rate"""
+    """whether its points are independent random draws, from which the failure rate is estimated"""
 
     def start(self, axes: Sequence[Axis], seed: int) -> Search:
         """A new search in the unit cube of `axes`; the same axes and seed, the same search."""

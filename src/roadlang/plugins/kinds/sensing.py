@@ -34,10 +34,9 @@ class ReadingArray:
 class Sensor(Kind):
     """`sense with`: a sensor of an agent. Its readings reach the controllers of the agent.
 
-    A kind that implements `readings` works in every engine that offers such sensors, the embedded
-    one and Godot among them. One without it, such as a camera, is for engines that measure it
-    themselves. When to measure, delays and lost readings (`every`, `delay`, `dropout`) are not the
-    business of the kind.
+    A kind that implements `readings` works in every engine that offers such sensors, including the
+    embedded one and Godot. A kind without it, such as a camera, is measured by the engine. roadlang
+    handles measuring times, delays and lost readings (`every`, `delay`, `dropout`).
     """
 
     verb: ClassVar[str] = "sense"
@@ -46,22 +45,21 @@ class Sensor(Kind):
     these in place of the true ones"""
 
     def arrays(self) -> Mapping[str, ReadingArray]:
-        """What a reading holds, by name: `{"distances": ReadingArray((72,), unit="m")}`."""
+        """The arrays of a reading, by name: `{"distances": ReadingArray((72,), unit="m")}`."""
         return {}
 
     @classmethod
     def is_computed(cls) -> bool:
-        """Whether the kind itself measures: what `Simulator.offers` is about in engines that decide
-        in Python."""
+        """Whether the kind measures by itself (it implements `readings`)."""
         return cls.readings is not Sensor.readings
 
     def readings(self, sensed: SensedBatch, state: Any) -> Mapping[str, NDArray[Any]]:
         """Measure at N agents: arrays (N, ...) by name, as `arrays` describes them.
 
         Options that are numbers are columns (N,) here, points (N, 2) or (N, 3); integers, words and
-        flags are the same for all N agents. What is measured for an agent depends on its row
-        alone. `state` has a row for each agent, as `start` made it; the method changes it in place.
-        Anything else than these arrays, of real numbers that are not NaN, is RL474.
+        flags are the same for all N agents. The measurement for an agent must depend on its row
+        alone. `state` has a row for each agent, as returned by `start`; the method changes it in
+        place. Anything else than these arrays, of real numbers that are not NaN, is RL474.
         """
         raise NotImplementedError
 
@@ -73,6 +71,6 @@ class Sensor(Kind):
         return {}
 
     def start(self, count: int) -> NDArray[Any] | None:
-        """What `readings` remembers of `count` agents from one measurement to the next: an array
-        (count, ...) for the start of a drive. By default nothing."""
+        """The state of `readings` for `count` agents at the start of a drive: an array (count, ...)
+        that is kept from measurement to measurement. By default None."""
         return None

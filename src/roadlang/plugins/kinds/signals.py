@@ -26,7 +26,7 @@ class Signal(Kind):
     options, override `dimension_of` instead"""
     cost: ClassVar[float] = 20.0
     on_connections: ClassVar[bool] = False
-    """of a network it is measured on the connections of its junctions as well"""
+    """for networks, also evaluate it on the connections of the junctions"""
 
     def values(self) -> Floats:
         """The values in SI units.
@@ -48,8 +48,8 @@ class Signal(Kind):
 
     @classmethod
     def reached(cls, options: Mapping[str, Any]) -> float:
-        """What the signal reaches or exceeds at some station, whatever is drawn, from the `reach`
-        of roads; `options` holds a `RoadBounds` for each road. 0 or less says nothing."""
+        """A value that the signal reaches or exceeds at some station, whatever is drawn, from the
+        `reach` of roads; `options` holds a `RoadBounds` for each road. 0 or less says nothing."""
         return 0.0
 
     @classmethod
@@ -79,8 +79,8 @@ class DriveSignal(Signal):
     """A drive signal over time, written `ego.speed`; as a call, `gap(ego, lead)`, if `member` is
     False.
 
-    A field that names an agent holds its `AgentTrace`; of a signal that is written as a call, a
-    tuple of them, since the name may stand for a group.
+    A field that names an agent holds its `AgentTrace`; if the signal is written as a call, a tuple
+    of them, because the name may be that of a group.
     """
 
     verb: ClassVar[str] = "drive_signal"
@@ -88,7 +88,7 @@ class DriveSignal(Signal):
     domain: ClassVar[str] = "drive"
     member: ClassVar[bool] = True
     looks_back: ClassVar[float] = float("inf")
-    """how many samples before its own a value depends on; infinite: any of them. In `when:` and
+    """the number of earlier samples that a value depends on; infinite: all of them. In `when:` and
     `while:` a signal is asked for its value now. If this is finite, `values` gets columns (samples,
     agents) of many agents at once, whose `length` and `width` are (agents,), and must return such
     columns; else all samples up to now of one agent after another"""
@@ -96,19 +96,19 @@ class DriveSignal(Signal):
     def values(self) -> Floats:
         """The values in SI units.
 
-        Returns (steps,) finite numbers, one for each time of the trace; another shape is RL474.
-        What is NaN was not recorded by the engine, and a formula that needs it is RL701.
+        Returns (steps,) finite numbers, one for each time of the trace; another shape is RL474. NaN
+        means that the engine did not record the value; a formula that needs it is RL701.
         """
         raise NotImplementedError
 
     def values_in(self, trace: Trace) -> Floats:
-        """As `values`, of a signal that needs more of the drive than the agents in its fields, such
-        as its time axis; `values` is then not called."""
+        """As `values`, for a signal that needs more of the drive than the agents in its fields,
+        such as the time axis; `values` is then not called."""
         return self.values()
 
 
 class Monitor(Kind):
-    """`require N with` or `expect N with`: evaluates roads or drives in Python, in the place of a
+    """`require N with` or `expect N with`: evaluates roads or drives in Python, instead of a
     formula."""
 
     verb: ClassVar[str] = "monitor"
@@ -122,8 +122,8 @@ class Monitor(Kind):
     def robustness(self) -> Floats:
         """If `domain` is "road": how well each candidate satisfies the monitor.
 
-        Returns (variants,) or (1,) numbers: positive or 0 where satisfied, negative where not, and
-        greater the farther from the limit. NaN, True and False are RL474.
+        Returns (variants,) or (1,) numbers: positive or 0 if satisfied, negative if not; the
+        magnitude grows with the distance to the limit. NaN, True and False are RL474.
         """
         raise NotImplementedError
 

@@ -14,13 +14,14 @@ from .controllers import UNDRIVEN_BRAKING
 
 @dataclass
 class Decision:
-    """Columns (N,); NaN in `steering` and `acceleration` is open, until the decision is closed."""
+    """Columns (N,). NaN in `steering` and `acceleration` means undecided, until `close` is
+    called."""
 
     steering: Floats
     acceleration: Floats
     heading: Floats | None = None
     pose: Floats | None = None
-    """(N, 4) x, y, heading, speed; NaN where the equations of motion decide"""
+    """(N, 4) x, y, heading, speed; NaN for agents that follow the equations of motion"""
     limit: Floats | None = None
     """(N,) the greatest acceleration where it is decided by controllers before the one in charge;
     infinite for none"""
@@ -29,7 +30,7 @@ class Decision:
 
     @classmethod
     def open(cls, driven: Booleans) -> Decision:
-        """Nothing decided of agents that are `driven`; the others brake."""
+        """No decision yet for agents that are `driven`; the others brake."""
         return cls(np.where(driven, math.nan, 0.0), np.where(driven, math.nan, -UNDRIVEN_BRAKING))
 
     def copy(self) -> Decision:
@@ -38,24 +39,24 @@ class Decision:
 
     @property
     def is_plain(self) -> bool:
-        """Whether it says nothing but steering and acceleration: what a copy says too."""
+        """Whether it has no columns other than steering and acceleration."""
         others = (self.heading, self.pose, self.limit)
         return not self.failures and all(column is None for column in others)
 
     @property
     def has_open(self) -> bool:
-        """Whether any agent still has something undecided."""
+        """Whether anything is undecided for any agent."""
         if math.isfinite(self.steering.dot(self.acceleration)):  # so is every number of both
             return False
         return bool(self.is_open.any())
 
     @property
     def is_open(self) -> Booleans:
-        """(N,) of whom something is not decided."""
+        """(N,) whether something is undecided."""
         return np.isnan(self.steering) | np.isnan(self.acceleration)
 
     def put(self, rows: Integers, found: ControlBatch) -> None:
-        """What the controllers in charge of some agents decide."""
+        """Add the decisions of the controllers in charge of some agents."""
         self.steering[rows], self.acceleration[rows] = found.steering, found.acceleration
         if found.heading is not None:
             if self.heading is None:
@@ -69,7 +70,7 @@ class Decision:
         self._note_failures(rows, found)
 
     def fill(self, rows: Integers, found: ControlBatch) -> None:
-        """What controllers before those decide, where it is still open."""
+        """Add decisions of earlier controllers, where something is still undecided."""
         for mine, theirs in (
             (self.steering, found.steering),
             (self.acceleration, self._within_limit(rows, found.acceleration)),
@@ -105,7 +106,7 @@ class Decision:
         return Control(steering, acceleration, heading, pose=pose)
 
     def close(self) -> None:
-        """0 is what nobody has decided."""
+        """Set everything undecided to 0."""
         for column in (self.steering, self.acceleration):
             column[is_open := np.isnan(column)] = 0.0
         if self.limit is not None:

@@ -23,7 +23,7 @@ from ..surroundings.ray_casts import RayCaster
 
 @dataclass(frozen=True)
 class DueReading:
-    """A reading that the engine which drives has to measure now."""
+    """A reading that the engine has to measure now."""
 
     agent: str
     sensor: SceneSensor

@@ -23,7 +23,7 @@ from .outlines import Outlines
 
 @dataclass(frozen=True)
 class Contact:
-    """`agent` (a column of the world) touched another agent or an object for the first time."""
+    """The first contact of `agent` (a column of the world) with another agent or an object."""
 
     time: float
     agent: int
@@ -32,7 +32,7 @@ class Contact:
     name: str
     """of the other"""
     speed: float
-    """of one relative to the other, m/s"""
+    """relative speed, m/s"""
 
 
 class ContactDetector:

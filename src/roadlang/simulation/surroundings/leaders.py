@@ -28,9 +28,9 @@ class Leaders:
     gap: Floats
     """(N,) to the next agent"""
     speed: Floats
-    """(N,) of that one, along the lane"""
+    """(N,) acceleration of the vehicle ahead, along the lane"""
     acceleration: Floats
-    """(N,) of that one, along the lane"""
+    """(N,) acceleration of the vehicle ahead, along the lane"""
     _all: Callable[[], tuple[Floats, Floats]]
 
     @cached_property

@@ -39,7 +39,7 @@ class Body:
     steering_rate: float = 1.2
     """rad/s of the front wheels, at most"""
     walks: bool = False
-    """on foot: goes where it is headed, without tires"""
+    """whether it walks: it moves in the direction of its heading, without tires"""
 
 
 @dataclass(frozen=True)
