@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
+
+import pytest
+
+from roadlang.geometry import compiling
 
 CODE = """
 import sys
@@ -17,3 +22,39 @@ print(sorted(unused & set(sys.modules)))
 def test_a_search_imports_neither_sampling_nor_plans_of_junctions() -> None:
     found = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     assert found.stdout == "[]\n"
+
+
+DEFERRED = """
+import sys
+from roadlang.cli.deferred_modules import defer_parts_of_numpy
+defer_parts_of_numpy()
+import numpy, scipy.linalg, scipy.special
+print("numpy.f2py.crackfortran" in sys.modules, numpy.testing.assert_equal(1, 1))
+from numpy.polynomial.polynomial import polyval
+print(polyval(2.0, [1.0, 3.0]), numpy.char.upper("a"))
+"""
+
+
+def test_parts_of_numpy_that_scipy_names_are_loaded_when_they_are_used() -> None:
+    found = subprocess.run(
+        [sys.executable, "-c", DEFERRED], capture_output=True, text=True, check=True
+    )
+    assert found.stdout == "False None\n7.0 A\n"
+
+
+COMPILING = """
+import sys
+from roadlang.geometry import compiling
+numba = compiling.loaded()
+print("coverage" in sys.modules, numba.njit(lambda x: x + 1)(1))
+"""
+
+
+@pytest.mark.skipif(not compiling.is_installed(), reason="needs numba")
+def test_numba_is_loaded_without_coverage() -> None:
+    unmeasured = {key: value for key, value in os.environ.items() if not key.startswith("COV")}
+    found = subprocess.run(
+        [sys.executable, "-c", COMPILING],
+        capture_output=True, text=True, check=True, env=unmeasured,
+    )  # fmt: skip
+    assert found.stdout == "False 2\n"

@@ -125,3 +125,15 @@ def test_a_program_of_some_agents_needs_no_other_compiled_loop() -> None:
     some = program_of(tape, [0, value_of(tape, column)]).take(np.array([3, 1]))
     assert some.columns.flags.c_contiguous
     assert some.columns.tolist() == [[4.0, 2.0]]
+
+
+def test_registers_are_chosen_once_for_the_same_instructions_of_other_numbers() -> None:
+    programs = []
+    for factor in (2.0, 3.0):
+        tape = Tape(4, 1)
+        column = TracedColumn(tape, 0) * factor + np.arange(4.0) * factor
+        programs.append(program_of(tape, [0, value_of(tape, column)]))
+    one, other = programs
+    assert one.code is other.code
+    assert (one.numbers.tolist(), other.numbers.tolist()) == ([2.0], [3.0])
+    assert other.columns.tolist() == [[0.0, 3.0, 6.0, 9.0]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from .learned_kernel import Kernel
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Singles = NDArray[np.float32]
 
 _PLACES, _STRIDE = 12, 4
 """Of a window along the road, and from one window to the next."""
@@ -73,25 +75,37 @@ class BendModel:
     def predicted(self, vectors: Floats, others: Floats, optimism: float) -> Floats:
         """(n,) values of vectors, less `optimism` times their standard deviation, by the last
         fit."""
-        return self._kernel.predicted(self._joined(self._embedded(vectors), others), optimism)
+        import numpy as np
+
+        points = np.empty((len(vectors), _PATTERNS + others.shape[1]), np.float32)
+        for part, embedded in self._embedded_parts(vectors):  # still in the caches
+            points[part] = self._joined(embedded, others[part])
+        return self._kernel.predicted(points, optimism)
 
     def _embedded(self, vectors: Floats) -> Floats:
         """(n, patterns) mean responses of the roads of vectors."""
         import numpy as np
 
+        found = np.empty((len(vectors), _PATTERNS))
+        for part, embedded in self._embedded_parts(vectors):
+            found[part] = embedded
+        return found
+
+    def _embedded_parts(self, vectors: Floats) -> Iterator[tuple[slice, Singles]]:
+        """The same of some vectors after the others."""
+        import numpy as np
+
         known = np.column_stack([np.ones(len(vectors)), vectors]).astype(np.float32)
         mean = np.full(self._windows, 1.0 / self._windows, np.float32)
-        found = np.empty((len(vectors), _PATTERNS))
         for first in range(0, len(vectors), _AT_ONCE):
             part = slice(first, first + _AT_ONCE)
             response = known[part] @ self._responses
             response *= response
             response += 1.0
             np.reciprocal(response, out=response)
-            found[part] = mean @ response.reshape(len(response), self._windows, -1)
-        return found
+            yield part, mean @ response.reshape(len(response), self._windows, -1)
 
-    def _joined(self, embedded: Floats, others: Floats) -> Floats:
+    def _joined(self, embedded: Floats | Singles, others: Floats) -> Floats:
         import numpy as np
 
         joined = np.empty((len(embedded), embedded.shape[1] + others.shape[1]))

@@ -53,13 +53,14 @@ class Kernel:
         self._variance = float((values - self._mean) @ self.weights) / len(values)
         return np.asarray(decay)
 
-    def predicted(self, points: Floats, optimism: float = 0.0) -> Floats:
+    def predicted(self, points: Floats | Singles, optimism: float = 0.0) -> Floats:
         """(n,) values of points (n, D), by the last fit, less `optimism` times the standard
         deviation of what they may be (equation 2.26; the variance of the process is that of
         equation 5.4 at its maximum): a lower confidence bound (Cox and John 1992)."""
         import numpy as np
 
-        single = points.astype(np.float32)  # enough to tell which are better
+        # Single precision is enough to tell which are better.
+        single = points.astype(np.float32, copy=False)
         parts = (single[first : first + _AT_ONCE] for first in range(0, len(single), _AT_ONCE))
         return np.concatenate([np.empty(0), *(self._of_part(part, optimism) for part in parts)])
 

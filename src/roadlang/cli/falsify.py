@@ -84,8 +84,10 @@ def command(
     """
     from ..session.cluster import cluster as workers_of
     from ..session.loading import load
+    from .deferred_modules import defer_parts_of_numpy
     from .progress import ProgressBar
 
+    defer_parts_of_numpy()
     target = Path(folder).absolute()  # before a plugin can change the current folder
     figures: int = options.pop("figures")
     loaded = load(file).with_params(parse_overrides(settings))

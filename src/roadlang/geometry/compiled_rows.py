@@ -50,8 +50,7 @@ def pushed(
 @cache
 def loop() -> Any:
     """The compiled loop over rows."""
-    from numba.extending import register_jitable
-
+    register_jitable = compiling.loaded().extending.register_jitable
     for part in (
         row_loops.pushed_points, row_loops.pushed_frame, row_loops.differenced,
         row_loops.is_smooth, row_loops.pushed,

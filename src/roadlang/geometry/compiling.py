@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import sys
 from collections.abc import Callable
 from functools import cache
 from types import ModuleType
@@ -17,11 +18,25 @@ def is_installed() -> bool:
     return importlib.util.find_spec("numba") is not None
 
 
+@cache
+def loaded() -> Any:
+    """numba, with its part `extending`. Where the package `coverage` is installed, numba would load
+    it too, to tell it of compiled lines: that is left out unless it is measuring."""
+    unloaded = "coverage" not in sys.modules
+    if unloaded:
+        sys.modules["coverage"] = None  # type: ignore[assignment]  # an import of it fails
+    try:
+        import numba.extending
+    finally:
+        if unloaded:
+            del sys.modules["coverage"]
+    return numba
+
+
 def compiled(loop: Callable[..., Any], digest: str) -> Any:
     """The compiled loop; `digest`: of the text of everything that is compiled with it. numba keeps
     what it has compiled on disk, until that changes."""
-    import numba
-
+    numba = loaded()
     keyed = _keyed(loop, digest)
     try:
         return numba.njit(cache=True, nogil=True, **OPTIONS)(keyed)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from ...geometry import compiling
 from ..vehicles import compiled
 from . import interpreting, operations
 
@@ -19,8 +20,7 @@ def repeated() -> Any:
 @cache
 def _register() -> None:
     """Make the functions that the loop calls known to numba."""
-    from numba.extending import overload
-
+    overload = compiling.loaded().extending.overload
     loops = (
         interpreting.compute, interpreting.frame, interpreting.move, interpreting.finite,
         interpreting.call, interpreting.once, interpreting.repeated,

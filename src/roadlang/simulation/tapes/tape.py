@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
 from . import operations
+
+Instruction = tuple[int, tuple[int, ...], tuple[int, ...], int]
+"""Operation, values that it takes, values that it gives, and a number more."""
 
 
 class NotElementwiseError(TypeError):
@@ -25,10 +29,7 @@ class Tape:
     agents: int
     given: int
     """columns that the computation begins with"""
-    instructions: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = field(
-        default_factory=list
-    )
-    """operation, values that it takes, values that it gives, and a number more"""
+    instructions: list[Instruction] = field(default_factory=list)
     columns: dict[int, Floats] = field(default_factory=dict)
     """(N,) by value: constant columns"""
     numbers: dict[int, float] = field(default_factory=dict)
@@ -142,17 +143,52 @@ class TapeProgram:
 
 
 def program_of(tape: Tape, gives: Sequence[int]) -> TapeProgram:
-    """`gives`: the values that it comes to. A register is used again once its value is not needed
-    any more, but never for a result of the instruction that needs it last."""
-    fixed = [*range(tape.given), *tape.columns, *tape.numbers]
+    """`gives`: the values that it comes to."""
+    constants = *tape.columns, *tape.numbers
+    form = _form_of(tape.given, constants, tuple(tape.instructions), tuple(gives))
+    nothing = np.zeros(0)
+    return TapeProgram(
+        code=form.code,
+        lists=form.lists,
+        columns=np.array([*tape.columns.values()]).reshape(-1, tape.agents),
+        numbers=np.array([*tape.numbers.values()], dtype=np.float64),
+        gives=form.gives,
+        registers=form.registers,
+        loops=np.array(tape.loops, dtype=np.int64).reshape(-1, 2),
+        cells=nothing if tape.cells is None else tape.cells,
+        shift=np.zeros(tape.agents, np.int64) if tape.shift is None else tape.shift,
+    )
+
+
+@dataclass(frozen=True)
+class _Form:
+    """What `TapeProgram` has of the instructions alone. The arrays are never written to; marked as
+    read-only they would have another type, for which the loop would be compiled once more."""
+
+    code: Integers
+    lists: Integers
+    gives: Integers
+    registers: int
+
+
+@lru_cache(maxsize=16)
+def _form_of(
+    given: int,
+    constants: tuple[int, ...],
+    instructions: tuple[Instruction, ...],
+    gives: tuple[int, ...],
+) -> _Form:
+    """Kept, as batch after batch of one scenario does the same. A register is used again once its
+    value is not needed any more, but never for a result of the instruction that needs it last."""
+    fixed = [*range(given), *constants]
     register = {value: place for place, value in enumerate(fixed)}
-    needed = _needed(tape, gives)
+    needed = _needed(instructions, gives)
     last = {value: len(needed) for value in gives}
     for place in range(len(needed) - 1, -1, -1):
         for value in needed[place][1]:
             last.setdefault(value, place)
     free: list[int] = []
-    if any(value < tape.given and value != place for place, value in enumerate(gives)):
+    if any(value < given and value != place for place, value in enumerate(gives)):
         raise NotElementwiseError("a column becomes another that was given")
     count = len(fixed)
     code: list[tuple[int, ...]] = []
@@ -173,27 +209,21 @@ def program_of(tape: Tape, gives: Sequence[int]) -> TapeProgram:
         ended = {value for value in takes if last[value] == place and register[value] >= len(fixed)}
         unused = {value for value in results if value not in last}
         free += [register[value] for value in (*ended, *unused)]
-    nothing = np.zeros(0)
-    return TapeProgram(
+    return _Form(
         code=np.array(code, dtype=np.int64).reshape(-1, 6),
         lists=np.array(lists, dtype=np.int64),
-        columns=np.array([*tape.columns.values()]).reshape(-1, tape.agents),
-        numbers=np.array([*tape.numbers.values()], dtype=np.float64),
         gives=np.array([register[value] for value in gives], dtype=np.int64),
         registers=count,
-        loops=np.array(tape.loops, dtype=np.int64).reshape(-1, 2),
-        cells=nothing if tape.cells is None else tape.cells,
-        shift=np.zeros(tape.agents, np.int64) if tape.shift is None else tape.shift,
     )
 
 
 _FEW = 3
 
 
-def _needed(tape: Tape, gives: Sequence[int]) -> list[Any]:
+def _needed(instructions: Sequence[Instruction], gives: Sequence[int]) -> list[Instruction]:
     """The instructions on which something depends."""
     used, found = set(gives), []
-    for instruction in reversed(tape.instructions):
+    for instruction in reversed(instructions):
         operation, takes, results, _ = instruction
         if operation in _EFFECTS or not used.isdisjoint(results):
             used.update(takes)

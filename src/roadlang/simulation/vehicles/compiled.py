@@ -220,8 +220,7 @@ def _digest(*more: ModuleType) -> str:
 
 def register(formulas: Iterable[Callable[..., Any]], loops: Iterable[Callable[..., Any]]) -> None:
     """Make functions known to numba: formulas are put in where they are called."""
-    from numba.extending import register_jitable
-
+    register_jitable = compiling.loaded().extending.register_jitable
     for formula in formulas:
         # A call that is left in the loop over agents keeps it from computing several at once.
         register_jitable(forceinline=True, **OPTIONS)(formula)
@@ -232,8 +231,7 @@ def register(formulas: Iterable[Callable[..., Any]], loops: Iterable[Callable[..
 @cache
 def _register_formulas() -> None:
     """Make the functions that loops call known to numba."""
-    from numba.extending import overload, register_jitable
-
+    extending = compiling.loaded().extending
     register(
         (
             dynamics.steered, dynamics.brush, dynamics.demand, dynamics.forces, dynamics.loads,
@@ -248,7 +246,8 @@ def _register_formulas() -> None:
             kernels.gaps_in_corridors, kernels.nearest_sample, kernels.widest,
         ),
     )  # fmt: skip
-    register_jitable(inline="always", **OPTIONS)(kernels.fill)
+    extending.register_jitable(inline="always", **OPTIONS)(kernels.fill)
     # Of numbers, and with NaN only where both are NaN.
+    overload = extending.overload
     overload(dynamics.least, jit_options=OPTIONS)(lambda a, b: lambda a, b: b if b < a else a)
     overload(dynamics.greatest, jit_options=OPTIONS)(lambda a, b: lambda a, b: b if b > a else a)
