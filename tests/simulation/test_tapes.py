@@ -13,50 +13,18 @@ from hypothesis import strategies as st
 from roadlang.geometry.arrays import Floats
 from roadlang.simulation.tapes import compiled_tapes
 from roadlang.simulation.tapes.numpy_loops import loop_of
-from roadlang.simulation.tapes.tape import NotElementwiseError, Tape, program_of
+from roadlang.simulation.tapes.tape import NotElementwiseError, Tape, TapeProgram, program_of
 from roadlang.simulation.tapes.traced import TracedColumn, value_of
+
+from .traced_chains import ONE, STEPS, TWO, program_and_result
 
 pytest.importorskip("numba")
 
-Column = Any
-ONE = ["negative", "absolute", "floor", "sqrt", "sin", "cos", "tan", "arctan", "tanh", "square"]
-TWO = ["add", "subtract", "multiply", "divide", "minimum", "maximum", "arctan2", "hypot",
-       "remainder", "fmod"]  # fmt: skip
-COMPARED = ["less", "less_equal", "greater", "greater_equal"]
-STEPS = st.lists(
-    st.one_of(
-        st.tuples(st.sampled_from(ONE), st.integers(0, 9)),
-        st.tuples(st.sampled_from(TWO), st.integers(0, 9), st.integers(0, 9)),
-        st.tuples(st.sampled_from(COMPARED), *[st.integers(0, 9)] * 4),
-    ),
-    min_size=1,
-    max_size=40,
-)
-STATE = 3
 
-
-def computed(steps: list[Any], columns: list[Column], constants: list[Column]) -> Column:
-    """A chain of computations, each of some that were there before."""
-    known = [*columns, *constants]
-    for name, *which in steps:
-        a, b, c, d = (known[-1 - place % len(known)] for place in (*which, 0, 0, 0)[:4])
-        function = getattr(np, name)
-        if name in COMPARED:
-            both = function(a, b) & (np.less(c, d) | ~np.less(a, c))
-            known.append(np.where(both, c, d))
-        else:
-            known.append(function(a) if name in ONE else function(a, b))
-    total = known[-1]
-    for one in known[-4:]:
-        total = np.where(np.less(one, 1e3), total, one)
-    return total
-
-
-def repeated(tape: Tape, gives: list[int], columns: list[Floats], times: int) -> tuple[Any, int]:
-    """What a tape comes to, repeated some times, and how often it went to its end."""
-    program = program_of(tape, gives)
-    agents = tape.agents
-    out, samples = np.empty((len(gives), agents)), np.empty((0, 1, agents))
+def repeated(program: TapeProgram, columns: list[Floats], times: int) -> tuple[Any, int]:
+    """What a program comes to, repeated some times, and how often it went to its end."""
+    agents = len(columns[0])
+    out, samples = np.empty((len(program.gives), agents)), np.empty((0, 1, agents))
     lines = np.zeros(agents, np.int64), np.zeros((1, 8)), np.zeros(agents)
     went = compiled_tapes.repeated()(
         np.stack(columns), program.arguments, lines, times, 0.02, samples, out
@@ -66,23 +34,11 @@ def repeated(tape: Tape, gives: list[int], columns: list[Floats], times: int) ->
 
 @given(STEPS, st.integers(1, 70), st.integers(0, 2**32 - 1))
 def test_it_computes_what_numpy_does(steps: list[Any], agents: int, seed: int) -> None:
-    random = np.random.default_rng(seed)
-    columns = list(random.normal(size=(STATE, agents)) * 10.0 ** random.uniform(-2, 2))
-    constants: list[Column] = [random.normal(size=agents), 0.0, -1.5, np.float64(2.0)]
-    tape = Tape(agents, STATE)
-    traced = [TracedColumn(tape, number) for number in range(STATE)]
-    with np.errstate(all="ignore"):
-        last = computed(steps, traced, constants)
-        gives = [value_of(tape, one) for one in (*traced[1:], last + 0.0, last)]
-        # The columns change places through computed values, as a state does.
-        gives[:2] = [value_of(tape, traced[1] * 1.0), value_of(tape, traced[2] * 1.0)]
-        found, went = repeated(tape, gives, columns, 3)
-        for _ in range(3):
-            value = np.array(np.broadcast_to(computed(steps, columns, constants), agents))
-            columns = [columns[1] * 1.0, columns[2] * 1.0, value + 0.0]
+    program, columns, expected = program_and_result(steps, agents, seed, 3)
+    found, went = repeated(program, columns, 3)
     assert went == 3
-    assert found[3].tobytes() == value.astype(np.float64).tobytes()
-    assert found[0].tobytes() == columns[0].tobytes()
+    assert found[3].tobytes() == expected[3].tobytes()
+    assert found[0].tobytes() == expected[0].tobytes()
 
 
 @pytest.mark.parametrize("name", [*ONE, *TWO])

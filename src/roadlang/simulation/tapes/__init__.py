@@ -1,1 +1,1 @@
-"""Computations of columns that are written down once and repeated by a compiled loop."""
+"""Computations of columns that are written down once and repeated, with numba or numpy."""

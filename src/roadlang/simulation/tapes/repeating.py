@@ -1,4 +1,5 @@
-"""Drives in which nothing happens but the motion of each agent: many steps in one compiled loop."""
+"""Drives in which nothing happens but the motion of each agent: many steps in one
+compiled loop, or by the same calls of numpy for each."""
 
 from __future__ import annotations
 
@@ -16,6 +17,7 @@ from ..surroundings.contacts import ContactDetector
 from ..vehicles import compiled
 from ..vehicles.motion import MOTION_COLUMNS
 from . import compiled_tapes
+from .numpy_tapes import NumpyTape
 from .tape import NotElementwiseError, TapeProgram
 from .tracing import STATE, period, traced_steps
 
@@ -33,6 +35,7 @@ class Repetition:
     sampled: int
     is_over: bool = False
     """whether it did not come to its end once: then every step is made by itself"""
+    _numpy: NumpyTape | None = None
 
     @classmethod
     def of(
@@ -40,7 +43,7 @@ class Repetition:
     ) -> Repetition | None:
         """None where more happens than the motion of each agent by itself."""
         controller = drivers.elementwise_controller(len(world.present))
-        if controller is None or not contacts.is_idle or world.advance is not compiled.advance:
+        if controller is None or not contacts.is_idle:
             return None
         try:
             program = traced_steps(world, drivers, controller, held, sampled)
@@ -50,7 +53,7 @@ class Repetition:
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
-        self.program = self.program.take(agents)
+        self.program, self._numpy = self.program.take(agents), None
 
     def drive(self, world: World, recorder: Recorder, last: int) -> bool:
         """Go on by some periods, to the step `last` at most. The last sample is left to be
@@ -79,10 +82,20 @@ class Repetition:
         each = self.period // self.sampled
         samples = np.empty((times * each, len(RECORDED) + 1, len(world.present)))
         out = np.empty((len(STATE) + 2, len(world.present)))
-        went_on = compiled_tapes.repeated()(
-            state, self.program.arguments, lines, times, world.dt, samples, out
-        )
+        if world.advance is compiled.advance:
+            went_on = compiled_tapes.repeated()(
+                state, self.program.arguments, lines, times, world.dt, samples, out
+            )
+        else:
+            went_on = self._bound(world).repeated(state, lines[2], times, samples, out)
         return int(went_on), out, samples
+
+    def _bound(self, world: World) -> NumpyTape:
+        """The program for the agents of the world, without a compiled loop."""
+        if self._numpy is None:
+            lines, walks = (world.track.lines.table, world.track.first), world.bodies.walks
+            self._numpy = NumpyTape(self.program, len(STATE), lines, bool(walks.any()), world.dt)
+        return self._numpy
 
     def _record(self, world: World, recorder: Recorder, samples: Floats) -> None:
         for number, sample in enumerate(samples[:-1], 1):

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats, Integers
 from . import operations
+from .numpy_loops import loop_of
 
 Instruction = tuple[int, tuple[int, ...], tuple[int, ...], int]
 """Operation, values that it takes, values that it gives, and a number more."""
@@ -34,8 +35,8 @@ class Tape:
     """(N,) by value: constant columns"""
     numbers: dict[int, float] = field(default_factory=dict)
     """by value: numbers that all agents share"""
-    loops: list[tuple[int, int]] = field(default_factory=list)
-    """of functions of numpy"""
+    functions: list[np.ufunc] = field(default_factory=list)
+    """of numpy, that `CALL_ONE` and `CALL_TWO` call"""
     cells: Floats | None = None
     """a column of the cells of lines, and where the table of each agent begins in it"""
     shift: Integers | None = None
@@ -86,11 +87,11 @@ class Tape:
             self._known[key] = found[0] if gives == 1 else found
         return self._known[key]
 
-    def loop(self, found: tuple[int, int]) -> int:
-        """The number of a loop of numpy among those of the tape."""
-        if found not in self.loops:
-            self.loops.append(found)
-        return self.loops.index(found)
+    def function(self, called: np.ufunc) -> int:
+        """The number of a function of numpy among those of the tape."""
+        if called not in self.functions:
+            self.functions.append(called)
+        return self.functions.index(called)
 
     def look_up_in(self, cells: Floats, shift: Integers, version: int) -> None:
         """From now on `VALUE_OF_CELL` looks at this column of cells. `version`: how often it was
@@ -106,7 +107,7 @@ class Tape:
 
 @dataclass(frozen=True)
 class TapeProgram:
-    """A tape in the form that the compiled loop reads. The rows of its registers are, in this
+    """A tape in the form that it is carried out in. The rows of its registers are, in this
     order, the columns that are given, constant columns, constant numbers, and what is computed."""
 
     code: Integers
@@ -120,8 +121,7 @@ class TapeProgram:
     gives: Integers
     """registers of what it all comes to; the first are the columns given, when it is repeated"""
     registers: int
-    loops: Integers
-    """(L, 2)"""
+    functions: tuple[np.ufunc, ...]
     cells: Floats
     shift: Integers
     """(N,)"""
@@ -129,9 +129,10 @@ class TapeProgram:
     @property
     def arguments(self) -> tuple[Any, ...]:
         """What the compiled loop is called with."""
+        loops = np.array([loop_of(one) for one in self.functions], dtype=np.int64)
         return (
             self.code, self.lists, self.columns, self.numbers, self.gives, self.registers,
-            self.loops, self.cells, self.shift,
+            loops.reshape(-1, 2), self.cells, self.shift,
         )  # fmt: skip
 
     def take(self, agents: Integers) -> TapeProgram:
@@ -154,7 +155,7 @@ def program_of(tape: Tape, gives: Sequence[int]) -> TapeProgram:
         numbers=np.array([*tape.numbers.values()], dtype=np.float64),
         gives=form.gives,
         registers=form.registers,
-        loops=np.array(tape.loops, dtype=np.int64).reshape(-1, 2),
+        functions=tuple(tape.functions),
         cells=nothing if tape.cells is None else tape.cells,
         shift=np.zeros(tape.agents, np.int64) if tape.shift is None else tape.shift,
     )

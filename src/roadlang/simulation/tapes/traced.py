@@ -135,11 +135,11 @@ def _computed(tape: Tape, function: np.ufunc, inputs: Sequence[Any]) -> TracedCo
         raise NotElementwiseError(f"np.{name} of truth values")
     if name in do.BY_NAME:
         return TracedColumn(tape, tape.put(do.BY_NAME[name], takes), False, is_row)
-    loop = loop_of(function)
-    if loop is None or function.nout != 1 or function.nin > 2:
+    if loop_of(function) is None or function.nout != 1 or function.nin > 2:
         raise NotElementwiseError(f"np.{name} of columns")
     operation = do.CALL_ONE if function.nin == 1 else do.CALL_TWO
-    return TracedColumn(tape, tape.put(operation, takes, more=tape.loop(loop)), False, is_row)
+    value = tape.put(operation, takes, more=tape.function(function))
+    return TracedColumn(tape, value, False, is_row)
 
 
 def _chosen(tape: Tape, condition: Any, one: Any, other: Any) -> TracedColumn:

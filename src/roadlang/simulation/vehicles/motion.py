@@ -13,7 +13,7 @@ from ...geometry.arrays import Booleans, Floats
 from ..lines.lines import Lines
 from ..shallow_copies import shallow
 from .bodies import Bodies
-from .vehicle_dynamics import driven, moved, steered, turned, walked
+from .vehicle_steps import VehicleSteps
 
 
 @dataclass
@@ -115,6 +115,21 @@ class Track:
         """(4, N) what the compiled motion has to know of the lines."""
         return np.array((self.last, self.origin, self.spacing, self.per_meter))
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what is known by the identity or the memory of arrays, which copies do not
+        share."""
+        return {name: one for name, one in self.__dict__.items() if name not in _IN_MEMORY}
+
+    def steps(self, walks: Booleans, dt: float) -> VehicleSteps:
+        """Those of the agents, of whom some walk."""
+        known = self.__dict__.get("_steps")
+        if known is None or known[0] is not walks or known[1] != dt:
+            places = self.last, self.origin, self.spacing, self.per_meter
+            found = VehicleSteps(self.lines.table, self.first, np.array(places), walks, dt)
+            known = self.__dict__["_steps"] = walks, dt, found
+        steps: VehicleSteps = known[2]
+        return steps
+
     def wrap(self, motion: Motion) -> None:
         """On closed lines, arc length begins anew after a lap."""
         if self.has_closed:
@@ -161,6 +176,9 @@ class Track:
         return self.first + cell, advance - cell * self.spacing
 
 
+_IN_MEMORY = ("_parts", "_steps")
+
+
 Advance = Callable[[Motion, Bodies, Track, tuple[Floats, Floats], int, float], None]
 """Something that does what `advance` does."""
 
@@ -170,24 +188,7 @@ def advance(
 ) -> None:
     """Move on by some steps of `dt` seconds. `wanted`: tangent of the steering angle, held within
     what the agent can steer; acceleration."""
-    headings, curvatures = track.lines.heading, track.lines.curvature
-    walks = car.walks if car.walks.any() else None
-    m, columns = motion, car.columns
-    cell, _ = track.cell(m.along)
-    curvature = curvatures[cell]
-    for _ in range(steps):
-        m.tangent = steered(m.tangent, wanted[0], car.lag, car.rate)
-        before = (m.speed, m.slide, m.yaw_rate)
-        after = driven(before, m.tangent, m.acceleration, wanted[1], columns, dt)
-        if walks is not None:
-            on_foot = walked(before, m.tangent, wanted[1], car.half_base, dt)
-            after = tuple(np.where(walks, *pair) for pair in zip(on_foot, after, strict=True))
-        m.speed, m.slide, m.yaw_rate, m.acceleration = after
-        speeds, direction = (before[0], m.speed, m.slide), (m.cosine, m.sine)
-        m.along, m.offset = moved((m.along, m.offset), speeds, direction, curvature, dt)
-        cell, rest = track.cell(m.along)
-        curvature = curvatures[cell]
-        heading = headings[cell] + curvature * rest
-        angle = m.yaw_rate * dt - (heading - m.line_heading)
-        m.cosine, m.sine = turned(m.cosine, m.sine, angle)
-        m.line_heading = heading
+    before = [getattr(motion, name) for name in MOTION_COLUMNS]
+    after = track.steps(car.walks, dt).drive(before, car, wanted, steps)
+    for name, column in zip(MOTION_COLUMNS, after, strict=True):
+        setattr(motion, name, column)

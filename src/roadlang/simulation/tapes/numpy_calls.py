@@ -1,0 +1,237 @@
+"""Programs as calls of numpy's functions, on arrays that are there already: nothing is allocated,
+and one call follows the other. The bits are those of the formulas that were traced."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Booleans, Floats, Integers
+from ..lines.lines import CELL
+from . import operations as do
+from .instructions import RegisterInstruction
+from .registers import aligned
+
+Call = Callable[[], Any]
+
+OtherCalls = Callable[[RegisterInstruction, Registers, list[Call]], None]
+"""Something that adds the calls of an instruction."""
+
+_FUNCTIONS = {number: getattr(np, name) for name, number in do.BY_NAME.items()}
+_COMPARISONS = {do.LESS: np.less, do.LESS_EQUAL: np.less_equal}
+_OF_TRUTHS = {do.AND: np.logical_and, do.OR: np.logical_or, do.NOT: np.logical_not}
+
+
+@dataclass(frozen=True)
+class TableRows:
+    """Where agents are in the table of lines."""
+
+    table: Floats
+    """(C, K) of each cell, as `Lines` has it"""
+    first: Floats
+    """(N,) the first cells of their lines, as numbers"""
+
+    @classmethod
+    def of(cls, table: Floats, first: Integers) -> TableRows:
+        """`first`: (N,) the first cells of the lines of agents."""
+        cells = aligned(1, len(first))[0]
+        cells[:] = first
+        return cls(table, cells)
+
+    @property
+    def pairs(self) -> Any:
+        """(C K / 2,) two columns of the table in one number, which takes half the time to look
+        up."""
+        return self.table.reshape(-1).view(np.complex128)
+
+
+@dataclass
+class Registers:
+    """The memory of a program for some agents: of each register numbers, truth values, or both."""
+
+    count: int
+    """agents"""
+    numbers: dict[int, Any]
+    """(N,) or () by register"""
+    truths: dict[int, Booleans] = field(default_factory=dict)
+    _has_number: set[int] = field(default_factory=set)
+    _has_truth: set[int] = field(default_factory=set)
+    _spare: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._has_number = set(self.numbers)
+
+    def number(self, register: int, calls: list[Call]) -> Any:
+        """The numbers in a register, after calls that put them there."""
+        if register not in self._has_number:
+            calls.append(partial(np.copyto, self._row(register), self.truths[register]))
+            self._has_number.add(register)
+        return self.numbers[register]
+
+    def truth(self, register: int, calls: list[Call]) -> Booleans:
+        """The truth values in a register, after calls that put them there."""
+        if register not in self._has_truth:
+            into = self._truth_row(register)
+            calls.append(partial(np.greater, self.numbers[register], _HALF, into))
+            self._has_truth.add(register)
+        return self.truths[register]
+
+    def is_truth(self, register: int) -> bool:
+        """Whether there are no numbers in a register."""
+        return register not in self._has_number
+
+    def for_number(self, register: int) -> Floats:
+        """Where numbers are put."""
+        self._has_number.add(register)
+        self._has_truth.discard(register)
+        return self._row(register)
+
+    def for_truth(self, register: int) -> Booleans:
+        """Where truth values are put."""
+        self._has_truth.add(register)
+        self._has_number.discard(register)
+        return self._truth_row(register)
+
+    def spare(self, name: str) -> Any:
+        """(N,) numbers for use within one instruction: `cells` are whole, `pairs` complex."""
+        if name not in self._spare:
+            self._spare[name] = _row_of(name, self.count)
+        return self._spare[name]
+
+    def _row(self, register: int) -> Floats:
+        if register not in self.numbers:
+            self.numbers[register] = aligned(1, self.count)[0]
+        found: Floats = self.numbers[register]
+        return found
+
+    def _truth_row(self, register: int) -> Booleans:
+        if register not in self.truths:
+            self.truths[register] = np.empty(self.count, dtype=bool)
+        return self.truths[register]
+
+
+def _row_of(name: str, count: int) -> Any:
+    if name == "cells":
+        return np.empty(count, np.int64)
+    return np.empty(count, np.complex128) if name == "pairs" else aligned(1, count)[0]
+
+
+_HALF, _ZERO = np.array(0.5), np.array(0.0)
+
+
+def calls_of(
+    instructions: Sequence[RegisterInstruction], functions: Sequence[np.ufunc], memory: Registers,
+    lines: TableRows, others: OtherCalls | None = None,
+) -> list[Call]:  # fmt: skip
+    """The calls that carry out instructions, in their order. `others`: what adds those of the
+    operations that are not here."""
+    calls: list[Call] = []
+    for one in instructions:
+        operation = one.operation
+        if operation in (do.CALL_ONE, do.CALL_TWO):
+            _arithmetic(one, functions[one.more], memory, calls)
+        elif operation in _FUNCTIONS:
+            _arithmetic(one, _FUNCTIONS[operation], memory, calls)
+        elif operation in _COMPARISONS:
+            takes = [memory.number(register, calls) for register in one.takes]
+            out = memory.for_truth(one.gives[0])
+            calls.append(into(out, _COMPARISONS[operation], *takes))
+        elif operation in _OF_TRUTHS:
+            truths = [memory.truth(register, calls) for register in one.takes]
+            out = memory.for_truth(one.gives[0])
+            calls.append(into(out, _OF_TRUTHS[operation], *truths))
+        elif operation == do.WHERE:
+            _choose(one, memory, calls)
+        elif operation == do.BEND:
+            _bend(one, memory, lines, calls)
+        elif others is not None:
+            others(one, memory, calls)
+        else:
+            raise NotImplementedError(f"operation {operation}")
+    return calls
+
+
+def into(out: Any, function: np.ufunc, *takes: Any) -> Call:
+    """The call that puts what a function gives into a row."""
+    if function in _WITH_NAMES:
+        return partial(function, *takes, out=out)
+    return partial(function, *takes, out)  # takes less time than with the name
+
+
+_WITH_NAMES = (np.minimum, np.maximum)
+"""Functions of which numpy wants the row by its name."""
+
+
+def _arithmetic(
+    one: RegisterInstruction, function: np.ufunc, memory: Registers, calls: list[Call]
+) -> None:
+    takes = [memory.number(register, calls) for register in one.takes]
+    calls.append(into(memory.for_number(one.gives[0]), function, *takes))
+
+
+def _choose(one: RegisterInstruction, memory: Registers, calls: list[Call]) -> None:
+    condition, *either = one.takes
+    where = memory.truth(condition, calls)
+    if all(memory.is_truth(register) for register in either):
+        yes, no = (memory.truth(register, calls) for register in either)
+        out: Any = memory.for_truth(one.gives[0])
+    else:
+        yes, no = (memory.number(register, calls) for register in either)
+        out = memory.for_number(one.gives[0])
+    calls.append(partial(np.copyto, out, no))
+    calls.append(partial(np.copyto, out, yes, where=where))
+
+
+def cell_calls(
+    takes: Sequence[Any], memory: Registers, lines: TableRows, calls: list[Call], parts: int = 1
+) -> tuple[Integers, Floats]:
+    """(N,) the cells of the table in which agents are, `parts` for each cell, and how far from
+    where they begin; after calls that find it. `takes`: arc lengths, and of lines the last cell,
+    the origin, the spacing, and cells for each meter."""
+    along, last, origin, spacing, per_meter = takes
+    rest, cell, at = memory.spare("rest"), memory.spare("cell"), memory.spare("at")
+    cells = memory.spare("cells")
+    calls += [
+        into(rest, np.subtract, along, origin),
+        into(cell, np.multiply, rest, per_meter),
+        into(cell, np.maximum, cell, _ZERO),
+        into(cell, np.minimum, cell, last),
+        into(cell, np.floor, cell),
+        into(at, np.add, cell, lines.first),
+        *([into(at, np.multiply, at, np.array(float(parts)))] if parts > 1 else []),
+        partial(np.copyto, cells, at, casting="unsafe"),
+        into(at, np.multiply, cell, spacing),
+        into(rest, np.subtract, rest, at),
+    ]
+    return cells, rest
+
+
+def bend_calls(
+    takes: Sequence[Any], memory: Registers, lines: TableRows, calls: list[Call]
+) -> tuple[Any, Any, Floats]:
+    """(N,) curvature and heading of the cells in which agents are, and how far from where they
+    begin; after calls that find it."""
+    cells, rest = cell_calls(takes, memory, lines, calls, parts=lines.table.shape[1] // 2)
+    pairs = memory.spare("pairs")
+    begin = _BEND // 2
+    calls.append(partial(lines.pairs[begin:].take, cells, out=pairs, mode="clip"))
+    return pairs.real, pairs.imag, rest
+
+
+_BEND = CELL.index("curvature")
+"""The column of the curvature; the next is the heading."""
+
+
+def _bend(one: RegisterInstruction, memory: Registers, lines: TableRows, calls: list[Call]) -> None:
+    takes = [memory.number(register, calls) for register in one.takes]
+    there, ahead, rest = bend_calls(takes, memory, lines, calls)
+    curvature, heading = (memory.for_number(register) for register in one.gives)
+    calls += [
+        partial(np.copyto, curvature, there),
+        into(heading, np.multiply, curvature, rest),
+        into(heading, np.add, ahead, heading),
+    ]

@@ -1,0 +1,51 @@
+"""Where lines are at arc lengths, by calls of numpy on rows of memory."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+
+from ...geometry.arrays import Floats
+from ..lines.lines import CELL, on_arc
+from ..tapes.instructions import instructions_of
+from ..tapes.numpy_calls import Call, Registers, TableRows, calls_of, cell_calls
+from ..tapes.registers import aligned
+from ..tapes.tape import Tape, TapeProgram, program_of
+from ..tapes.traced import TracedColumn, value_of
+
+
+@cache
+def arc_program() -> TapeProgram:
+    """`on_arc`, which begins with the columns of cells, the distance from where they begin, and
+    their lengths."""
+    tape = Tape(1, len(CELL) + 2)
+    *cell, rest, spacing = (TracedColumn(tape, number) for number in range(tape.given))
+    return program_of(tape, [value_of(tape, one) for one in on_arc(cell, rest, spacing)])
+
+
+def frame_calls(
+    takes: Sequence[Any], rows: Sequence[Floats], memory: Registers, lines: TableRows,
+    calls: list[Call],
+) -> None:  # fmt: skip
+    """Add the calls that fill five rows as `poses.line_frames` does. `takes`: as of
+    `cell_calls`."""
+    cells, rest = cell_calls(takes, memory, lines, calls)
+    count, width = memory.count, len(CELL)
+    found, columns = np.empty((count, width)), aligned(width, count)
+    numbers = [*columns, rest, takes[3], *(np.array(one) for one in arc_program().numbers)]
+    inside = Registers(count, dict(enumerate(numbers)))
+    steps, gives = instructions_of(arc_program(), 0)
+    calls += [
+        partial(lines.table.take, cells, axis=0, out=found, mode="clip"),
+        partial(np.copyto, columns, found.T),
+        *calls_of(steps, arc_program().functions, inside, lines),
+    ]
+    calls += [
+        partial(np.copyto, row, column)
+        for row, column in zip(
+            rows, (*(inside.number(one, calls) for one in gives), *columns[6:]), strict=True
+        )
+    ]
