@@ -18,9 +18,6 @@ from .registers import aligned
 
 Call = Callable[[], Any]
 
-OtherCalls = Callable[[RegisterInstruction, Registers, list[Call]], None]
-"""Something that adds the calls of an instruction."""
-
 _FUNCTIONS = {number: getattr(np, name) for name, number in do.BY_NAME.items()}
 _COMPARISONS = {do.LESS: np.less, do.LESS_EQUAL: np.less_equal}
 _OF_TRUTHS = {do.AND: np.logical_and, do.OR: np.logical_or, do.NOT: np.logical_not}
@@ -121,6 +118,10 @@ def _row_of(name: str, count: int) -> Any:
 
 
 _HALF, _ZERO = np.array(0.5), np.array(0.0)
+
+
+OtherCalls = Callable[[RegisterInstruction, Registers, list[Call]], None]
+"""Something that adds the calls of an instruction."""
 
 
 def calls_of(
