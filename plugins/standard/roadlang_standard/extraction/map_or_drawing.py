@@ -12,6 +12,7 @@ from roadlang.geometry import Booleans
 from .map_lines import THIN
 from .map_tones import MapTone, map_tone
 from .road_markings import with_markings_filled
+from .street_names import streets_below_names
 
 LETTERED = 0.003
 """A map of few colors has letters on this share of it."""
@@ -25,6 +26,8 @@ _PLAIN = 0.9
 """Share of a drawing that is its ground or its roads."""
 _BESIDE = 0.1
 """Names stand on the roads of a map or beside them: so much of them is within a width."""
+_ON_STREETS = 0.05
+"""A map has streets below so much of its names."""
 _MARKED = 0.02
 """Share of the roads of a drawing that is painted on them."""
 _MOSTLY = 0.5
@@ -42,11 +45,13 @@ def is_drawing(
     (h, w), is rather a drawing.
 
     Few colors without names are one, but for roads as light as the land within casings. So are
-    roads of one color on a plain ground, of which no names are, or which have markings.
+    roads of one color on a plain ground, of which no names are, or which have markings, unless they
+    are interrupted by names.
     """
     if colors > _MANY:
         return False
     # All of a tone: of one that streets share with houses, the roads may be a part.
+    streets = roads
     roads = [tone for tone in tones if any(np.array_equal(tone.color, r.color) for r in roads)]
     land = max(tones, key=lambda tone: int(tone.mask.sum()))
     plain = float(np.logical_or.reduce([land.mask, *(road.mask for road in roads)]).mean())
@@ -55,9 +60,16 @@ def is_drawing(
         return not pale or plain < _PLAIN
     if _are_markings(land, roads):
         return True
-    if len(roads) != 1 or plain < _PLAIN:
+    if len(roads) != 1 or plain < _PLAIN or _is_named(streets[0], letters):
         return False
     return _names_nothing(roads[0], letters) or _is_marked(roads[0])
+
+
+def _is_named(street: MapTone, letters: Booleans) -> bool:
+    """Whether streets lead up to the names that are written on them: a drawing interrupts no road
+    for its name."""
+    below, _ = streets_below_names(street.mask, letters, street.width)
+    return bool((below & letters).sum() > _ON_STREETS * letters.sum())
 
 
 def _names_nothing(road: MapTone, letters: Booleans) -> bool:

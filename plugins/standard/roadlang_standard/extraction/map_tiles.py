@@ -54,6 +54,9 @@ _NEAR = 4
 _STROKE = 3
 """Strokes of letters are up to twice as thick, in pixels: what of a road is between them is part of
 it, though thinner than a road."""
+_BESIDE, _LETTERS = 2, 7
+"""No letters are within so many pixels of houses in the color of letters; of what is left, none
+are as thin as the second."""
 _OUTLINE = 0.7
 """What is thinner below the name of a street, as a share of usual roads, is an outline of it."""
 _ON_LETTERS = 0.6
@@ -62,8 +65,10 @@ _ON_LETTERS = 0.6
 
 @dataclass(frozen=True)
 class _Roads:
-    """The colors of roads on a map without letters, and all its tones."""
+    """The colors of roads on a map without letters, all its tones with water and houses in the
+    color of streets, and the same without these."""
 
+    wet: list[MapTone]
     tones: list[MapTone]
     roads: list[MapTone]
 
@@ -110,14 +115,19 @@ def _roads_of_map(
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
     letters = names if typical <= LARGER else letters_of_map(image, typical)
     shown = [tone.color for tone in chosen.tones] if thin else colors
-    if is_drawing(chosen.tones, chosen.roads, letters, len(shown)) or is_plan():
+    if is_drawing(chosen.wet, chosen.roads, letters, len(shown)) or is_plan():
         return None
     is_plain = plain is image and not thin
     if is_plain:
-        seen = [tone.mask for tone in chosen.tones]
+        wet, seen = ([tone.mask for tone in tones] for tones in (chosen.wet, chosen.tones))
     else:
-        seen = masks_without_water(shown, color_masks(image, shown, tolerance.near, thin))
-    mask, others = _masks(seen, chosen, letters if thin else None)
+        wet = color_masks(image, shown, tolerance.near, thin)
+        seen = masks_without_water(shown, wet)
+    mask, others = _masks(seen, chosen, letters, thin)
+    water = [one & ~dry for one, dry in zip(wet, seen, strict=True) if dry is not one]
+    if water:
+        others += water
+        letters = _opened(letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS)
     widest = max(_wide(tone) for tone in chosen.roads)
     if tolerance is LOSSY:
         mask = without_halos(mask, letters)
@@ -152,9 +162,10 @@ def _chosen(
     fine = None if names is not None else _fine_roads(plain, with_line_colors(plain, colors))
     if fine is not None and fine.width(lambda tone: tone.width) < THIN:
         return fine, True
-    tones = without_water(map_tones(plain, colors, EXACT if names is None else LOSSY))
+    wet = map_tones(plain, colors, EXACT if names is None else LOSSY)
+    tones = without_water(wet)
     shapes = tones if names is None else without_names(tones, names)
-    chosen = _Roads(tones, road_tones(with_streets_alone(shapes), min(plain.shape[:2])))
+    chosen = _Roads(wet, tones, road_tones(with_streets_alone(shapes), min(plain.shape[:2])))
     # Names on streets leave less of them even than what is known of their edges.
     if fine is not None and not chosen.roads:
         return fine, True
@@ -163,14 +174,15 @@ def _chosen(
 
 def _fine_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
     """The roads of a lossless map (h, w, 3) without letters, with their smoothed edges."""
-    tones = without_water(map_tones(plain, colors, smooth=True))
+    wet = map_tones(plain, colors, smooth=True)
+    tones = without_water(wet)
     streets = without_outlines(with_streets_alone(tones))
-    found = _Roads(tones, road_tones(streets, min(plain.shape[:2])))
+    found = _Roads(wet, tones, road_tones(streets, min(plain.shape[:2])))
     return found if found.roads else None
 
 
 def _masks(
-    seen: list[Booleans], chosen: _Roads, letters: Booleans | None
+    seen: list[Booleans], chosen: _Roads, letters: Booleans, thin: bool
 ) -> tuple[Booleans, list[Booleans]]:
     """Where (h, w) the roads are, and where each of the other colors is, as `seen` (h, w).
 
@@ -181,16 +193,17 @@ def _masks(
         same = (road for road in chosen.roads if np.array_equal(road.color, plain.color))
         road = next(same, None)
         if road is None:
-            others.append(one if letters is None else one | (plain.mask & ~letters))
-        elif letters is None:
+            others.append(one | (plain.mask & ~letters) if thin else one)
+        elif not thin:
             streets = parts_touching(one, road.mask) if road.shared else one
             mask |= streets
             others.append(one & ~streets)
         else:
             mask |= parts_touching(one, road.mask) | (road.mask & ~letters)
-    if letters is not None:
-        near = _grown(mask | letters, _NEAR)
-        mask |= short_parts(chosen.tones, chosen.roads, near) & ~letters
+    short = chosen.roads if thin else [road for road in chosen.roads if road.shared]
+    if short:
+        near = _grown(mask | letters if thin else letters, _NEAR)
+        mask |= short_parts(chosen.tones, short, near) & ~letters
     return mask, others
 
 

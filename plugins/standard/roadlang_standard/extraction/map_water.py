@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .map_ribbons import ribbons
 from .map_tones import MapTone, is_gray, map_tone
 from .skeleton import skeleton
+from .tones import Layer
 
 _WIDE, _UNEVEN_WIDE, _BEYOND = 1.9, 1.4, 1.3
 """Water is so many times as wide as wide roads are; less will do where its width varies, and least
@@ -22,6 +24,10 @@ _UNEVEN = 1.07
 """The width of the wide tenth of what is uneven, over its usual width."""
 _BRIDGE = 0.8
 """Bridges are up to so many times as wide as wide roads."""
+_BROAD, _WIDER_BY, _LARGE, _CONSTANT, _MOSTLY = 2.2, 4.0, 2.0, 0.1, 0.5
+"""What is so many times as wide as streets usually are and so many pixels wider, and covers so many
+squares of that width, joined to them or not, is water or a house
+unless its width varies by less than this share of it along more than the last share of it."""
 _SHORT = 12
 """Parts with center lines of fewer pixels are not looked at."""
 
@@ -74,9 +80,11 @@ def _water(mask: Booleans) -> Booleans | None:
     Roads join. Where one crosses water of its own color, its casing parts both; a wide road that
     passes over others is apart as well, but even.
     """
-    _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=4)
-    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
-    thin = skeleton(mask)
+    basin = _basin(mask)
+    dry = mask if basin is None else mask & ~basin
+    _, labels = cv2.connectedComponents(dry.astype(np.uint8), connectivity=4)
+    inner = cv2.distanceTransform(dry.astype(np.uint8), cv2.DIST_L2, 5)
+    thin = skeleton(dry)
     lengths = np.bincount(labels[thin], minlength=2)
     widths: dict[int, _Width] = {}
     for part in np.flatnonzero(lengths >= _SHORT):
@@ -84,7 +92,7 @@ def _water(mask: Booleans) -> Booleans | None:
         widths[int(part)] = _Width(float(np.median(across)), float(np.quantile(across, 0.9)))
     road = widths.pop(int(np.argmax(lengths)), None)
     if road is None:
-        return None
+        return basin
     found = {
         part
         for part, width in widths.items()
@@ -93,7 +101,57 @@ def _water(mask: Booleans) -> Booleans | None:
     also = {part for part, width in widths.items() if width.uneven and width.exceeds(road, _BEYOND)}
     reach = 2 * round(_BRIDGE * road.wide) + 1
     water = _joined(labels, found, also, reach) if found else found
-    return np.isin(labels, list(water)) if water else None
+    apart = np.isin(labels, list(water)) if water else None
+    if apart is None or basin is None:
+        return basin if apart is None else apart
+    return np.asarray(apart | basin)
+
+
+def _basin(mask: Booleans) -> Booleans | None:
+    """What of a tone (h, w) is water or houses, though streets may lead into it; None if nothing.
+
+    It is far wider than most streets, and so are wide roads; but their width is the same between
+    two junctions.
+    """
+    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    thin = skeleton(mask)
+    even = ribbons(thin, inner).lines
+    if not even.any():
+        return None
+    _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=4)
+    network = int(np.argmax(np.bincount(labels[even], minlength=2)))
+    usual = 2 * float(np.median(inner[even & (labels == network)])) - 1
+    broad = max(_BROAD * usual, usual + _WIDER_BY)
+    deep = (inner > broad / 2).astype(np.uint8)
+    if not deep.any():
+        return None
+    away = cv2.distanceTransform(1 - deep, cv2.DIST_L2, 5)
+    wide = mask & (away < broad / 2)
+    count, parts = cv2.connectedComponents(wide.astype(np.uint8), connectivity=8)
+    lines = thin & wide
+    # Where lines meet, they end: between junctions a road's width is one.
+    near = cv2.filter2D(lines.astype(np.uint8), -1, np.ones((3, 3)), borderType=cv2.BORDER_CONSTANT)
+    forks = cv2.dilate((lines & (near > 3)).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    total = np.bincount(parts[lines], minlength=count)
+    same = np.bincount(parts[_constant(lines & ~forks, inner)], minlength=count)
+    large = np.bincount(parts.ravel(), minlength=count) >= _LARGE * broad**2
+    water = large & (same < _MOSTLY * total)
+    water[0] = False
+    return np.asarray(water[parts]) if water.any() else None
+
+
+def _constant(lines: Booleans, inner: Layer) -> Booleans:
+    """Which of the lines (h, w) are longer than wide and have one width from end to end."""
+    count, run = cv2.connectedComponents(lines.astype(np.uint8), connectivity=8)
+    at = np.flatnonzero(lines)
+    order = np.argsort(run.ravel()[at], kind="stable")
+    across = (2 * inner.ravel()[at] - 1)[order]
+    starts = np.flatnonzero(np.r_[True, np.diff(run.ravel()[at][order]) > 0])
+    kept = np.zeros(count, bool)
+    for values, one in zip(np.split(across, starts[1:]), range(1, count), strict=True):
+        low, middle, high = np.quantile(values, (0.1, 0.5, 0.9))
+        kept[one] = values.size > middle and high - low <= max(1.0, _CONSTANT * middle)
+    return np.asarray(kept[run])
 
 
 def _joined(labels: np.ndarray, found: set[int], also: set[int], reach: int) -> set[int]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
@@ -13,6 +14,7 @@ from .map_ribbons import ribbons
 from .map_tones import MapTone, map_tone
 from .masks import without_specks
 from .skeleton import skeleton
+from .tones import Layer
 
 _UNEVEN, _LENGTH = 0.35, 0.7
 """A color may be shared where less than this share of its surface keeps its width, but on a length
@@ -23,6 +25,8 @@ _WIDE = 4.3
 """What is so many times as wide as its ribbons usually are is water, or a park."""
 _EXTENT, _EVEN = 40, 0.5
 """Streets reach over so many pixels, and keep their width on so much of their length."""
+_AS_WIDE = 1.3
+"""Or they are no wider than so many times the usual width of those."""
 _SPECK = 8
 
 
@@ -44,14 +48,26 @@ def _streets(tone: MapTone) -> MapTone:
     lengths = np.bincount(parts[thin], minlength=count)
     even = np.bincount(parts[ribbons(thin, inner).lines], minlength=count)
     extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
-    streets = (even >= _EVEN * lengths) & (extents >= _EXTENT) & (lengths > 0)
-    streets[0] = False
+    long = (extents >= _EXTENT) & (lengths > 0)
+    long[0] = False
+    streets = long & (even >= _EVEN * lengths)
+    if streets.any():
+        # Where streets meet often, they are hardly even, but no wider than others.
+        usual = float(np.median(inner[thin & streets[parts]]))
+        streets |= long & (_widths(thin, inner, parts, count) <= _AS_WIDE * usual)
     if even[streets].sum() < least:
         return tone
     found = map_tone(tone.color, np.asarray(streets[parts]))
     if found.steady_length < _MOST * tone.steady_length:
         return tone
     return replace(found, shared=True)
+
+
+def _widths(thin: Booleans, inner: Layer, parts: NDArray[np.int32], count: int) -> Layer:
+    """Half the mean width of each connected part (n,), along its lines."""
+    length = np.maximum(np.bincount(parts[thin], minlength=count), 1)
+    total = np.bincount(parts[thin], weights=inner[thin], minlength=count)
+    return np.asarray(total / length, np.float32)
 
 
 def _narrow(mask: Booleans) -> Booleans:
