@@ -71,12 +71,12 @@ class Auto(Extractor):
         from .extract_aerial import Aerial
         from .extract_contour import Contour, road_width
         from .extraction.drawing import roads_of_drawing
+        from .extraction.found_network import EDGE_LINES
         from .extraction.map_tiles import roads_of_map
         from .extraction.paper import roads_on_paper
         from .extraction.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
         from .extraction.screen_grid import without_grid
-        from .extraction.thresholding import EDGE_LINES
 
         assert picture.pixels is not None
         picture = replace(picture, pixels=without_grid(picture.pixels))

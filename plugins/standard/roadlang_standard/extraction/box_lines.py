@@ -40,6 +40,31 @@ def are_boxes(roads: Sequence[FoundRoad], side: float) -> bool:
     return corners > 0 and width < _HAIR * side and _upright_share(roads) > _UPRIGHT
 
 
+def are_framed(
+    roads: Sequence[FoundRoad], frames: Sequence[Sequence[FoundRoad]], side: float
+) -> bool:
+    """Whether roads that hang together are hair lines within a frame, or the axes, of hair lines:
+    curves of a chart. A frame near the border of the picture has been left out before."""
+    if not _are_hair(roads, side):
+        return False
+    low, high = _bounds(roads)
+    for frame in frames:
+        least, most = _bounds(frame)
+        if _are_hair(frame, side) and (low >= least - 1).all() and (high <= most + 1).all():
+            return True
+    return False
+
+
+def _are_hair(roads: Sequence[FoundRoad], side: float) -> bool:
+    return float(np.median([np.median(road.widths) for road in roads])) < _HAIR * side
+
+
+def _bounds(roads: Sequence[FoundRoad]) -> tuple[Floats, Floats]:
+    """The least and the greatest coordinates (2,) of some roads."""
+    points = np.concatenate([road.points for road in roads])
+    return points.min(axis=0), points.max(axis=0)
+
+
 def _upright_share(roads: Sequence[FoundRoad]) -> float:
     """The share of the length that runs along the rows or the columns of the picture."""
     steps = np.concatenate([np.diff(road.points, axis=0) for road in roads])

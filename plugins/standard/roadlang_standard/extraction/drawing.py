@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .dashed_roads import with_dashes_joined
-from .found_network import FoundNetwork
+from .found_network import EDGE_LINES, FoundNetwork
 from .long_lines import long_lines
 from .mask_parts import parts_of, window_around
 from .masks import roads_of_surface, without_specks
@@ -45,7 +45,7 @@ def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:
         return FoundNetwork(np.zeros((0, 2)), (), empty, "drawing", ("the picture has one color",))
     between = between_lines(ink >= 0.5)
     if between is not None:
-        found = roads_of_surface(between, "edge lines", width=width)
+        found = roads_of_surface(between, EDGE_LINES, width=width)
         return replace(found, mask=between >= 0.5)
     shares = layers(image, list(others), paper)
     best = most_like_roads([*shares, ink] if len(others) != 1 else shares)

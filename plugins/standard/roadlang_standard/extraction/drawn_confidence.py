@@ -10,9 +10,9 @@ from scipy.sparse.csgraph import connected_components
 
 from roadlang.geometry import Floats
 
-from .box_lines import are_boxes
-from .explained_surface import explained_shares
-from .found_network import FoundNetwork, FoundRoad
+from .box_lines import are_boxes, are_framed
+from .explained_surface import ExplainedSurface
+from .found_network import EDGE_LINES, FoundNetwork, FoundRoad
 
 _LONG, _SLENDER = 0.6, 3.0
 """Roads that hang together are believed if they are so long in all, in shorter sides of the
@@ -23,11 +23,17 @@ ones; the confidence of all is lowered in proportion, and leaving the picture ex
 _FOLDED, _REACH = 3.5, 0.3
 """Roads so many times as long as they reach, more than a ring is, have to reach that far, in
 shorter sides; else they are a scribble, and their confidence is lowered in proportion."""
-_NOTHING, _SURE = 0.7, 0.9
-"""Roads are as wide as measured on this share of their surface or more; with the first share or
-less, as on a chessboard, it consists of no roads."""
+_EXPLAINED, _EXPLAINED_EDGED = (0.7, 0.9), (0.85, 0.97)
+"""Roads are as wide as measured on the second share of their surface or more; with the first share
+or less, as on a chessboard, it consists of no roads. Two edge lines say more closely where a road
+is: what lies between other lines, such as arrows and connectors, widens here and there."""
 _NO_ROAD = 0.45
-"""The confidence of boxes and bars."""
+"""The confidence of boxes, bars and grounds."""
+_GROUND = 0.6
+"""What has more of the picture's rim is the ground about a drawing, no road."""
+_ROWS, _EVEN = 3, 0.02
+"""So many lines that run all upright or level, each alone, and with both ends within the picture,
+are rows, columns or fields; such a line goes at most this share of its length across."""
 _ALONG, _TOUCHING = 0.7, 1.5
 """A bar touches the border, but for so many pixels, on this share of its length."""
 _RIM = 3.0
@@ -35,25 +41,56 @@ _RIM = 3.0
 
 
 def with_doubts(found: FoundNetwork, drawn: bool = True) -> FoundNetwork:
-    """The same roads, those less sure that are short, alone, or hardly longer than wide; and, if
-    they were `drawn` and not rendered as a map, what is a box or leaves its surface unexplained."""
+    """The same roads, those less sure that are short, alone, hardly longer than wide, or the
+    ground; and, if they were `drawn` and not rendered as a map, what is a box, a row or a curve of
+    a chart, or leaves its surface unexplained.
+
+    A map goes on beyond the picture: what no road leaves was drawn.
+    """
     side = min(found.mask.shape)
     factors: dict[int, float] = {}
     parts = connected_parts(found.roads)
     mostly = _share_in_long(parts, _LONG * side) if len(parts) >= _MANY else 1.0
-    words = mostly < _MOSTLY
-    explained = explained_shares(found.mask, parts) if drawn else [1.0] * len(parts)
-    for part, share in zip(parts, explained, strict=True):
-        leaves = not words and any(_at_rim(road, found.mask.shape) for road in part)
-        factor = _slender(part) * (1.0 if leaves else _extended(part, side))
+    leaving = [any(_at_rim(road, found.mask.shape) for road in part) for part in parts]
+    drawn = drawn or not any(leaving)
+    surface = ExplainedSurface.of(found.mask, found.roads)
+    rows = _rows(parts, leaving) if drawn else [False] * len(parts)
+    shares = [surface.shares(part) for part in parts]
+    nothing, sure = _EXPLAINED_EDGED if found.method == EDGE_LINES else _EXPLAINED
+    boxes = [drawn and are_boxes(part, side) for part in parts]
+    frames = [part for part, is_box in zip(parts, boxes, strict=True) if is_box]
+    # The paper within a frame is as little a road as the paper around it.
+    is_ground = drawn and any(rim > _GROUND for _, rim in shares)
+    for index, part in enumerate(parts):
+        explained, rim = shares[index]
+        alone = mostly < _MOSTLY or not leaving[index]
+        factor = _slender(part) * (_extended(part, side) if alone else 1.0)
         factor *= min(1.0, mostly / _MOSTLY)
+        is_none = rows[index] or boxes[index] or is_ground or rim > _GROUND
         if drawn:
-            factor *= float(np.clip((share - _NOTHING) / (_SURE - _NOTHING), 0.0, 1.0))
-            if are_boxes(part, side) or all(_is_bar(road, found.mask.shape) for road in part):
-                factor *= _NO_ROAD
+            factor *= float(np.clip((explained - nothing) / (sure - nothing), 0.0, 1.0))
+            is_none |= all(_is_bar(road, found.mask.shape) for road in part)
+            is_none |= are_framed(part, frames, side)
+        factor *= _NO_ROAD if is_none else 1.0
         factors.update((id(road), factor) for road in part)
     roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
     return replace(found, roads=roads)
+
+
+def _rows(parts: list[list[FoundRoad]], leaving: list[bool]) -> list[bool]:
+    """Which parts are rows, columns or fields, as of a table or a form."""
+    level = [0 if leaves else _level(part) for part, leaves in zip(parts, leaving, strict=True)]
+    many = [way for way in (1, 2) if level.count(way) >= _ROWS]
+    return [way in many for way in level]
+
+
+def _level(part: list[FoundRoad]) -> int:
+    """1 for a straight line that is level, 2 for an upright one, 0 for all else."""
+    corners = np.concatenate([[r.points.min(axis=0), r.points.max(axis=0)] for r in part])
+    reach = np.ptp(corners, axis=0)
+    if reach.min() > _EVEN * reach.max():
+        return 0
+    return 1 + int(reach.argmax())
 
 
 def _slender(part: list[FoundRoad]) -> float:

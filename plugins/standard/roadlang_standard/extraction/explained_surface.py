@@ -1,8 +1,10 @@
-"""How much of a surface its roads explain: a chessboard is no road of even width."""
+"""What of a surface its roads explain, and how much of the picture's rim it is: a chessboard is no
+road of even width, and what surrounds all that is drawn is its ground."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -16,24 +18,38 @@ _FINE = 3
 """Bits of the fraction of a pixel to which lines are drawn."""
 
 
-def explained_shares(mask: Booleans, parts: Sequence[Sequence[FoundRoad]]) -> list[float]:
-    """Of what each part of a network lies on in a mask (h, w), the share within half a width, and a
-    pixel, of any road; 1 where it lies on nothing."""
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.view(np.uint8), connectivity=8)
-    drawn = np.zeros(mask.shape, np.uint8)
-    for part in parts:
-        for road in part:
+@dataclass(frozen=True)
+class ExplainedSurface:
+    """The connected parts (n,) of a mask (h, w): their labels (h, w), how many pixels they have in
+    all, and within half a width, and a pixel, of any road, and their share of the rim."""
+
+    labels: NDArray[np.int32]
+    areas: NDArray[np.int64]
+    near: NDArray[np.int64]
+    rims: NDArray[np.float64]
+
+    @staticmethod
+    def of(mask: Booleans, roads: Sequence[FoundRoad]) -> ExplainedSurface:
+        """That of a mask (h, w), with its roads."""
+        _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.view(np.uint8), connectivity=8)
+        drawn = np.zeros(mask.shape, np.uint8)
+        for road in roads:
             wide = max(1, round(float(np.median(road.widths)))) + 2
             line = np.round(road.points * 2**_FINE).astype(np.int32)
             cv2.polylines(drawn, [line], False, 1, wide, cv2.LINE_8, _FINE)
-    near = np.bincount(labels[(drawn > 0) & mask], minlength=len(stats))
-    shares = []
-    for part in parts:
-        on = np.unique(np.concatenate([_labels_along(road, labels) for road in part]))
+        near = np.bincount(labels[(drawn > 0) & mask], minlength=len(stats))
+        rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+        rims = np.bincount(rim, minlength=len(stats)) / len(rim)
+        areas = stats[:, cv2.CC_STAT_AREA].astype(np.int64)
+        return ExplainedSurface(labels, areas, near, rims)
+
+    def shares(self, part: Sequence[FoundRoad]) -> tuple[float, float]:
+        """Of what part of a network lies on, the share that roads explain, 1 where it lies on
+        nothing; and the share of the picture's rim that has it."""
+        on = np.unique(np.concatenate([_labels_along(road, self.labels) for road in part]))
         on = on[on > 0]
-        area = int(stats[on, cv2.CC_STAT_AREA].sum())
-        shares.append(float(near[on].sum() / area) if area else 1.0)
-    return shares
+        area = int(self.areas[on].sum())
+        return (float(self.near[on].sum() / area) if area else 1.0), float(self.rims[on].sum())
 
 
 def _labels_along(road: FoundRoad, labels: NDArray[np.int32]) -> NDArray[np.int32]:

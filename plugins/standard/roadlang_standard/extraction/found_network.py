@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
+EDGE_LINES = "edge lines"
+"""The method by which roads between two lines are found."""
+
 
 @dataclass(frozen=True)
 class FoundRoad:

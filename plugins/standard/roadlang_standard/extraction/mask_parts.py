@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-_SAMPLED = 101
-"""Every so many pixels are looked at for large parts."""
+_SAMPLED, _MANY = 101, 0.1
+"""Every so many pixels are looked at for large parts; a list of more than this share of all pixels
+takes more time and memory than to count all of them."""
 
 
 def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int32]]:
@@ -38,10 +39,12 @@ def small_parts(mask: Booleans, most: float, connectivity: int = 4) -> Booleans 
     if not doubtful.any():
         return None
     found = np.asarray(doubtful.take(labels))
+    if np.count_nonzero(found) > _MANY * found.size:
+        doubtful &= np.bincount(flat, minlength=count) < most
+        return np.asarray(doubtful.take(labels)) if doubtful.any() else None
     pixels = np.flatnonzero(found)
     owner = flat[pixels]
-    areas = np.bincount(owner, minlength=count)
-    large = areas[owner] >= most
+    large = np.bincount(owner, minlength=count)[owner] >= most
     if large.all():
         return None
     found.ravel()[pixels[large]] = False

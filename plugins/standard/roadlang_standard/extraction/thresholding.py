@@ -13,14 +13,12 @@ from roadlang.geometry import Booleans
 
 from .dashed_roads import with_dashes_joined
 from .drawing import between_lines, most_like_roads
-from .found_network import FoundNetwork
+from .found_network import EDGE_LINES, FoundNetwork
 from .masks import roads_of_surface
 from .pale_roads import pale_surfaces
 from .road_markings import with_markings_filled
 from .tones import Image, Layer, away_from, tones
 
-EDGE_LINES = "edge lines"
-"""The method by which roads between two lines are found."""
 _DOUBTFUL = 0.5
 """Roads less sure may be names: then roads are sought in the ground between these."""
 
