@@ -87,3 +87,11 @@ def test_between_edge_lines_a_road_is_even() -> None:
     assert [road.confidence for road in with_doubts(network).roads] == [1.0]
     edged = with_doubts(replace(network, method=EDGE_LINES))
     assert [0.2 < road.confidence < 0.8 for road in edged.roads] == [True]
+
+
+def test_a_given_width_says_nothing_about_what_was_seen() -> None:
+    mask = np.zeros((100, 200), bool)
+    mask[30:70, 20:180] = True
+    narrow = _network(mask, _line(0, 1, (20, 49, 180, 49), 10))
+    assert [road.confidence for road in with_doubts(narrow).roads] == [0.0]
+    assert [road.confidence for road in with_doubts(narrow, measured=False).roads] == [1.0]

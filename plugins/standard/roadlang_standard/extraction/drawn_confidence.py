@@ -40,12 +40,13 @@ _RIM = 3.0
 """Pixels from the border at which a road leaves the picture: how long it is there is unknown."""
 
 
-def with_doubts(found: FoundNetwork, drawn: bool = True) -> FoundNetwork:
+def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) -> FoundNetwork:
     """The same roads, those less sure that are short, alone, hardly longer than wide, or the
     ground; and, if they were `drawn` and not rendered as a map, what is a box, a row or a curve of
     a chart, or leaves its surface unexplained.
 
-    A map goes on beyond the picture: what no road leaves was drawn.
+    A map goes on beyond the picture: what no road leaves was drawn. `measured`: whether the widths
+    of the roads are those that were seen.
     """
     side = min(found.mask.shape)
     factors: dict[int, float] = {}
@@ -53,7 +54,7 @@ def with_doubts(found: FoundNetwork, drawn: bool = True) -> FoundNetwork:
     mostly = _share_in_long(parts, _LONG * side) if len(parts) >= _MANY else 1.0
     leaving = [any(_at_rim(road, found.mask.shape) for road in part) for part in parts]
     drawn = drawn or not any(leaving)
-    surface = ExplainedSurface.of(found.mask, found.roads)
+    surface = ExplainedSurface.of(found.mask, found.roads, measured)
     rows = _rows(parts, leaving) if drawn else [False] * len(parts)
     shares = [surface.shares(part) for part in parts]
     nothing, sure = _EXPLAINED_EDGED if found.method == EDGE_LINES else _EXPLAINED

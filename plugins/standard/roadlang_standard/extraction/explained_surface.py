@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -14,6 +15,7 @@ from roadlang.geometry import Booleans
 
 from .found_network import FoundRoad
 
+_Value = TypeVar("_Value", np.int32, np.float32)
 _FINE = 3
 """Bits of the fraction of a pixel to which lines are drawn."""
 
@@ -29,12 +31,14 @@ class ExplainedSurface:
     rims: NDArray[np.float64]
 
     @staticmethod
-    def of(mask: Booleans, roads: Sequence[FoundRoad]) -> ExplainedSurface:
-        """That of a mask (h, w), with its roads."""
+    def of(mask: Booleans, roads: Sequence[FoundRoad], measured: bool = True) -> ExplainedSurface:
+        """That of a mask (h, w), with its roads, whose widths were `measured`, not given."""
         _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.view(np.uint8), connectivity=8)
         drawn = np.zeros(mask.shape, np.uint8)
+        inner = None if measured else cv2.distanceTransform(mask.view(np.uint8), cv2.DIST_L2, 5)
         for road in roads:
-            wide = max(1, round(float(np.median(road.widths)))) + 2
+            widths = road.widths if inner is None else 2 * _along(road, inner) - 1
+            wide = max(1, round(float(np.median(widths)))) + 2
             line = np.round(road.points * 2**_FINE).astype(np.int32)
             cv2.polylines(drawn, [line], False, 1, wide, cv2.LINE_8, _FINE)
         near = np.bincount(labels[(drawn > 0) & mask], minlength=len(stats))
@@ -46,14 +50,14 @@ class ExplainedSurface:
     def shares(self, part: Sequence[FoundRoad]) -> tuple[float, float]:
         """Of what part of a network lies on, the share that roads explain, 1 where it lies on
         nothing; and the share of the picture's rim that has it."""
-        on = np.unique(np.concatenate([_labels_along(road, self.labels) for road in part]))
+        on = np.unique(np.concatenate([_along(road, self.labels) for road in part]))
         on = on[on > 0]
         area = int(self.areas[on].sum())
         return (float(self.near[on].sum() / area) if area else 1.0), float(self.rims[on].sum())
 
 
-def _labels_along(road: FoundRoad, labels: NDArray[np.int32]) -> NDArray[np.int32]:
-    """The labels (n,) of the pixels (h, w) along a road."""
-    last = (labels.shape[1] - 1, labels.shape[0] - 1)
+def _along(road: FoundRoad, layer: NDArray[_Value]) -> NDArray[_Value]:
+    """The values (n,) of a layer (h, w) along a road."""
+    last = (layer.shape[1] - 1, layer.shape[0] - 1)
     columns, rows = np.clip(np.round(road.points).astype(int), 0, last).T
-    return np.asarray(labels[rows, columns])
+    return np.asarray(layer[rows, columns])

@@ -93,7 +93,8 @@ def roads_of_surface(
         covered=None if cover is None else cover.mask,
     )
     score = cv2.GaussianBlur(_seen(mask, typical).astype(np.float32), (0, 0), 0.8)
-    found = with_doubts(draft(graph, surface, score, settings, method), drawn=cover is None)
+    drafted = draft(graph, surface, score, settings, method)
+    found = with_doubts(drafted, drawn=cover is None, measured=width is None)
     return replace(found, remarks=(*found.remarks, _LEFT_OUT)) if thin else found
 
 
