@@ -103,7 +103,9 @@ def test_traces_hold_what_moves() -> None:
 
 
 def test_the_worst_is_no_expectation_that_equality_decides() -> None:
-    Path("bend.rl").write_text(TEXT.replace("16m/s", "7m/s") + "expect calm: ego.contacts == 0\n")
+    Path("bend.rl").write_text(
+        TEXT.replace("16m/s", "7m/s") + "expect calm: always (ego.contacts == 0)\n"
+    )
     run(["run", "bend.rl"])
     row = results()[0]
     assert (row["calm"], row["calm satisfied"]) == ("0.0", "true")

@@ -16,6 +16,7 @@ class StraightPiece(Piece):
     """A straight line."""
 
     name: ClassVar[str] = "straight"
+    also_called: ClassVar[tuple[str, ...]] = ("line",)
     length: Length = option(above=0, maximum=1e5, help="arc length")
 
     def to_segment(self, curvature: float) -> Any:
@@ -32,6 +33,7 @@ class ArcPiece(Piece):
     """A circular arc."""
 
     name: ClassVar[str] = "arc"
+    also_called: ClassVar[tuple[str, ...]] = ("curve", "bend", "turn")
     radius: Length = option(above=0, maximum=1e6, help="radius of the center line")
     angle: Angle = option(
         minimum=-MOST_TURN, maximum=MOST_TURN, help="angle of the turn, positive to the left"
@@ -56,6 +58,7 @@ class ClothoidPiece(Piece):
     """A clothoid: the curvature changes linearly along the arc length, up to `to`."""
 
     name: ClassVar[str] = "clothoid"
+    also_called: ClassVar[tuple[str, ...]] = ("spiral",)
     length: Length = option(above=0, maximum=1e5, help="arc length")
     to: Curvature = option(
         minimum=-10, maximum=10, help="curvature at the end, positive to the left"

@@ -123,6 +123,7 @@ class Code:
     SHADOWED_KIND: Final = "RL292"
     NO_BASE_CONTROLLER: Final = "RL293"
     DRIVEN_ON_FOOT: Final = "RL294"
+    JUDGED_AT_START: Final = "RL295"
     EMPTY_TRACE: Final = "RL300"
     INVALID_POSITIONS: Final = "RL301"
     NON_FINITE_SIGNAL: Final = "RL302"

@@ -12,6 +12,7 @@ from ..plugins.option_types import (
     ListType,
     MapType,
     OptionType,
+    TextType,
     UnionType,
 )
 
@@ -36,6 +37,8 @@ class Context:
     """Whether it names whom a controller watches: anyone but the agent that it drives"""
     strings: bool = False
     """A bare name that means nothing else is a string, as in `--set weather=rain`."""
+    takes_text: bool = False
+    """Whether it is an option that holds a string"""
     roles: tuple[str, ...] = ()
     """What a name must be declared as, such as `agent`; empty for anything"""
     example: str = ""
@@ -54,6 +57,7 @@ class Context:
             words=words,
             verbs=verbs_in(option),
             strings=False,
+            takes_text=isinstance(option, TextType),
             roles=roles_in(option),
             example=example,
         )

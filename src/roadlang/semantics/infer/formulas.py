@@ -226,7 +226,10 @@ def interval_of(
 ) -> Interval | TypedExpression | None:
     """The interval in the unit of the formula's domain; unknown, reported, where it is not."""
     if evidence is None:
-        return checker.report(Code.TEMPORAL_OVER_CONSTANTS, node.word_span, word=node.word)
+        help_ = f"leave out `{node.word}`; `expect` evaluates it over the drive"
+        return checker.report(
+            Code.TEMPORAL_OVER_CONSTANTS, node.word_span, word=node.word, help=help_
+        )
     if not ends:
         return None
     expected = LENGTH if evidence.domain == "road" else TIME

@@ -62,6 +62,7 @@ _COUNTERS = ("index", "i", "j", "k", "n", "idx")
 _NAMES = {
     "pi": "an angle has a unit: `180deg`",
     "None": "leave the option out",
+    "end": "the end of a road is `100%`",
 }
 _POSITION = (
     "write `x` and `y`, or `station` for the arc length along the road; "
@@ -69,6 +70,8 @@ _POSITION = (
 )
 _MEMBERS = {
     "position": _POSITION,
+    "position.x": "write `x`",
+    "position.y": "write `y`",
     "velocity": "write `speed`",
     "v": "write `speed`",
     "s": "write `station`",
@@ -137,6 +140,10 @@ _ROUTE = (
     "`route: [(10m, 45m), (85m, 15m)]` through points"
 )
 _ROUTES = frozenset(("turn", "turns", "then", "direction", "path", "goal", "destination", "to"))
+_ROAD_LENGTH = (
+    "the length of a road follows from how it is drawn: "
+    "`draw with segments { pieces: [straight(100m)] }`"
+)
 _LANE_LISTS = "lanes are listed from the middle of the road: `right: [drive, {}]`"
 _SELECT = "to use one of its roads, declare it: `road NAME from NETWORK { select: longest }`"
 _SIDES = {"right": "-1", "left": "1"}
@@ -188,6 +195,9 @@ def name_help(
         return ("copies have no index: `at 0%..100%` draws a position for each of them"), ()
     if name.text in _NAMES:
         return _NAMES[name.text], ()
+    if context.takes_text and name.text not in checker.program.declarations:
+        quoted = f'"{name.text}"'
+        return f"a string stands in quotes: `{quoted}`", (Fix(name.span, quoted),)
     if context.example and not nearest(name.text, checker.program.declarations):
         return f"write a value such as `{context.example}`", ()
     return None
@@ -234,6 +244,8 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
     if name in (*PASS_VERBS, "sample", "simulate", "falsify"):
         return (f"write `{name} with KIND {{ ... }}`",)
     verb = owner.strip("`").split(" ")[0]
+    if (verb, name) == ("road", "length"):
+        return (_ROAD_LENGTH,)
     if name == "lane_width" and verb in ("road", "network"):
         return (_LANE_WIDTH,)
     if verb == "drive" and name in _DRIVE_OPTIONS and "when" in known:
@@ -265,10 +277,16 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
     return (_OPTIONS[name],) if name in _OPTIONS else ()
 
 
+_OWN_VERBS = {"image": "adjust", "network": "extract", "road": "draw"}
+"""What makes them, if it does not stand in the statement itself"""
+
+
 def option_elsewhere(checker: Checker, name: str, owner: str) -> tuple[str, ...]:
-    """The one or two kinds beside the `owner`, `falsify with halton`, that have the option."""
-    verb, with_, _ = owner.strip("`").partition(" with ")
-    kinds = map(loaded, checker.registry.of(verb)) if with_ else ()
+    """The one or two kinds beside the `owner`, `falsify with halton`, that have the option; for a
+    road those that draw it."""
+    written, with_, _ = owner.strip("`").partition(" with ")
+    verb = written if with_ else _OWN_VERBS.get(written, "")
+    kinds = map(loaded, checker.registry.of(verb)) if verb else ()
     found = [
         f"`{verb} with {kind.entry.name}`"
         for kind in kinds

@@ -17,6 +17,7 @@ from ..infer.kinds import find_kind
 from ..infer.statement_spec import StatementSpec
 from ..infer.triviality import warn_if_trivial
 from ..names.program import Declaration
+from ..types.expression_types import TypedExpression
 from .evaluation import lower_evaluation
 
 
@@ -48,6 +49,7 @@ def lower_constraint(
         )  # fmt: skip
         return None
     evaluation = lower_evaluation(checker, spec, statement, typed)
+    _warn_if_at_start(checker, statement, statement.formula, typed)
     warn_if_trivial(checker, statement, typed)
     if evaluation is None:
         return None
@@ -59,6 +61,22 @@ def lower_constraint(
         place = next((i.value.span for i in options if i.key.text == "semantics"), None)
         condition = replace(condition, text=text, evaluation=evaluation, semantics_span=place)
     return ir.ScenarioConstraint(name, condition, statement.span)
+
+
+def _warn_if_at_start(
+    checker: Checker, statement: ast.Constraint, written: ast.Expression, typed: TypedExpression
+) -> None:
+    """RL295: signals without an operator that says where or when."""
+    if typed.evidence is None or typed.formula is None or typed.formula.temporal:
+        return
+    name, text = statement.name.text, one_line(written)
+    checker.report(
+        Code.JUDGED_AT_START,
+        written.span,
+        name=name,
+        what=typed.evidence.domain,
+        help=f"write `always ({text})`, or `eventually ({text})`",
+    )
 
 
 def _judged(

@@ -39,7 +39,14 @@ def other_form(
     if isinstance(expected, opt.WordType) and isinstance(typed.type, ty.Quantity):
         is_angle = typed.type.dimension == ANGLE  # of `facing`
         return ((f"write `heading: {typed.span.text}`",) if is_angle else ()), ()
+    numbers = [item.span.text for item in typed.items if isinstance(item.type, ty.Quantity)]
+    if isinstance(expected, opt.PointType) and isinstance(typed.type, ty.SequenceType):
+        meant = f"({', '.join(numbers)})"
+        fits = len(numbers) == len(typed.items) == len(expected.parts)
+        return ((f"write `{meant}`",), (Fix(typed.span, meant),)) if fits else ((), ())
     is_point = isinstance(typed.type, ty.CoordinatesType)  # lists of points have several
+    if isinstance(expected, opt.ListType) and is_point and isinstance(expected.item, opt.PointType):
+        return (f"a list of points is written `[{typed.span.text}, (X, Y)]`",), ()
     if isinstance(expected, opt.ListType) and not is_point and matches(typed, expected.item):
         meant = f"[{typed.span.text}]"
         words = _words(typed)

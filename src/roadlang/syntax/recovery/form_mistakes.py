@@ -145,6 +145,29 @@ def list_as_source(place: ErrorPosition) -> Mistake | None:
     return Mistake(found, hopeless=True)
 
 
+def name_behind_block(place: ErrorPosition) -> Mistake | None:
+    """`sense with ranges { ... } as front`: the name of a pass stands before its block."""
+    if (place.kind(-1), place.kind(), place.kind(1)) != ("RBRACE", "AS", "NAME"):
+        return None
+    opener = _opener(place, place.index - 1, "LBRACE", "RBRACE")
+    if opener is None or opener < 3 or place.tokens[opener - 2][0] != "WITH":
+        return None
+    named, block = place.tokens[place.index : place.index + 2], place.tokens[opener : place.index]
+    start, name = place.tokens[opener - 3][2], place.word(1)
+    before = place.source.span(start, place.tokens[opener - 1][3]).text
+    moved = place.source.span(place.tokens[opener][2], place.token(1)[3])
+    inside = place.source.span(moved.start, place.token(-1)[3]).text
+    found = diagnose(
+        Code.UNEXPECTED_TOKEN,
+        place.span(0, 1),
+        expected="the name before the block",
+        found=f"`as {name}`",
+        help=f"write `{before} as {name} {{ ... }}`",
+        fixes=[Fix(moved, f"as {name} {inside}")],
+    )
+    return Mistake(found, Edit(opener, place.index + 2, (*named, *block)))
+
+
 def actor_order(place: ErrorPosition) -> Mistake | None:
     """`is K at P on R`: the order is fixed."""
     if place.first_kind not in ("AGENT", "OBJECT") or place.kind() not in ("ON", "IS"):

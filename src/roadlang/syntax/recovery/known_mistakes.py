@@ -34,6 +34,7 @@ from .form_mistakes import (
     interval_form,
     list_as_source,
     list_operand,
+    name_behind_block,
     option_without_value,
 )
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
@@ -49,7 +50,7 @@ from .sign_mistakes import (
     turned_comparison,
     wrong_sign,
 )
-from .statement_habits import foreign_pass_help, json_document, override_with_role
+from .statement_habits import bare_number, foreign_pass_help, json_document, override_with_role
 from .step_operators import bare_operand
 from .token_names import expectation, finding
 from .weighted_choice import weights_map
@@ -69,6 +70,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     loose_unit,
     bare_operand,
     list_as_source,
+    name_behind_block,
     third_dot,
     clock_time,
     decimal_point,
@@ -91,6 +93,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     scenic_placement,
     scenic_operator,
     override_with_role,
+    bare_number,
     json_document,
     method_call,
     emit_target,

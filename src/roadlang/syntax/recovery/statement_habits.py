@@ -8,6 +8,7 @@ from ...diagnostics import Code, Fix, Source, diagnose
 from ..parsing.grammar import END
 from ..parsing.tokens import Token
 from .error_position import Edit, ErrorPosition, Mistake
+from .token_names import finding
 
 _LOOP = "there are no loops: `count: 5` in the block of an agent or object makes five copies"
 _CONDITION = (
@@ -24,6 +25,7 @@ _CONTROLLERS = (
     "`drive with brake { when: time > 4s }`"
 )
 _DRIVE_ENDS = "the length of a drive is set by `simulate { duration: 20s }`"
+_JUNCTION = "junctions are made where roads of a network meet: `network NAME from ...`"
 _VALUE = "write `param NAME = value`, which can be set from outside, or `let NAME = value`"
 
 _JSON = (
@@ -46,6 +48,9 @@ _HELP = {
     "var": _VALUE, "const": _VALUE, "val": _VALUE, "set": _VALUE,
     "assert": "write `require NAME: formula`, or `expect NAME: formula`",
     "seed": "the seed is an option of the command: `roadlang compile scene.rl --seed 7`",
+    "map": 'write `network NAME from "town.xodr"`',
+    "intersection": _JUNCTION, "junction": _JUNCTION, "crossing": _JUNCTION,
+    "title": 'write `scenario NAME "title"`',
     "print": "there is nothing to print: `emit json` writes every value of a scene",
     "adjust": "write it in a block: `image dark from photo { adjust with brightness { ... } }`",
     "extract": "write it in a block: `network town from photo { extract with auto }`",
@@ -91,6 +96,27 @@ def override_with_role(place: ErrorPosition) -> Mistake | None:
         fixes=[Fix(place.source.span(span.start, place.token()[2]), "")],
     )
     return Mistake(found, Edit(1, 2))
+
+
+def bare_number(place: ErrorPosition) -> Mistake | None:
+    """`simulate 30s`, `sample 10`: what the number is has to be said."""
+    if place.index != 1 or place.kind() != "NUMBER" or place.first_kind not in _NUMBERS:
+        return None
+    help_ = _NUMBERS[place.first_kind].format(place.word())
+    found = finding(place)
+    return Mistake(
+        diagnose(
+            Code.UNEXPECTED_TOKEN, place.span(), expected="`with` or `{`", found=found, help=help_
+        ),
+        hopeless=True,
+    )
+
+
+_NUMBERS = {
+    "SIMULATE": "write `simulate {{ duration: {} }}`",
+    "FALSIFY": "write `falsify {{ evaluations: {} }}`",
+    "SAMPLE": "the number of scenes is an option of the command: `roadlang compile scene.rl -n {}`",
+}
 
 
 def json_document(place: ErrorPosition) -> Mistake | None:
