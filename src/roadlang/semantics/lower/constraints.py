@@ -70,12 +70,13 @@ def _warn_if_at_start(
     if typed.evidence is None or typed.formula is None or typed.formula.temporal:
         return
     name, text = statement.name.text, one_line(written)
+    operand = text if isinstance(written, ast.GroupExpression) else f"({text})"
     checker.report(
         Code.JUDGED_AT_START,
         written.span,
         name=name,
         what=typed.evidence.domain,
-        help=f"write `always ({text})`, or `eventually ({text})`",
+        help=f"write `always {operand}`, or `eventually {operand}`",
     )
 
 
