@@ -59,6 +59,26 @@ def test_a_search_without_a_scene_says_which_requirement_rejects(
     assert "long: length(main) > 149.9999m  4 of 4    100.0%" in told
 
 
+def test_a_search_tells_what_no_draw_can_satisfy_as_compile_does(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = MISSPELLED.replace("falsify with cmaes { evaluations: 10 }", "")
+    text += "road bent from main { perturb with sine { amplitude: 1m..2m, wavelength: 60m } }\n"
+    text += "require far: always (deviation(bent, main) > 5m)\n"
+    (tmp_path / "a.rl").write_text(text)
+    told = []
+    for command in ("compile", "falsify"):
+        folder = tmp_path / command
+        assert run([command, str(tmp_path / "a.rl"), "-o", str(folder)]) == 3
+        told.append([line for line in capsys.readouterr().err.splitlines() if line])
+        assert not folder.exists()
+    assert "error[RL600]: no draw can satisfy always (deviation(bent, main) > 5m)" in told[0]
+    assert "  = help: `deviation(bent, main)` is 0m to 2m" in told[0]
+    assert sum(line.startswith("warning[RL192]") for line in told[0]) == 1
+    told[0].remove("1 error and 1 warning")  # which a search does not tell at the same time
+    assert told[1] == told[0]
+
+
 LONG = "b" * 300
 ROAD = "road main { draw with segments { pieces: [straight(100m)] } }\n"
 

@@ -18,6 +18,7 @@ from ..ir.scene import Scene
 from ..ir.values import PassCall
 from ..judging.acceptance import Acceptance
 from ..judging.early_verdicts import reasons
+from ..judging.impossible import FIRST, impossible_requirements
 from ..judging.requirement import Requirement
 from ..plugins.registry import Registry
 from ..search.accepted import Concretize
@@ -96,7 +97,7 @@ def sample_scenes(
     if emission is not None:
         make = partial(emitted, concretize, emission.backends)
     task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
-    if impossible := _impossible(task.acceptance, seed):
+    if impossible := impossible_requirements(task.acceptance, seed):
         return _nothing(task, impossible, n or 1)
     found = search(task, n, workers, None if emission is None else emission.taken)
     concrete = [sample.result for sample in found.samples]
@@ -147,38 +148,6 @@ def _observed(
         assert candidates.record is not None
         candidates.record.add_alone({row: record}, candidates.count)
     return found
-
-
-_CHECKED_BY = 16
-"""Candidates that must agree with bounds that refute a requirement"""
-
-
-def _impossible(acceptance: Acceptance, seed: int) -> frozenset[int]:
-    """Requirements that bounds refute, or that nothing random has a say in and that fail."""
-    count = 1 if acceptance.has_varying_stations else _CHECKED_BY
-    attempts = np.arange(count)
-    few = CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), attempts)
-    refuted = acceptance.impossible(few)
-    return refuted | _failing_without_draws(acceptance, few.take(np.zeros(1, np.intp)), refuted)
-
-
-def _failing_without_draws(
-    acceptance: Acceptance, first: CandidateBatch, refuted: frozenset[int]
-) -> frozenset[int]:
-    """Of the requirements that nothing random has a say in, those that fail: the last ones are
-    judged where all others hold."""
-    fixed = [i for i, each in enumerate(acceptance.requirements) if not each.is_random]
-    found = set(refuted)
-    for last in (False, True):
-        if last and found:
-            break
-        for index in fixed:
-            requirement = acceptance.requirements[index]
-            if requirement.last is not last or index in found:
-                continue
-            if not requirement.is_satisfied(first, requirement.rho(first)).all():
-                found.add(index)
-    return frozenset(found)
 
 
 def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) -> SamplingResult:
@@ -233,7 +202,7 @@ def _causes(task: SceneSearch[Any], texts: Sequence[str]) -> tuple[str, ...]:
 def _first_candidates(task: SceneSearch[Any]) -> CandidateBatch:
     """Some candidates as the sampler proposes them: what it chooses is not drawn again."""
     acceptance, seed = task.acceptance, task.seed
-    count = 1 if acceptance.has_varying_stations else _CHECKED_BY
+    count = 1 if acceptance.has_varying_stations else FIRST
     if task.sampler.kind.sequential:
         return first_of_stream(acceptance, task.sampler, seed, count)
     return CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), np.arange(count))

@@ -23,14 +23,9 @@ from ..falsification.search_key import search_key
 from ..falsification.search_loop import SearchResult, search_failures
 from ..falsification.settings import plan_of
 from ..falsification.shrinking import Influence, influences, shrunk
-from ..falsification.statistics import (
-    Coverage,
-    FailureRate,
-    best_so_far,
-    coverage,
-    failure_rate,
-)
+from ..falsification.statistics import Coverage, FailureRate, best_so_far, coverage, failure_rate
 from ..files.journal import JOURNAL_FILE
+from ..judging.impossible import impossible_requirements
 from ..search.rejection_report import RejectionRow, rows_of_outcomes
 from ..search.worker_pool import WorkerPool, Workers
 from ..simulation.vehicles import compiled
@@ -278,18 +273,20 @@ def falsified(
     resume: bool = False,
 ) -> Falsification:
     """Search; `LoadedScenario.falsify` tells what is raised. The journal is in `folder`."""
-    source, registry = loaded.scenario, loaded.registry
-    scenario = index_scenario(source, registry)
+    scenario = index_scenario(loaded.scenario, loaded.registry)
     plan, expects = plan_of(scenario, seed, searcher, settings)
     axes = axes_of(scenario, seed)
     if not axes:
         raise DiagnosticError(diagnose(Code.NOTHING_TO_SEARCH, help=_RANGE))
-    names = tuple(axis.name for axis in axes)
     task = Task(
-        source, registry, seed, names, expects, drives.engine, dict(drives.options), loaded.params,
-        plan.after_violation,
+        loaded.scenario, loaded.registry, seed, tuple(axis.name for axis in axes), expects,
+        drives.engine, dict(drives.options), loaded.params, plan.after_violation,
     )  # fmt: skip
     evaluator = Evaluator(task)
+    if impossible_requirements(evaluator.acceptance, seed):
+        from .scene_set import refuse_impossible  # with what a search does not import
+
+        refuse_impossible(loaded, seed)
     journal: Journal = NoJournal()
     if folder is not None:
         journal = SearchJournal(folder / JOURNAL_FILE, search_key(task, plan), resume)

@@ -223,9 +223,10 @@ class LoadedScenario:
         `random`. `engine` with its `options` (SI units) is as in `SceneSet.run`. The same scenario,
         seed and settings give the same outcomes, whatever `jobs` and `executor` (anything with
         `submit`, of `jobs` workers) are. `folder` keeps a journal, which `resume` goes on with.
-        Raises `DiagnosticError` (RL702 for the journal of another search, RL703, RL705 where there
-        is nothing to violate or to search; for settings RL220 where there is none of that name,
-        RL206 and RL208 for its value), `TypeError` and `ValueError` for the other arguments.
+        Raises `NoSceneError` RL600 where no draw can satisfy a requirement, `DiagnosticError`
+        (RL702 for the journal of another search, RL703, RL705 where there is nothing to violate or
+        to search; for settings RL220 where there is none of that name, RL206 and RL208 for its
+        value), `TypeError` and `ValueError` for the other arguments.
         """
         from ..falsification.settings import SETTINGS
         from .falsification import Drives, falsified

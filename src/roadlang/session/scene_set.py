@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
 from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
+from ..search.worker_pool import ALONE
 from .expectations import Expectation, expectations_of
 from .scene import Scene
 from .tables import columns_of, frame_of
@@ -53,6 +54,17 @@ def sampled(
     if not scenes:
         raise NoSceneError(scenes)
     return scenes
+
+
+def refuse_impossible(loaded: LoadedScenario, seed: int) -> None:
+    """Raises `NoSceneError` RL600, as `sampled` does, without warnings of the check, of a scenario
+    with a requirement that no draw can satisfy."""
+    try:
+        sampled(loaded, 1, seed, ALONE)
+    except NoSceneError as error:
+        told = loaded.check()
+        error.diagnostics = tuple(each for each in error.diagnostics if each not in told)
+        raise
 
 
 class SceneSet(Sequence[Scene]):
