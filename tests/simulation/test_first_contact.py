@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.simulation.calling.option_columns import shape_of
-from roadlang.simulation.surroundings.contacts import first_contact
+from roadlang.simulation.surroundings.first_contacts import first_contact
 from roadlang.simulation.surroundings.outlines import Outlines
 
 

@@ -8,8 +8,10 @@ import math
 import numpy as np
 import pytest
 
-from roadlang.simulation.traffic.oncoming import SPACING, WIDEST, _places, _Samples
+from roadlang.simulation.traffic.narrow_places import WIDEST, narrow_places
+from roadlang.simulation.traffic.sampled_ways import SPACING, SampledWays
 from roadlang.simulation.traffic.wide_places import MARGIN
+from roadlang.simulation.vehicles import compiled
 
 HALF, REACH, APART = 5.0, 40.0, 30.0
 DIRECTIONS = [0.0, 0.5 * math.pi, 2.0, math.pi, -0.5 * math.pi, -2.5]
@@ -21,7 +23,7 @@ def found(
     left: tuple[float, float] = (1.5, 1.5), right: tuple[float, float] = (1.5, 1.5),
 ) -> Found:  # fmt: skip
     """The places of one that heads in a direction, and of another 30 m ahead and `beside` meters to
-    its left, which is turned. `left`, `right`: what each covers there."""
+    its left, which is turned, compiled too to the last bit. `left`, `right`: what each covers."""
     s = (np.arange(0.0, REACH, SPACING) - HALF)[:, None] * np.ones(2)
     heading = np.array([direction, direction + turned])
     ahead, across = np.array([0.0, APART]), np.array([0.0, beside])
@@ -29,8 +31,20 @@ def found(
     y = ahead * math.sin(direction) + across * math.cos(direction) + s * np.sin(heading)
     cosine, sine = np.cos(heading) + 0.0 * s, np.sin(heading) + 0.0 * s
     to_left, to_right = np.array(left) + 0.0 * s, np.array(right) + 0.0 * s
-    lines = _Samples(np.arange(2), s, x, y, cosine, sine, to_left, to_right, s > math.inf)
-    places = _places(lines, np.array([0]), np.array([1]))
+    lines = SampledWays(np.arange(2), s, x, y, cosine, sine, to_left, to_right, s > math.inf)
+    pairs = np.array([0]), np.array([1])
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiled, "is_loaded", lambda: False)
+        places = narrow_places(lines, *pairs)
+        if compiled.is_installed():
+            patch.setattr(compiled, "is_loaded", lambda: True)
+            fast = narrow_places(lines, *pairs)
+            assert (places is None) == (fast is None)
+            if places is not None and fast is not None:
+                meets = np.isfinite(places[0])
+                for one, other in zip(places, fast, strict=True):
+                    np.testing.assert_array_equal(other[meets], one[meets])
+                np.testing.assert_array_equal(np.isfinite(fast[0]), meets)
     return None if places is None else [np.round(part, 6).tolist() for part in places]
 
 

@@ -149,7 +149,7 @@ def test_limits_ahead_are_braked_for(crossing: Scene) -> None:
     begins = world.table.begin[0, 2]
     rows = np.zeros(3, dtype=np.int64)
     along = np.array([begins - 20.0, begins - 1.0, begins + 1.0])
-    limits = world.table.speed_limit_ahead(rows, along, 2.0, 0.0)
+    limits = world.table.speed_limit_ahead(rows, along, 2.0)
     assert limits == pytest.approx([np.sqrt(25.0 + 80.0), np.sqrt(25.0 + 4.0), 5.0])
     assert world.table.speed_limit(rows, along).tolist() == [20.0, 20.0, 5.0]
 

@@ -103,11 +103,12 @@ def _drive_block(
     with collector_paused():  # objects for each scene, all of which live on
         world, drivers, contacts, recorder = _at_start(scenes, controllers, settings)
     world.advance = advance
-    poses = world.poses
-    recorder.note(world, contacts.watch(world, poses, 0.0))
+    poses: Poses | None = world.poses
+    recorder.note(world, contacts.watch(world, world.poses, 0.0))
     calm = Repetition.of(world, drivers, contacts, held, sampled)
     while True:
         if world.tick % sampled == 0 or world.tick >= last:
+            poses = poses or world.poses
             recorder.record(world, poses)
         going_on = recorder.going_on
         if world.tick >= last or not len(going_on):
@@ -117,26 +118,27 @@ def _drive_block(
             agents, count = _columns(going_on, world.slots), len(world.present)
             drivers.take(agents, count)
             contacts.take(agents, count)
-            world, poses = world.take(going_on), poses.take(agents)
+            world, poses = world.take(going_on), poses and poses.take(agents)
             recorder.go_on_with(going_on, agents, count)
             if calm:
                 calm.take(agents)
         if calm and calm.drive(world, recorder, last):
-            poses = world.poses
+            poses = None
             continue
         poses = _decide_and_move(world, poses, (drivers, contacts, recorder), settings)
 
 
 def _decide_and_move(
     world: World,
-    poses: Poses,
+    poses: Poses | None,
     others: tuple[DriverGroup, ContactDetector, Recorder],
     settings: EngineSettings,
-) -> Poses:
-    """Agents move for as long as a decision holds. Returns where they are then."""
+) -> Poses | None:
+    """Agents move for as long as a decision holds. `poses`: where they are. Returns where they are
+    then. None: that was not looked at."""
     drivers, contacts, recorder = others
     held, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
-    decision = drivers.decide(world, poses)
+    decision = drivers.held(world) or drivers.decide(world, poses or world.poses)
     recorder.note_failures(world, decision.failures)
     steps = min(held, settings.ticks(settings.duration) - world.tick)
     samples = range(sampled - world.tick % sampled, steps, sampled)
@@ -144,14 +146,14 @@ def _decide_and_move(
     passed = world.step(
         decision.steering, decision.acceleration, decision.heading, steps, samples, pose
     )
-    poses = world.poses
-    touched = contacts.watch(world, poses, steps * settings.vehicle_step)
+    poses = None if contacts.is_quiet(world) else world.poses
+    touched = poses and contacts.watch(world, poses, steps * settings.vehicle_step)
     if touched:
         recorder.note(world, touched)
         poses = world.poses
         contacts.seen(poses)
     for between in passed:
-        _halt_touched(between, world, touched)
+        _halt_touched(between, world, touched or ())
         recorder.record(between, between.poses)
     return poses
 

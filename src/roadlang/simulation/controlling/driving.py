@@ -72,6 +72,13 @@ class DriverGroup:
         """What sensors measure."""
         return View(world, poses, self._step, self._surroundings)
 
+    def held(self, world: World) -> Decision | None:
+        """What was decided, where it still holds and nothing has to be looked at to know that."""
+        looks = self.sensing is not None or not self._triggers.is_empty
+        if looks or any(each.is_over(world.time) for each in self._lasting):
+            return None
+        return self._held
+
     def decide(self, world: World, poses: Poses) -> Decision:
         """What all agents are to do until the next step. Moves the lines that they follow."""
         self.sense(world, poses)

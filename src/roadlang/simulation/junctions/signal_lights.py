@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -93,6 +94,11 @@ class ShownLights:
     begin: Floats
     yellow: Floats
     red: Floats
+
+    @property
+    def members(self) -> tuple[Any, ...]:
+        """All of them, in their order."""
+        return self.cycle, self.offset, self.has_signals, self.begin, self.yellow, self.red
 
     @cached_property
     def _any(self) -> bool:

@@ -175,14 +175,11 @@ class RouteTable:
         """(N,) m/s, infinite for none."""
         return np.asarray(self.limit[self.line[rows], self.leg(rows, along)])
 
-    def speed_limit_ahead(
-        self, rows: Any, along: Floats, braking: Floats | float, on: Floats | float
-    ) -> Floats:
-        """(N,) the greatest speeds, `on` meters ahead, from which all limits from there on can be
-        kept with `braking`, m/s^2: `v^2 = limit^2 + 2 braking distance`."""
-        there = along + on
+    def speed_limit_ahead(self, rows: Any, there: Floats, braking: Floats | float) -> Floats:
+        """(N,) the greatest speeds at arc lengths from which all limits from there on can be kept
+        with `braking`, m/s^2: `v^2 = limit^2 + 2 braking distance`."""
         line = self.line[rows]
-        square, begin, end = self._limits
+        square, begin, end = self.limits
         rate = np.asarray(2.0 * braking, dtype=np.float64)
         rate = rate if rate.shape == there.shape else np.full(there.shape, rate)
         distance = np.maximum(begin[line] - there[:, None], 0.0)
@@ -191,7 +188,7 @@ class RouteTable:
         return np.asarray(np.sqrt(np.where(ahead, squares, math.inf).min(axis=1)))
 
     @cached_property
-    def _limits(self) -> tuple[Floats, Floats, Floats]:
+    def limits(self) -> tuple[Floats, Floats, Floats]:
         """(L, K) squares of the limits, and where these begin and end; those that a line does not
         have are infinite and begin nowhere, so that no distance counts."""
         end = np.full(self.begin.shape, math.inf)

@@ -14,6 +14,7 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.observation import ObservationBatch
 from ...ir.readings import Reading, Readings
 from ...ir.surroundings import LaneChoice, LanePlaces, Neighbors
+from ..state.along_routes import limits_ahead
 from ..state.world import World
 from ..surroundings.leaders import Leaders, leaders
 from ..surroundings.neighbors import Nearby
@@ -191,7 +192,7 @@ class View:
         if not self.surroundings.has_limits:
             return np.full(len(rows), math.inf)
         along = self.world.track.wrapped(self.world.motion.along)[rows]
-        ahead = self.world.table.speed_limit_ahead(rows, along, braking, on)
+        ahead = limits_ahead(self.world.table, rows, along, braking, on)
         routed = self.world.has_route[rows]
         if np.count_nonzero(routed) == len(routed):
             return ahead

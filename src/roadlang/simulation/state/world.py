@@ -22,8 +22,10 @@ from ..vehicles.motion import Advance, Motion, Track, advance
 from ..vehicles.placing import Placing
 from ..vehicles.poses import Poses, poses_of
 from ..vehicles.verges import Verges
+from .along_routes import stations
 from .arrivals import ARRIVED, END_BRAKING, all_arrived
 from .line_heights import LineHeights
+from .settling import can_settle, settle
 
 
 @dataclass
@@ -84,7 +86,7 @@ class World:
     """the tick at which that began"""
     advance: Advance = advance
     """the equations of motion"""
-    _arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
+    arrived: tuple[Floats, Floats, Booleans] | None = None  # arc lengths, and who is at its end
     any_left: bool = False
     """whether anybody has"""
 
@@ -103,9 +105,8 @@ class World:
         """Where all agents are."""
         if self.placing is None:
             return poses_of(self.motion, self.track)
-        steps, stays = self.tick - self.placed_at, self.halted
-        if self.any_left:
-            stays = stays | ~self.present
+        steps = self.tick - self.placed_at
+        stays = self.halted | ~self.present if self.any_left else self.halted
         return self.placing.poses(self.motion, self.track, steps, stays)
 
     def reset(self) -> None:
@@ -150,8 +151,7 @@ class World:
             if end < steps:
                 between = shallow(self)
                 between.motion, between.followed = motion.copied(), self.followed.copied()
-                between.contacts = self.contacts.copy()
-                between.collision = self.collision.copy()
+                between.contacts, between.collision = self.contacts.copy(), self.collision.copy()
                 between._arrive(before, end)
                 passed.append(between)
         self._arrive(before, steps)
@@ -159,10 +159,10 @@ class World:
 
     def limited(self, acceleration: Floats) -> Floats:
         """(N,) accelerations with the braking of those who have arrived at the end of a road."""
-        if not np.count_nonzero(self.at_end):  # several times as fast as `any`
-            return acceleration
-        most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
-        return np.minimum(acceleration, most)
+        if np.count_nonzero(self.at_end):  # several times as fast as `any`
+            most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
+            return np.minimum(acceleration, most)
+        return acceleration
 
     def follow(self, pose: Floats, steering: Floats, poses: Poses, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `poses`: those so
@@ -180,6 +180,9 @@ class World:
 
     def _arrive(self, before: Motion, steps: int) -> None:
         """The motion is `steps` steps on; `before`: what it was then."""
+        if can_settle(self):
+            settle(self, before, steps)
+            return
         seconds = steps * self.dt
         if self.placing is not None:
             self.placing.put(self.motion, self.track, steps, seconds)
@@ -188,12 +191,12 @@ class World:
             gone = self.filled & ~self.present & self.at_end
             self.motion.put(gone, before)
             speed = np.where(gone, 0.0, speed)
-        moved = self.motion.along - before.along
-        self.pace = (moved / seconds, (self.motion.offset - before.offset) / seconds)
+        moved, left = self.motion.along - before.along, self.motion.offset - before.offset
+        self.pace = moved / seconds, left / seconds
         self.traveled = self.traveled + moved
         self.followed.advance(speed, seconds)
         if not self.stop_lines.is_empty:
-            self._count_red_lights(before.along, moved, seconds)
+            self.count_red_lights(before.along, moved, seconds)
         self.track.wrap(self.motion)
         self.tick += steps
         self._leave()
@@ -205,7 +208,8 @@ class World:
             self.any_left = bool(np.count_nonzero(arrived))
             self.present = self.filled & ~arrived
 
-    def _count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
+    def count_red_lights(self, before: Floats, moved: Floats, seconds: float) -> None:
+        """Agents have `moved` from arc lengths `before`."""
         front = before + 0.5 * self.bodies.length
         if self.track.has_closed or self.stop_lines.may_cross(front, moved):
             lap, rows = np.where(self.closed, self.length, math.inf), np.arange(len(front))
@@ -230,12 +234,12 @@ class World:
     @property
     def at_end(self) -> Booleans:
         """(N,) who has arrived at the end of its line, or has gone all around."""
-        along, traveled, known = self.motion.along, self.traveled, self._arrived
+        along, traveled, known = self.motion.along, self.traveled, self.arrived
         if known is None or known[0] is not along or known[1] is not traveled:
             arrived = self.end - along < ARRIVED
             if self.track.has_closed:
                 arrived = np.where(self.closed, traveled >= self.length, arrived)
-            known = self._arrived = along, traveled, self.has_road & arrived
+            known = self.arrived = along, traveled, self.has_road & arrived
         return known[2]
 
     @property
@@ -249,8 +253,7 @@ class World:
         along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
         station = np.where(self.backward, self.length - along, along)
         rows = self.has_route.nonzero()[0]
-        if len(rows):
-            station[rows] = self.table.station(rows, along[rows])
+        station[rows] = stations(self.table, rows, along[rows]) if len(rows) else 0.0
         return station
 
     @property
@@ -262,8 +265,7 @@ class World:
     def progress(self) -> Floats:
         """(N,) share of the line: of an open one up to here, of a closed one since the start."""
         along = np.where(self.closed, self.traveled, np.maximum(self.motion.along, 0.0))
-        share = np.where(self.at_end, 1.0, along / self.length)
-        return np.where(self.has_road, share, 0.0)
+        return np.where(self.has_road, np.where(self.at_end, 1.0, along / self.length), 0.0)
 
     @property
     def cross_track_error(self) -> Floats:
@@ -272,7 +274,7 @@ class World:
 
     def halt(self, agent: int, seconds: float) -> None:
         """An agent stands, from where it was some seconds ago."""
-        motion, self._arrived = self.motion, None
+        motion, self.arrived = self.motion, None
         motion.along[agent] -= self.pace[0][agent] * seconds
         motion.offset[agent] -= self.pace[1][agent] * seconds
         self.traveled[agent] -= self.pace[0][agent] * seconds
@@ -283,15 +285,13 @@ class World:
         """A world of some of its scenes, as they are now."""
         agents = (rows[:, None] * self.slots + np.arange(self.slots)).ravel()
         return replace(
-            self,
-            scenes=tuple(self.scenes[row] for row in rows),
+            self, scenes=tuple(self.scenes[row] for row in rows),
             actors=tuple(self.actors[agent] for agent in agents),
-            track=self.track.of_rows(agents),
+            track=self.track.of_rows(agents), placing=None,
             pace=(self.pace[0][agents], self.pace[1][agents]),
-            placing=None,
             **{name: getattr(self, name).take(agents) for name in _PARTS},
             **{name: getattr(self, name)[agents] for name in _COLUMNS},
-        )
+        )  # fmt: skip
 
 
 _PARTS = ("bodies", "verges", "table", "sweeps", "stop_lines", "start", "motion", "followed")

@@ -93,6 +93,15 @@ class ClosePairs:
         self._next_look[looked] = following
         return np.asarray(looked[close])
 
+    @property
+    def can_be_quiet(self) -> bool:
+        """Whether there are pairs that are all looked at together, in a compiled loop."""
+        return 0 < len(self.first) <= FEW and compiled.is_loaded()
+
+    def gone(self, step: float) -> None:
+        """Nobody has gone farther than that, in meters, and no pair has met."""
+        self._fastest += step
+
     def put(self, square: Floats) -> None:
         """Agents were put elsewhere, meters away with these squares (N,)."""
         self._fastest += math.sqrt(float(square.max()))

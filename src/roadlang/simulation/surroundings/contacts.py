@@ -12,13 +12,16 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
+from ...geometry.arrays import Floats, Integers, inverse_index
 from ...geometry.levels import are_apart
 from ..state.world import World
-from ..vehicles.poses import Poses
+from ..vehicles.motion import Motion, Track
+from ..vehicles.poses import Poses, poses_of
 from .close_pairs import ClosePairs
+from .first_contacts import first_contact, overlapping
 from .levels import ground_heights, standing_heights
 from .outlines import Outlines
+from .quiet_steps import quiet_step
 
 
 @dataclass(frozen=True)
@@ -50,7 +53,10 @@ class ContactDetector:
         self._object_radius = radius
         self._standing = None if world.heights is None else standing_heights(world.scenes)
         self._radius = 0.5 * np.hypot(world.bodies.length, world.bodies.width)
-        self._before: Poses | None = None
+        self._before: Poses | tuple[Motion, Track] | None = None
+        """where agents were, or what that can be computed of"""
+        self._places: Floats | None = None
+        """(2, N) the same, nearly"""
         pairs, self._near = self._apart(world, *_pairs(world))
         self._pairs = ClosePairs(pairs, self._radius)
         self._next_check = np.zeros(len(self._near[0]))
@@ -63,8 +69,8 @@ class ContactDetector:
         moving, (first, second), (agent, thing) = (
             Outlines.moving(world, world.poses), pairs, near,
         )  # fmt: skip
-        clear = ~_overlapping(moving, first, moving, second)
-        free = ~_overlapping(moving, agent, self._objects, thing)
+        clear = ~overlapping(moving, first, moving, second)
+        free = ~overlapping(moving, agent, self._objects, thing)
         if self._standing is not None:
             height = ground_heights(world)
             clear |= are_apart(height[first], height[second])
@@ -76,12 +82,27 @@ class ContactDetector:
         """Whether nobody can touch anything."""
         return not len(self._pairs.first) and not len(self._near[0])
 
+    def is_quiet(self, world: World) -> bool:
+        """Whether it is certain that nobody has touched anything since the last call of this or
+        of `watch`, and `watch` need not be called: told for agents that are few."""
+        if self._places is None or world.placing is not None or not self._pairs.can_be_quiet:
+            return False
+        found = quiet_step(
+            world, (self._pairs.first, self._pairs.second), self._radius, self._places
+        )
+        if found is None:
+            return False
+        self._places, step = found
+        self._pairs.gone(step)
+        self._before = world.motion.copied(), world.track
+        return True
+
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""
         if self.is_idle:
             return []
-        before = self._before or poses
-        self._before = poses
+        before = self._poses_before or poses
+        self._seen_at(poses)
         shift_x, shift_y = poses.x - before.x, poses.y - before.y
         square = shift_x * shift_x + shift_y * shift_y
         found = self._of_agents(world, poses, (shift_x, shift_y, square))
@@ -92,10 +113,11 @@ class ContactDetector:
 
     def seen(self, poses: Poses) -> None:
         """Agents were moved to where they touched something."""
-        if self._before is not None:
-            back_x, back_y = poses.x - self._before.x, poses.y - self._before.y
+        before = self._poses_before
+        if before is not None:
+            back_x, back_y = poses.x - before.x, poses.y - before.y
             self._pairs.put(back_x * back_x + back_y * back_y)
-        self._before = poses
+        self._seen_at(poses)
 
     def restart(self, agents: Integers, poses: Poses) -> None:
         """Some agents are back at the start; `poses`: of all, now."""
@@ -104,7 +126,7 @@ class ContactDetector:
         self._traveled[agents] = 0.0
         self._next_check[back[self._near[0]]] = 0.0
         self._pairs.restart(agents)
-        self._before = poses
+        self._seen_at(poses)
 
     def take(self, agents: Integers, count: int) -> None:
         """From now on the world has these of its `count` agents alone."""
@@ -114,8 +136,19 @@ class ContactDetector:
         self._near = (place[self._near[0][remaining]], self._near[1][remaining])
         self._next_check = self._next_check[remaining]
         self._radius, self._traveled = self._radius[agents], self._traveled[agents]
-        if self._before is not None:
-            self._before = self._before.take(agents)
+        before, self._places = self._poses_before, None
+        self._before = None if before is None else before.take(agents)
+
+    @property
+    def _poses_before(self) -> Poses | None:
+        """Where agents were when that was last looked at."""
+        known = self._before
+        return poses_of(*known) if isinstance(known, tuple) else known
+
+    def _seen_at(self, poses: Poses) -> None:
+        self._before = poses
+        # With objects it has to be known exactly how far agents have gone.
+        self._places = None if len(self._near[0]) else np.array((poses.x, poses.y))
 
     def _of_agents(
         self, world: World, poses: Poses, shift: tuple[Floats, Floats, Floats]
@@ -191,60 +224,6 @@ class ContactDetector:
         for agent, share in stopped.items():
             world.halt(agent, (1.0 - share) * seconds)
         return out
-
-
-def first_contact(a: Outlines, b: Outlines, shift: tuple[Floats, Floats]) -> Floats:
-    """(N,) when rectangles meet on the last part of their way, as a share of it: 0 at its start, 1
-    at its end, where they are at `a` and `b`; infinite for never.
-
-    `shift`: how far `a` has moved relative to `b`. The way is straight, the headings are those at
-    the end (separating axes, each with the interval of time in which it does not separate).
-    """
-    off_x, off_y = a.x - b.x - shift[0], a.y - b.y - shift[1]
-    enter = np.zeros(len(off_x))
-    leave = np.full(len(off_x), math.inf)
-    cosine = np.abs(a.cosine * b.cosine + a.sine * b.sine)
-    sine = np.abs(a.sine * b.cosine - a.cosine * b.sine)
-    for box, other in ((a, b), (b, a)):
-        for axis_x, axis_y, half, shadow in (
-            (
-                box.cosine, box.sine, box.half_length,
-                other.half_length * cosine + other.half_width * sine,
-            ),
-            (
-                -box.sine, box.cosine, box.half_width,
-                other.half_length * sine + other.half_width * cosine,
-            ),
-        ):  # fmt: skip
-            first, last = _overlap(
-                off_x * axis_x + off_y * axis_y,
-                shift[0] * axis_x + shift[1] * axis_y,
-                half + shadow,
-            )
-            enter, leave = np.maximum(enter, first), np.minimum(leave, last)
-    return np.where(enter <= leave, enter, math.inf)
-
-
-def _overlapping(a: Outlines, first: Integers, b: Outlines, second: Integers) -> Booleans:
-    """(N,) which pairs of rectangles overlap."""
-    out = np.zeros(len(first), dtype=bool)
-    away = np.hypot(a.x[first] - b.x[second], a.y[first] - b.y[second])
-    radius = [np.hypot(each.half_length, each.half_width) for each in (a, b)]
-    near = np.flatnonzero(away < radius[0][first] + radius[1][second])
-    still = (np.zeros(len(near)), np.zeros(len(near)))
-    out[near] = first_contact(a.take(first[near]), b.take(second[near]), still) == 0.0
-    return out
-
-
-def _overlap(start: Floats, change: Floats, distance: Floats) -> tuple[Floats, Floats]:
-    """When `|start + change t| <= reach`, from and to."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        entry, leaving = (-distance - start) / change, (distance - start) / change
-    inside = np.abs(start) <= distance
-    at_rest = change == 0.0
-    first = np.where(at_rest, np.where(inside, -math.inf, math.inf), np.minimum(entry, leaving))
-    last = np.where(at_rest, np.where(inside, math.inf, -math.inf), np.maximum(entry, leaving))
-    return first, last
 
 
 def _pairs(world: World) -> tuple[tuple[Integers, Integers], tuple[Integers, Integers]]:

@@ -18,8 +18,8 @@ from ..state.world import World
 from ..vehicles import compiled
 from ..vehicles.poses import frames_ahead
 from .levels import apart_where_met, ground_heights
+from .near_pairs import PairsAhead, looks_ahead
 from .outlines import Outlines
-from .sorted_groups import sorted_groups
 
 SAMPLE_SPACING = 2.0
 """Meters along the line."""
@@ -27,10 +27,6 @@ CIRCLES = 5
 """A footprint is as wide circles in a row as these, from its front to its rear."""
 MARGIN = 0.2
 """Meters to each side between two that pass each other."""
-LEAST_VIEW, MOST_VIEW = 50.0, 150.0
-"""Meters that agents look ahead, standing and at most."""
-VIEW_TIME = 4.0
-"""Seconds of its speed that an agent looks further."""
 AHEAD = 0.5
 """Meters behind the front bumper, at most, from which on something is ahead."""
 
@@ -68,20 +64,15 @@ class Window:
         return cls(agents, s, view, x, y, cosine, sine, swept)
 
 
-def looks_ahead(world: World) -> Floats:
-    """(N,) meters."""
-    view: Floats = np.minimum(LEAST_VIEW + VIEW_TIME * world.motion.speed, MOST_VIEW)
-    return view
-
-
 def nearest_in_corridor(
-    world: World, agent: Integers, target: Integers, outlines: Outlines
+    world: World, pairs: PairsAhead, outlines: Outlines
 ) -> tuple[Floats, Floats]:
-    """(P,) for pairs of an agent, in ascending order, and another: the gap along the line to what
+    """(P,) of pairs: the gap along the line to what
     of it is in the corridor, infinite where nothing is, and the heading of the line there. Who is
     on another level than the line there is not in the corridor.
     """
-    gap, heading = _nearest(world, agent, target, outlines)
+    agent, target = pairs.agent, pairs.target
+    gap, heading = _nearest(world, pairs, outlines)
     if world.heights is not None:
         apart = apart_where_met(
             world, agent, gap + 0.5 * world.bodies.length[agent], ground_heights(world)[target]
@@ -90,18 +81,16 @@ def nearest_in_corridor(
     return gap, heading
 
 
-def _nearest(
-    world: World, agent: Integers, target: Integers, outlines: Outlines
-) -> tuple[Floats, Floats]:
+def _nearest(world: World, pairs: PairsAhead, outlines: Outlines) -> tuple[Floats, Floats]:
+    agent, target, column = pairs.agent, pairs.target, pairs.column
     if not len(agent):
         return np.zeros(0), np.zeros(0)
-    agents, _, column = sorted_groups(agent)
-    window = Window.of(world, agents)
+    window = Window.of(world, pairs.agents)
     half = 0.5 * world.bodies.width[agent] + outlines.half_width[target] + MARGIN
     if compiled.is_loaded():
-        pairs = (column, target, half, 0.5 * world.bodies.length[agent])
+        of_pairs = (column, target, half, 0.5 * world.bodies.length[agent])
         limits = CIRCLES, SAMPLE_SPACING, AHEAD
-        gap, cosine, sine = compiled.gaps_in_corridors(pairs, window, outlines, limits)
+        gap, cosine, sine = compiled.gaps_in_corridors(of_pairs, window, outlines, limits)
         return gap, np.arctan2(sine, cosine)
     gap, heading = np.full(len(agent), math.inf), np.zeros(len(agent))
     close = np.flatnonzero(_may_overlap(window, column, target, outlines, half))

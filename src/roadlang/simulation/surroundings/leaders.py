@@ -12,7 +12,8 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles.poses import Poses
-from .corridors import looks_ahead, nearest_in_corridor
+from .corridors import nearest_in_corridor
+from .near_pairs import near_pairs
 from .next_on_road import next_on_road
 from .outlines import Outlines
 from .road_gaps import RoadColumns
@@ -107,9 +108,7 @@ def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
         gaps = np.full((*shape, world.slots), math.inf)
     turned = _turned(poses.heading.reshape(shape))
     if has_others:
-        there = world.present.reshape(shape)
-        both = there[:, :, None] & there[:, None, :]
-        _search(world, poses, (pairing.elsewhere & both, pairing.radius), gaps, turned)
+        _search(world, poses, pairing, gaps, turned)
     return _next_ahead(world, pairing, gaps, turned)
 
 
@@ -155,21 +154,13 @@ def _ahead(
     return Leaders(least.ravel(), speed.ravel(), acceleration.ravel(), of_pairs)
 
 
-def _search(
-    world: World, poses: Poses, apart: tuple[Booleans, Floats], gap: Floats, turned: Floats
-) -> None:
+def _search(world: World, poses: Poses, pairing: Pairing, gap: Floats, turned: Floats) -> None:
     """Fill in the gaps to agents that are not on the same road, and how these are turned from the
-    line of the first. `apart`: such pairs, and the radius of each agent."""
-    pairs, radius = apart
-    shape = radius.shape
-    x, y = poses.x.reshape(shape), poses.y.reshape(shape)
-    view = looks_ahead(world).reshape(shape)[:, :, None] + radius[:, None, :]
-    near = pairs & (np.abs(x[:, None, :] - x[:, :, None]) < view)
-    near &= np.abs(y[:, None, :] - y[:, :, None]) < view
-    scene, first, second = near.nonzero()
-    if not len(scene):
+    line of the first."""
+    pairs = near_pairs(world, poses, pairing.elsewhere, pairing.radius)
+    if not len(pairs.agent):
         return
-    follower, leader = scene * world.slots + first, scene * world.slots + second
-    found, along = nearest_in_corridor(world, follower, leader, Outlines.moving(world, poses))
-    gap[scene, first, second] = found
-    turned[scene, first, second] = poses.heading[leader] - along
+    found, along = nearest_in_corridor(world, pairs, Outlines.moving(world, poses))
+    place = pairs.agent * world.slots + pairs.target % world.slots
+    gap.put(place, found)
+    turned.put(place, poses.heading[pairs.target] - along)

@@ -16,7 +16,7 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles.poses import Poses
-from .contacts import first_contact
+from .first_contacts import first_contact
 from .levels import apart_at, ground_heights, standing_heights
 from .outlines import Outlines
 

@@ -2,72 +2,24 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...plugins.kinds import STANDING_GAP
-from ..junctions.crossings import STOP_GAP
 from . import rules
-from .approaches import COMFORTABLE, braking_to_stop, horizon
+from .asking import Asking
 from .crowd import Crowd
-from .grants import NEVER
 from .meetings import Meetings
 
-BOOKING, SHORT_BOOKING = 4.0, 1.0
-"""Seconds ahead of its arrival that one asks to go, and one that yields."""
-SEEN = 6.5
-"""Seconds ahead of its arrival that those who yield to one see it come."""
 WAVED_THROUGH = 1.0
 """Seconds after which, where all wait for each other, the first goes."""
-TAIL_TIME = 2.0
-"""Seconds for which who is ahead of the junction makes room."""
 
 
-@dataclass(frozen=True)
-class Asking:
-    """Columns (N,): who asks to go at which of its crossings, the first that it may not cross."""
-
-    asks: Booleans
-    comes: Booleans
-    """who asks, or would if it did not yield: others see it come"""
-    slot: Integers
-    distance: Floats
-    """meters to the line"""
-    each: Integers
-    """their numbers"""
-
-    @classmethod
-    def of(cls, crowd: Crowd) -> Asking:
-        """Of all agents. When one first asks is noted."""
-        near, grants, entrants = crowd.near, crowd.grants, crowd.entrants
-        distance = np.where(near.is_over | crowd.held, math.inf, near.to_line)
-        slot, each = distance.argmin(axis=1), entrants.each
-        distance = distance[each, slot]
-        short = entrants.is_short[each, slot]
-        ahead = horizon(crowd.speed, np.where(short, SHORT_BOOKING, BOOKING))
-        takes_part = crowd.is_moving & crowd.obeys
-        asks = takes_part & (distance < ahead)
-        comes = takes_part & (distance < horizon(crowd.speed, SEEN))
-        fresh = (asks & (grants.arrival[each, slot] == NEVER)).nonzero()[0]
-        if len(fresh):
-            arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
-            grants.arrival[fresh, slot[fresh]] = arrival
-        return cls(asks, comes, slot, distance, each)
-
-    def of_crossings(self, values: np.ndarray) -> np.ndarray:
-        """(N,) of an array (N, X), at the crossing that each asks for."""
-        return np.asarray(values[self.each, self.slot])
-
-
-def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
+def let_go(crowd: Crowd, asking: Asking, last_grant: Floats) -> Booleans:
     """Let at most one agent go at each junction; `last_grant` (S, J) is when somebody was. (N, X)
     which crossings were asked for, or come closer."""
-    _take_back(crowd)
-    asking = Asking.of(crowd)
     coming = np.zeros(crowd.held.shape, dtype=bool)
     if not np.count_nonzero(asking.asks):
         return coming
@@ -76,14 +28,13 @@ def let_go(crowd: Crowd, last_grant: Floats) -> Booleans:
     meetings = crowd.entrants.meetings(coming | crowd.held)
     comes = meetings.is_there & meetings.of_crossings(coming)
     wants = comes & meetings.of_agents(asking.asks)
-    is_first = _is_first(crowd, asking)
-    could = _could(crowd, asking, meetings, wants, is_first)
+    could = _could(crowd, asking, meetings, wants)
     if not np.count_nonzero(could):
         return coming
     able = _able(crowd, asking, meetings, wants, could)
     if not np.count_nonzero(able):
         return coming
-    passes, wave = _passes(crowd, meetings, (comes, wants, is_first), able, last_grant)
+    passes, wave = _passes(crowd, meetings, (comes, wants, asking.is_first), able, last_grant)
     rank = np.where(passes, _rank(crowd, asking, meetings, wave), len(asking.slot))
     chosen = np.flatnonzero(passes.any(axis=1))
     best = rank[chosen].argmin(axis=1)
@@ -119,39 +70,15 @@ def _passes(
     return passes | (free & wave[:, None]), wave
 
 
-def _take_back(crowd: Crowd) -> None:
-    """Somebody has come before one that was let go, and was not itself: it would wait for all who
-    wait for the one behind it. Or an object stands there."""
-    held = crowd.held
-    if not np.count_nonzero(held):
-        return
-    near, (leader, gap) = crowd.near, crowd.ahead
-    stops = braking_to_stop(crowd.speed[:, None], near.to_line - STOP_GAP) < COMFORTABLE
-    stops &= crowd.obeys[:, None]
-    crowd.grants.order[held & stops & (near.to_line > crowd.objects[:, None])] = NEVER
-    behind = held & (near.to_line > (gap + crowd.entrants.length[leader])[:, None])
-    if not np.count_nonzero(behind):
-        return
-    behind &= stops
-    junction = crowd.entrants.ways.crossings.junction
-    waits_too = np.zeros(held.shape, dtype=bool)
-    for row, slot in zip(*np.nonzero(behind), strict=True):
-        there = junction[leader[row]] == junction[row, slot]
-        waits_too[row, slot] = (there & ~held[leader[row]]).any()
-    crowd.grants.order[waits_too] = NEVER
-
-
-def _could(
-    crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans, is_first: Booleans
-) -> Booleans:
+def _could(crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans) -> Booleans:
     """(G, P) who may go, but for others on the junction."""
     near, grants, entrants = crowd.near, crowd.grants, crowd.entrants
     stopped = grants.has_stopped | ~entrants.must_stop
-    may = asking.asks & asking.of_crossings(near.may_go & stopped) & is_first
+    may = asking.asks & asking.of_crossings(near.may_go & stopped) & asking.is_first
     may &= ~_ring_is_full(crowd, asking)
     may_go = rules.let_go(meetings, grants)
     used = rules.space_for_others(meetings, may_go, entrants.length)
-    free = meetings.of_agents(_room(crowd, asking) - entrants.length) - used
+    free = meetings.of_agents(asking.room - entrants.length) - used
     return np.asarray(wants & meetings.of_agents(may) & (free >= STANDING_GAP))
 
 
@@ -172,26 +99,6 @@ def _able(
     junction = meetings.key % len(entrants.places.by_right)
     in_line = could & entrants.places.by_patience[junction][:, None] & meets_nobody
     return np.asarray(able & ~rules.is_reserved(meetings, grants, in_line, able))
-
-
-def _is_first(crowd: Crowd, asking: Asking) -> Booleans:
-    """(N,) whether nobody is ahead in the lane, or only who may go at the same junction, and
-    nothing stands in the way before the line: who waits there would keep others from going."""
-    leader, gap = crowd.ahead
-    crossed = crowd.entrants.ways.crossings.junction
-    same = crossed[leader] == asking.of_crossings(crossed)[:, None]
-    leader_goes = (crowd.held[leader] & same).any(axis=1)
-    free = (gap > asking.distance) | leader_goes
-    return np.asarray(free & (crowd.objects > asking.distance))
-
-
-def _room(crowd: Crowd, asking: Asking) -> Floats:
-    """(N,) free meters of the lane beyond the junction, up to the next agent there."""
-    beyond = asking.of_crossings(crowd.near.to_leave) - crowd.entrants.length
-    beyond = np.where(asking.asks, beyond, 0.0)[:, None]
-    tail = crowd.gaps + TAIL_TIME * np.maximum(crowd.of_mates(crowd.speed), 0.0)
-    tail = np.where(crowd.gaps > beyond - 0.5, tail, math.inf)
-    return np.asarray(tail.min(axis=1) - beyond[:, 0])
 
 
 def _ring_is_full(crowd: Crowd, asking: Asking) -> Booleans:

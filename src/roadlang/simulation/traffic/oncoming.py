@@ -8,26 +8,17 @@ before the place.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.levels import are_apart
 from ..state.world import World
 from ..surroundings.leaders import Leaders
-from ..vehicles.poses import frames_ahead
 from .approaches import braking_to_stop, seconds_for
-from .wide_places import MARGIN, VIEW, WidePlaces, is_wide
+from .narrow_places import narrow_places
+from .sampled_ways import SPACING, SampledWays
+from .wide_places import VIEW, WidePlaces
 
-SPACING = 2.0
-"""Meters between two samples of a line."""
-COARSE = 3
-"""Of so many samples, one is looked at first."""
-OPPOSED = -0.5
-"""Cosine of the angle between the lines of two that come toward each other, at most."""
-WIDEST = 8.0
-"""Meters: lines farther apart have room for two."""
 BEFORE = 1.0
 """Meters before such a place at which one waits."""
 EAGER, EAGER_SPEED = 2.6, 8.0
@@ -74,8 +65,7 @@ class Oncoming:
         pairs = None if world.sweeps.is_empty else _pairs(world, self._wide)
         if pairs is None:
             return out
-        pairs = _close(*pairs)
-        found = _places(*pairs)
+        found = narrow_places(*pairs)
         if found is None:
             return out
         enter, leave = found
@@ -132,65 +122,14 @@ def _cannot_pass(world: World, rows: Integers, leaders: Leaders) -> Booleans:
     return np.asarray(stands[rows] & ~stands[rows[::-1]] & ~np.isfinite(gap[::-1]))
 
 
-@dataclass(frozen=True)
-class _Samples:
-    """The lines of some agents I around them, at M places: arrays (M, I)."""
-
-    agents: Integers
-    s: Floats
-    """meters ahead of the middle of the agent, NaN beyond the end of its line"""
-    x: Floats
-    y: Floats
-    cosine: Floats
-    sine: Floats
-    to_left: Floats
-    """what the agent covers of the ground to the left of its line there"""
-    to_right: Floats
-    is_wide: Booleans
-    """where the agent may need more than its lane"""
-    height: Floats | None = None
-    """None on level ground"""
-
-    @classmethod
-    def of(cls, world: World, agents: Integers) -> _Samples:
-        """Of some agents, from their rears to `VIEW` ahead."""
-        half = 0.5 * world.bodies.length[agents]
-        count = math.ceil((VIEW + 2.0 * float(half.max(initial=0.0))) / SPACING) + 1
-        s = np.arange(count, dtype=np.float64)[:, None] * SPACING - half
-        track = world.track.of_rows(agents)
-        along = world.motion.along[agents] + s
-        place = track.wrapped(along)
-        cell, (x, y, heading, _, road_width) = frames_ahead(track, place)
-        cosine, sine = np.cos(heading), np.sin(heading)
-        offset, width = world.followed.offset(agents, place), 0.5 * world.bodies.width[agents]
-        left, right = world.sweeps.at(agents, cell - track.first)
-        over = ~world.closed[agents] & (along > world.end[agents] + half)
-        # Others that are longer have more samples, which may not change what this one sees.
-        over |= s > VIEW + half
-        wide = is_wide(world, agents, np.maximum(left, right), road_width) & ~over
-        return cls(
-            agents, np.where(over, math.nan, s), x - sine * offset, y + cosine * offset,
-            cosine, sine, left + width, right + width, wide,
-            None if world.heights is None else world.heights.cells[cell],
-        )  # fmt: skip
-
-    def take(self, places: Integers) -> _Samples:
-        """Those of some of the agents, which may be the same."""
-        columns = (self.s, self.x, self.y, self.cosine, self.sine, self.to_left, self.to_right)
-        s, x, y, cosine, sine, left, right = (column[:, places] for column in columns)
-        is_wide = self.is_wide[:, places]
-        height = None if self.height is None else self.height[:, places]
-        return _Samples(self.agents[places], s, x, y, cosine, sine, left, right, is_wide, height)
-
-
-def _pairs(world: World, wide: WidePlaces) -> tuple[_Samples, Integers, Integers] | None:
+def _pairs(world: World, wide: WidePlaces) -> tuple[SampledWays, Integers, Integers] | None:
     """The lines of agents, and the places among these of pairs that may meet where the first, or
     both, cover more than their width; None for nobody."""
     moves = world.present & world.has_road & ~world.bodies.walks
     long = (moves & wide.may_be_ahead(world)).nonzero()[0]
     if not len(long):
         return None
-    lines = _Samples.of(world, long)
+    lines = SampledWays.of(world, long)
     bends = lines.is_wide.any(axis=0)
     if not np.count_nonzero(bends):
         return None
@@ -206,12 +145,11 @@ def _pairs(world: World, wide: WidePlaces) -> tuple[_Samples, Integers, Integers
         return None
     first, second = first[keep], second[keep]
     agents = np.unique(np.concatenate([first, second]))
-    return (
-        _Samples.of(world, agents), np.searchsorted(agents, first), np.searchsorted(agents, second)
-    )  # fmt: skip
+    ways = SampledWays.of(world, agents)
+    return ways, np.searchsorted(agents, first), np.searchsorted(agents, second)
 
 
-def _near(world: World, lines: _Samples, keep: Booleans) -> Booleans:
+def _near(world: World, lines: SampledWays, keep: Booleans) -> Booleans:
     """(P,) of the pairs of `lines` and all others of their scenes: who can come to the bends."""
     low, high = (
         np.stack([edge(np.where(lines.is_wide, c, fill), axis=0) for c in (lines.x, lines.y)])
@@ -222,60 +160,3 @@ def _near(world: World, lines: _Samples, keep: Booleans) -> Booleans:
     place = np.stack([poses.x[others], poses.y[others]])
     away = np.maximum(low[:, :, None] - place, place - high[:, :, None])
     return np.asarray(keep & (away < VIEW).all(axis=0).ravel())
-
-
-def _close(
-    lines: _Samples, first: Integers, second: Integers
-) -> tuple[_Samples, Integers, Integers]:
-    """The pairs whose lines come close to each other somewhere."""
-    x, y = lines.x[::COARSE], lines.y[::COARSE]
-    dx = x[None, :, second] - x[:, None, first]
-    dy = y[None, :, second] - y[:, None, first]
-    near = WIDEST + COARSE * SPACING
-    close = (dx * dx + dy * dy < near * near).any(axis=(0, 1))
-    return lines, first[close], second[close]
-
-
-def _places(lines: _Samples, first: Integers, second: Integers) -> tuple[Floats, Floats] | None:
-    """(2, 2 P) meters from the front of each of a pair to the first sample in a place where both do
-    not fit side by side, infinite for none, and until its rear has left it: in the next such place
-    of the first, and in all others together. None where all pairs fit everywhere."""
-    one, two = lines.take(first), lines.take(second)
-    dx, dy = two.x[None] - one.x[:, None], two.y[None] - one.y[:, None]
-    square = dx * dx + dy * dy
-    opposed = one.cosine[:, None] * two.cosine[None] + one.sine[:, None] * two.sine[None] < OPPOSED
-    near = opposed & (square < WIDEST * WIDEST)
-    left = one.cosine[:, None] * dy - one.sine[:, None] * dx
-    seen = -two.cosine[None] * dy + two.sine[None] * dx
-    room = np.where(left > 0.0, one.to_left[:, None], one.to_right[:, None])
-    room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + MARGIN
-    meets = near & (square < room * room) & np.isfinite(one.s)[:, None] & np.isfinite(two.s)[None]
-    if one.height is not None and two.height is not None:
-        meets &= ~are_apart(one.height[:, None], two.height[None])
-    if not np.count_nonzero(meets):
-        return None
-    there: Booleans = np.asarray(meets.any(axis=1))
-    begins = there.copy()
-    begins[1:] &= ~there[:-1]
-    begins[2:] &= ~there[:-2]
-    number = np.cumsum(begins, axis=0)
-    found = []
-    for place in (number == 1, number > 1):
-        in_place = meets & place[:, None]
-        found.append(
-            [
-                _ends(line, np.asarray(in_place.any(axis=axis)))
-                for line, axis in ((one, 1), (two, 0))
-            ]
-        )
-    ends = np.array(found)  # (place, of the pair, enter or leave, P)
-    enter, leave = (np.concatenate(list(ends[:, :, which]), axis=1) for which in (0, 1))
-    return enter, leave
-
-
-def _ends(samples: _Samples, there: Booleans) -> tuple[Floats, Floats]:
-    """(P,) meters from the front to the first sample that is `there` (M, P), infinite for none, and
-    until the rear has left the last."""
-    half = -samples.s[0]
-    enter = np.where(there, samples.s, math.inf).min(axis=0) - half
-    return enter, np.where(there, samples.s, -math.inf).max(axis=0) + half + SPACING

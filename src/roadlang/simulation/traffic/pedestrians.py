@@ -12,8 +12,9 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..junctions.crossings import Crossings
 from ..state.world import World
-from ..surroundings.corridors import SAMPLE_SPACING, Window, looks_ahead
+from ..surroundings.corridors import SAMPLE_SPACING, Window
 from ..surroundings.levels import apart_where_met, ground_heights
+from ..surroundings.near_pairs import looks_ahead
 from ..vehicles.poses import Poses
 from .approaches import braking_to_stop
 from .crosswalks import Crosswalks

@@ -14,38 +14,26 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..junctions.crossings import STOP_GAP
 from ..state.world import World
 from ..surroundings.crossed_junctions import crossings_of
 from ..surroundings.leaders import Leaders
 from ..surroundings.sorted_groups import sorted_groups
 from ..vehicles.poses import Poses
-from . import rules
-from .approaches import (
-    OVER_LINE,
-    SIGN_DISTANCE,
-    SIGN_SPEED,
-    Approaches,
-    braking_to_stop,
-)
+from .approaches import Approaches
 from .crowd import Crowd
 from .entrants import Entrants, Ways
-from .grants import FIRST, NEVER, Grants
-from .meetings import Meetings
+from .grants import Grants
+from .looking import begun, looked
 from .next_to_go import let_go
 from .oncoming import Oncoming
 from .pedestrians import Pedestrians
 from .places import Places
+from .remembering import INTERVAL
 from .swept_paths import sizes_of
+from .waiting import waits
 
-INTERVAL = 0.1
-"""Seconds from one look at the junctions to the next."""
-WAITS_WITHIN, WAITS_SLOWER = 15.0, 1.0
-"""Who is slower so close to a line waits: meters and m/s."""
 MODERATE = 0.5
 """Politeness and aggression of who does not say, from 0 to 1."""
-UNSTOPPABLE = 4.0
-"""m/s^2: who would have to brake harder before a line, and does not obey, will cross it."""
 
 
 @dataclass(frozen=True)
@@ -184,13 +172,12 @@ class RightOfWayGrants:
         every = entrants.ways.rows
         is_moving = world.present & ~world.halted & ~world.bodies.walks
         crowd = Crowd(
-            entrants, world.time, Approaches.of(world, entrants.ways), self._grants.part(every),
+            entrants, world.time, begun(world, entrants.ways), self._grants.part(every),
             world.motion.speed[every], world.present[every], is_moving[every],
             self._has_asked[every], self._temper[0, every], self._temper[1, every],
             leaders.gaps.reshape(-1, world.slots)[every], objects[every], oncoming[every],
         )  # fmt: skip
-        _remember(crowd)
-        wanted = let_go(crowd, self._last_grant)
+        wanted = let_go(crowd, looked(world, crowd), self._last_grant)
         self._grants.put(every, crowd.grants)
         self._wait(crowd, wanted, world)
 
@@ -212,61 +199,13 @@ class RightOfWayGrants:
 
     def _wait(self, crowd: Crowd, wanted: Booleans, world: World) -> None:
         """Where agents have to stop, and whom they follow. `wanted`: (N, X) requested crossings."""
-        near, held, entrants = crowd.near, crowd.held, crowd.entrants
-        closed = np.where(held | near.is_over, math.inf, near.to_line - STOP_GAP)
-        stop = np.minimum(closed.min(axis=1), crowd.oncoming)
-        gap = np.full(len(stop), math.inf)
-        leader = np.full(len(stop), -1)
-        if np.count_nonzero(held):
-            meetings = entrants.meetings(held | wanted)
-            found = None
-            if meetings.has_conflicts:
-                found = rules.zone_stops(meetings, near, crowd.grants, entrants.length)
-            if found is not None:
-                stops, gaps = found
-                there, (row, _) = meetings.is_there, meetings.there
-                np.minimum.at(stop, row, stops.min(axis=2)[there])
-                if meetings.has_merges:
-                    _follow(meetings, gaps, gap, leader)
-        rows, traveled = entrants.ways.rows, world.traveled
-        leader = np.where(leader >= 0, entrants.agents[leader], -1)
-        waits = self._waits
-        waits.stop[rows] = traveled[rows] + stop
-        waits.leader[rows] = leader
+        stop, leader, gap = waits(crowd, wanted)
+        rows, traveled, known = crowd.entrants.ways.rows, world.traveled, self._waits
+        leader = np.where(leader >= 0, crowd.entrants.agents[leader], -1)
+        known.stop[rows] = traveled[rows] + stop
+        known.leader[rows] = leader
         follows = leader >= 0
         if np.count_nonzero(follows):
             first = np.maximum(leader, 0)
             gap = np.where(follows, gap + traveled[rows] - traveled[first], gap)
-        waits.distance[rows] = gap
-
-
-def _follow(meetings: Meetings, gaps: Floats, gap: Floats, leader: Integers) -> None:
-    """Fill in whom each of the agents (N,) follows where lanes merge, and the gap to that one.
-    `gaps`: (G, P, P) of all that it might follow."""
-    there = meetings.is_there
-    least = gaps.min(axis=2)
-    np.minimum.at(gap, meetings.row[there], least[there])
-    follows = there & np.isfinite(least) & (least == gap[meetings.row])
-    group, place = follows.nonzero()
-    other = meetings.row[group, gaps[group, place].argmin(axis=1)]
-    leader[meetings.row[group, place]] = other
-
-
-def _remember(crowd: Crowd) -> None:
-    """Forget what is over; take back what signals forbid; note who goes without asking, and who
-    waits."""
-    grants, near = crowd.grants, crowd.near
-    grants.forget(near.is_behind | ~crowd.present[:, None])
-    obeys, speed, to_line = crowd.obeys[:, None], crowd.speed[:, None], near.to_line
-    ahead = ~near.is_behind & crowd.is_moving[:, None]
-    grants.order[near.must_stop & obeys] = NEVER
-    grants.order[crowd.held & ~obeys & (to_line >= 0.0) & (speed < SIGN_SPEED)] = NEVER
-    runs = ~obeys & (to_line >= 0.0) & (braking_to_stop(speed, to_line) > UNSTOPPABLE)
-    grants.order[ahead & runs] = FIRST
-    inside = ahead & ~crowd.held & (to_line < -OVER_LINE)
-    grants.order[inside] = np.where(obeys, crowd.time, FIRST)[inside.nonzero()[0], 0]
-    close = ahead & (to_line > -OVER_LINE) & (to_line < WAITS_WITHIN) & (speed < WAITS_SLOWER)
-    grants.waiting[:] = np.where(close, grants.waiting + INTERVAL, 0.0)
-    stops = close & (to_line < SIGN_DISTANCE) & (speed < SIGN_SPEED) & ~grants.has_stopped
-    grants.has_stopped |= stops
-    grants.arrival[stops & crowd.entrants.in_turn] = crowd.time
+        known.distance[rows] = gap

@@ -28,10 +28,7 @@ def advance(
     motion: Motion, car: Bodies, track: Track, wanted: tuple[Floats, Floats], steps: int, dt: float
 ) -> None:
     """What `motion.advance` does, to the last bit."""
-    before = (
-        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
-        motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
-    )  # fmt: skip
+    before = motion.columns
     after = np.empty((len(before), len(motion.along)))
     places = (track.first, track.places)
     kernel()((before, after), car.stacked, car.walks, wanted, places, track.lines.table, steps, dt)

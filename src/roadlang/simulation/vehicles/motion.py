@@ -43,6 +43,14 @@ class Motion:
         """That of some agents, in separate arrays."""
         return Motion(**{name: getattr(self, name)[rows] for name in MOTION_COLUMNS})
 
+    @property
+    def columns(self) -> tuple[Floats, ...]:
+        """All of them, in their order."""
+        return (
+            self.along, self.offset, self.speed, self.slide, self.yaw_rate, self.cosine,
+            self.sine, self.tangent, self.line_heading, self.acceleration,
+        )  # fmt: skip
+
     def copied(self) -> Motion:
         """The same columns, which may be replaced apart."""
         return shallow(self)
@@ -144,12 +152,14 @@ class Track:
         known = self._parts.get(id(rows))
         if known is not None:
             return known[1]
-        closed = self.closed[rows]
+        closed, places = self.closed[rows], np.ascontiguousarray(self.places[:, rows])
+        last, origin, spacing, per_meter = places
+        has_closed = self.has_closed and bool(np.count_nonzero(closed))
         part = Track(
-            self.lines, self.row[rows], self.first[rows], self.last[rows], self.origin[rows],
-            self.spacing[rows], self.per_meter[rows], self.length[rows], closed,
-            bool(np.count_nonzero(closed)),
+            self.lines, self.row[rows], self.first[rows], last, origin, spacing, per_meter,
+            self.length[rows], closed, has_closed,
         )  # fmt: skip
+        part.__dict__["places"] = places
         if len(closed) <= _FEW:
             if len(self._parts) >= _PARTS:
                 self._parts.clear()

@@ -1,0 +1,115 @@
+"""Traffic at junctions by compiled loops: the same bytes as with numpy alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roadlang.api import Scene
+from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.state import along_routes, settling
+from roadlang.simulation.surroundings import near_pairs, quiet_steps
+from roadlang.simulation.surroundings.leaders import Pairing
+from roadlang.simulation.traffic import looking, waiting
+from roadlang.simulation.vehicles import compiled
+
+from .test_same_bytes import CROSSING, bytes_of, drives, records
+
+CONTROLS = {
+    "right_first": "",
+    "signals": "control with signals { green: 5s, yellow: 1s, all_red: 1s }",
+    "all_way_stop": "control with all_way_stop",
+    "roads": "",
+}
+
+
+def scenes_with(control: str, count: int = 2) -> list[Scene]:
+    lanes = "lanes: 2, speed_limit: 40km/h"
+    text = CROSSING.replace("lanes: 2", f"{lanes}\n{CONTROLS[control]}").replace("8,", "10,")
+    return records(text, count)
+
+
+@pytest.fixture
+def both(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[], Any]], tuple[Any, Any]]:
+    """What is computed with numpy alone, and with the compiled loops."""
+    pytest.importorskip("numba")
+    compiled.kernel()
+
+    def found(compute: Callable[[], Any]) -> tuple[Any, Any]:
+        with monkeypatch.context() as patch:
+            patch.setattr(compiled, "is_loaded", lambda: False)
+            patch.setattr(compiled, "pays", lambda *_: False)
+            plain = compute()
+        return plain, compute()
+
+    return found
+
+
+@pytest.mark.parametrize("control", ["right_first", "signals", "all_way_stop"])
+def test_traffic_drives_to_the_same_bytes(
+    control: str, both: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenes, ran = scenes_with(control), set()
+    for module in (looking, waiting, settling, near_pairs, quiet_steps):
+        loop: Any = module._loop()
+
+        def counted(*given: Any, name: str = module.__name__, loop: Any = loop) -> Any:
+            ran.add(name)
+            return loop(*given)
+
+        monkeypatch.setattr(module, "_loop", lambda counted=counted: counted)
+    plain, fast = both(lambda: [bytes_of(trace) for trace in drives(scenes, duration=15.0)])
+    assert fast == plain
+    assert len(ran) == 5, "each of the loops was used"
+
+
+def test_pairs_that_are_near_are_the_same(both: Any) -> None:
+    world = world_of(scenes_with("roads", 3), {}, 0.02, 0.1)
+    draw = np.random.default_rng(7)
+    world.motion.speed = draw.uniform(0.0, 40.0, len(world.present))
+    world.present = draw.uniform(size=len(world.present)) < 0.8
+    pairing, poses = Pairing.of(world), world.poses
+    plain, fast = both(
+        lambda: near_pairs.near_pairs(world, poses, pairing.elsewhere, pairing.radius)
+    )
+    assert 20 < len(plain.agent) < pairing.elsewhere.sum()
+    for name in ("agent", "target", "agents", "column"):
+        np.testing.assert_array_equal(getattr(fast, name), getattr(plain, name))
+
+
+RAMMING = """
+road main { draw with segments { pieces: [straight(200m)] }, lanes: 2 }
+agent slow is car on main at 60m { lane: -1, start_speed: 2m/s, drive with lane_follow }
+agent fast is car on main at 10m..20m {
+  lane: -1, start_speed: 15m/s, drive with lane_follow { speed: 15m/s }
+}
+agent beside is car on main at 10m { lane: 1, start_speed: 9m/s }
+"""
+
+
+def test_agents_that_touch_do_so_at_the_same_moment(both: Any) -> None:
+    scenes = records(RAMMING, 2)
+    plain, fast = both(lambda: drives(scenes, duration=8.0))
+    assert all(trace.events for trace in plain)
+    assert [bytes_of(trace) for trace in fast] == [bytes_of(trace) for trace in plain]
+
+
+def test_places_and_limits_along_routes_are_the_same(both: Any) -> None:
+    world = world_of(scenes_with("signals", 3), {}, 0.02, 0.1)
+    table, rows = world.table, np.flatnonzero(world.has_route)
+    draw = np.random.default_rng(3)
+    along = draw.uniform(-10.0, 1.1, len(rows)) + draw.uniform(size=len(rows)) * world.length[rows]
+    for braking, on in ((1.5, 0.0), (draw.uniform(1.0, 3.0, len(rows)), 12.0)):
+        plain, fast = both(
+            lambda braking=braking, on=on: np.stack(
+                [
+                    along_routes.stations(table, rows, along),
+                    along_routes.limits_ahead(table, rows, along, braking, on),
+                ]
+            )
+        )
+        np.testing.assert_array_equal(fast, plain)
+        assert len(np.unique(plain[0])) > 5
