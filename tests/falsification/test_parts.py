@@ -56,7 +56,7 @@ def test_invalid_is_above_safe_and_safe_above_failing() -> None:
         driven(2, a=None),
         driven(3, a=5.0),
         driven(4, a=0.1),
-        driven(5, a=0.0),
+        driven(5, a=1e-6),
         driven(6, "a", a=0.0),
         driven(7, "a", a=-0.1),
         driven(8, "a", a=-50.0),
@@ -83,7 +83,15 @@ def test_safe_scenes_are_measured_by_the_expectation_they_are_nearest_to_violati
     assert values[0] > values[1]
 
 
-@given(st.lists(st.floats(-10, 10), min_size=2, max_size=20))
+def test_an_equality_that_holds_does_not_hide_the_other_expectations() -> None:
+    """`contacts == 0` holds with robustness 0, whatever happens."""
+    outcomes = [driven(0, a=0.0, b=5.0), driven(1, a=0.0, b=0.1), driven(2, "a", a=-1.0, b=5.0)]
+    values = Grading(["a", "b"]).values(outcomes)
+    assert values[2] < 0.0 < values[1] < values[0] < 1.0
+    assert values[:2].tolist() == pytest.approx(Grading(["b"]).values(outcomes)[:2].tolist())
+
+
+@given(st.lists(st.floats(-10, 10).filter(bool), min_size=2, max_size=20))
 def test_one_expectation_is_graded_as_its_robustness_ranks(robustness: list[float]) -> None:
     outcomes = [driven(i, "a" if rho < 0 else "", a=rho) for i, rho in enumerate(robustness)]
     values = Grading(["a"]).values(outcomes)

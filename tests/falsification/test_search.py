@@ -135,6 +135,16 @@ def test_failures_are_ranked_by_how_badly_they_fail(search: Falsification) -> No
     assert [failure.rank for failure in search.failures] == list(range(1, len(robustness) + 1))
 
 
+def test_safe_drives_begin_with_the_nearest_miss_also_beside_an_equality() -> None:
+    """All that touch nothing keep `contacts == 0` equally well."""
+    text = f"{TEXT}\nexpect untouched: always (ego.contacts == 0)\n"
+    search = slides(text).falsify(evaluations=60, seed=3, expects=["untouched", "in_lane"])
+    safe = [outcome for outcome in search.driven if not outcome.is_failure]
+    nearest = min(safe, key=lambda outcome: outcome.expectations["in_lane"] or 0.0)
+    first = search.safe_drives[0].verdicts["in_lane"].robustness
+    assert first == nearest.expectations["in_lane"]
+
+
 def test_the_moment_at_which_it_goes_wrong_is_known(search: Falsification) -> None:
     for failure in search.failures:
         moment = failure.outcome.moment

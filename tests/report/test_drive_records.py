@@ -98,3 +98,22 @@ def test_an_agent_is_shown_until_it_leaves() -> None:
         record = drive_record(view(other, installed()), {}, 20)
         time = np.cumsum(record["time"]) / 1000
         assert record["agents"][0]["until"] == (time <= last + 1e-3).sum() < len(time)
+
+
+def test_an_agent_on_several_roads_is_plotted_over_what_it_drove() -> None:
+    """Where a road begins, its arc length does too."""
+    seen, record = driven()
+    assert record["driven"] == []
+    trace = seen.drive.trace
+    ego = trace.agents["ego"]
+    far = np.linspace(0.0, 40.0, len(trace.time))
+    roads = np.where(far < 15.0, 0.0, np.where(far < 20.0, -1.0, 1.0))
+    turned = replace(ego, road=roads, route_progress=far)
+    other = replace(seen.drive, trace=replace(trace, agents={"ego": turned}))
+    found = drive_record(view(other, installed()), {}, 20)
+    time = np.cumsum(found["time"]) / 1000
+    expected = np.interp(time, trace.time, far)
+    np.testing.assert_allclose(np.cumsum(found["driven"]) / 100, expected, atol=0.02)
+    unknown = replace(turned, route_progress=np.full(len(far), np.nan))
+    other = replace(seen.drive, trace=replace(trace, agents={"ego": unknown}))
+    assert drive_record(view(other, installed()), {}, 20)["driven"] == []

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..geometry.arrays import Floats
+from ..judging.badness import says_how_near
 from .outcome import Outcome
 
 _LEAST = 1e-12
@@ -46,9 +47,10 @@ class Grading:
         return min((self._size(name, outcome) for name in self._names), default=1.0 - _LEAST)
 
     def _size(self, name: str, outcome: Outcome) -> float:
-        """Robustness or its lack, from 0 to 1, without either: infinite robustness is 1."""
+        """Robustness or its lack, from 0 to 1, without either: infinite robustness is 1, and so is
+        that of an equality that holds, lest it hide how near the other expectations came."""
         robustness = outcome.expectations.get(name)
-        if robustness is None:
+        if robustness is None or not says_how_near(name not in outcome.violated, robustness):
             return 1.0 - _LEAST
         size = abs(robustness) / self._scales[name]
         return float(np.clip(size / (1.0 + size), _LEAST, 1.0 - _LEAST))

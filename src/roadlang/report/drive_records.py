@@ -14,6 +14,7 @@ from ..drive.robustness_colors import COLOR_STEPS, color_shares
 from ..falsification.descriptors import protagonist
 from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Verdict
+from ..ir.trace import AgentTrace
 from ..judging.badness import badness
 from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
 from ..judging.robustness_series import robustness_series
@@ -108,8 +109,7 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
         "time": deltas(trace.time[indices], 1000.0),
         "agents": [_agent(agent, indices) for agent in moving if np.isfinite(agent.x).any()],
         "agent": view.agent,
-        "speed": [] if ego is None else deltas(ego.speed[indices], CENTIMETERS),
-        "station": [] if ego is None else deltas(ego.station[indices], CENTIMETERS),
+        **_of_protagonist(ego, indices),
         "verdicts": [_verdict(judged, indices) for judged in view.judged],
         "worst": None if view.worst is None else view.worst.verdict.name,
         "shades": _shades(view.worst, indices),
@@ -122,6 +122,21 @@ def drive_record(view: DriveView, roads: dict[str, int], samples: int) -> Any:
         ],
         "shrunk": drive.shrunk,
         "explanation": drive.explanation,
+    }
+
+
+def _of_protagonist(agent: AgentTrace | None, samples: Integers) -> dict[str, list[int]]:
+    """What is plotted of it. An agent on several roads, on each of which `station` begins anew,
+    also has the meters driven along its route."""
+    if agent is None:
+        return {"speed": [], "station": [], "driven": []}
+    roads = agent.road[np.isfinite(agent.road)]
+    has_turned = len(roads) > 0 and bool(np.ptp(roads) > 0.0)
+    is_known = has_turned and bool(np.isfinite(agent.route_progress).all())
+    return {
+        "speed": deltas(agent.speed[samples], CENTIMETERS),
+        "station": deltas(agent.station[samples], CENTIMETERS),
+        "driven": deltas(agent.route_progress[samples], CENTIMETERS) if is_known else [],
     }
 
 

@@ -15,6 +15,7 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
 from ..falsification.axes import axes_of
 from ..falsification.deadline import deadline
 from ..falsification.evaluator import Evaluator, Proposal, Task
+from ..falsification.grading import Grading
 from ..falsification.journal import Journal, NoJournal, SearchJournal
 from ..falsification.outcome import Outcome
 from ..falsification.outcome_rows import row_of
@@ -171,13 +172,12 @@ class Falsification:
         return DriveSet(iter(drives[: len(failing)])), DriveSet(iter(drives[len(failing) :]))
 
     def _safe(self) -> list[Outcome]:
-        name = self.expects[0]
         safe = [outcome for outcome in self.driven if not outcome.is_failure]
-        finite = [outcome for outcome in safe if outcome.expectations.get(name) is not None]
-        finite.sort(key=lambda outcome: (outcome.expectations[name], outcome.index))
-        count = min(SAFE_DRIVES, len(finite))
-        places = [step * (len(finite) - 1) // max(count - 1, 1) for step in range(count)]
-        return [finite[place] for place in places]
+        values = Grading(self.expects).values(safe).tolist()
+        nearest = sorted(range(len(safe)), key=values.__getitem__)
+        count = min(SAFE_DRIVES, len(safe))
+        places = [step * (len(safe) - 1) // max(count - 1, 1) for step in range(count)]
+        return [safe[nearest[place]] for place in places]
 
     @cached_property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

@@ -165,22 +165,24 @@ class Viewer {
     const { drive, times } = this;
     const onTime = (time) => this.stopAt(time);
     this.plots = [];
-    const station = undelta(drive.station, 100);
+    const driven = undelta(drive.driven, 100);
+    const along = driven.length ? driven : undelta(drive.station, 100);
+    const over = `\u2026 over ${driven.length ? "distance driven" : "arc length"}`;
     const isPlottable = (values) => values && times.length > 1 && values.some((value) => value !== null);
     for (const verdict of drive.verdicts) {
       if (!isPlottable(verdict.series)) continue;
       const { name, unit, series: values, text: note } = verdict;
       const same = { values, times, unit, zero: true, onTime };
       this.plots.push(new Plot({ ...same, title: `Robustness of ${name} over time`, note, across: times, acrossUnit: "s" }));
-      if (station.length) {
-        this.plots.push(new Plot({ ...same, title: `\u2026 over arc length of ${drive.agent}`, note: "", across: station, acrossUnit: "m" }));
+      if (along.length) {
+        this.plots.push(new Plot({ ...same, title: `${over} of ${drive.agent}`, note: "", across: along, acrossUnit: "m" }));
       }
     }
     const speed = undelta(drive.speed, 100);
     if (isPlottable(speed)) {
       const same = { values: speed, times, unit: "m/s", zero: false, onTime };
       this.plots.push(new Plot({ ...same, title: `Speed of ${drive.agent} over time`, across: times, acrossUnit: "s" }));
-      if (station.length) this.plots.push(new Plot({ ...same, title: "\u2026 over arc length", across: station, acrossUnit: "m" }));
+      if (along.length) this.plots.push(new Plot({ ...same, title: over, across: along, acrossUnit: "m" }));
     }
     byId("plots").replaceChildren(...this.plots.map((plot) => plot.node));
     this.plots.forEach((plot) => plot.render());
