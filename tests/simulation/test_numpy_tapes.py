@@ -12,6 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.lines.line_nodes import Spacing, line_nodes
+from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.tapes import numpy_tapes
 from roadlang.simulation.tapes.numpy_tapes import NumpyTape
 from roadlang.simulation.tapes.registers import aligned, shared
@@ -112,3 +114,17 @@ def test_a_copy_of_a_track_has_memory_of_its_own() -> None:
         assert found.along.tobytes() == expected.along.tobytes()
         assert other.steps(world.bodies.walks, 0.02) is not track.steps(world.bodies.walks, 0.02)
         assert not other._parts
+
+
+def test_nodes_of_a_line_do_not_depend_on_the_lines_beside_it() -> None:
+    draw = np.random.default_rng(4)
+    sources = []
+    for points, closed in ((7, False), (90, True), (2, False), (40, True), (300, False)):
+        s = np.append(0.0, np.cumsum(draw.uniform(0.2, 9.0, points - 1)))
+        x, y, heading, width = draw.uniform(-9.0, 9.0, (4, points))
+        heading[0] = heading[-1] = -0.0
+        sources.append(LineSource(s, x, y, heading, width if points > 9 else 7.0, closed))
+    together = line_nodes(sources, Spacing.of(sources, 12.0))
+    for row, source in enumerate(sources):
+        alone = line_nodes([source], Spacing.of([source], 12.0))[:, 0]
+        assert alone.tobytes() == together[:, row, : alone.shape[1]].tobytes()

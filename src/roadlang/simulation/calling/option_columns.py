@@ -26,6 +26,8 @@ def columns_of(
 
 def words_of(options: Mapping[str, Any]) -> str:
     """The options that are not numbers, as one text; of numbers their shape."""
+    if _NUMBERS.issuperset(map(type, options.values())):  # as those of most
+        return ""
     shapes = {name: shape_of(value) for name, value in options.items()}
     words = {
         name: options[name] if shape is None else shape
@@ -33,6 +35,9 @@ def words_of(options: Mapping[str, Any]) -> str:
         if shape != ()
     }
     return json.dumps(words, sort_keys=True) if words else ""
+
+
+_NUMBERS = frozenset((int, float))
 
 
 def shape_of(value: Any) -> tuple[int, ...] | None:

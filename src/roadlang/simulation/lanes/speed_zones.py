@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,6 +34,13 @@ class SpeedZones:
     def zone(self, station: Floats) -> Integers:
         """The number of the zone at each arc length, in its shape."""
         return np.maximum(np.searchsorted(self.starts, station, side="right") - 1, 0)
+
+
+def any_limit(roads: Iterable[SceneRoad]) -> bool:
+    """Whether any lane of any road has a speed limit. Roads that are bent in many ways share their
+    lanes, which are looked at once."""
+    alike = {(road.speed_limit, id(road.speed_zones), id(road.lane_list)): road for road in roads}
+    return any(map(has_limit, alike.values()))
 
 
 def has_limit(road: SceneRoad) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -45,6 +45,10 @@ class Spacing:
         pad = np.array(pads, dtype=np.int64)
         return cls(count, pad, length, closed, np.array(turn), length / count)
 
+    def of_rows(self, rows: slice) -> Spacing:
+        """That of some lines."""
+        return Spacing(*(getattr(self, field.name)[rows] for field in fields(self)))
+
     @property
     def last(self) -> Integers:
         """(L,) the number of the last node."""
@@ -55,49 +59,81 @@ NodesOf = Callable[[Sequence[LineSource], Spacing], Floats]
 """Something that does what `line_nodes` does."""
 
 
+_AT_ONCE = 24
+"""Lines whose nodes are found together, so few that they fit into the caches."""
+
+
 def line_nodes(sources: Sequence[LineSource], spacing: Spacing) -> Floats:
     """(4, L, M) x, y, heading and width of lines at their nodes. Beyond its ends an open line goes
     straight on; what is left of a row is like its last node."""
     out = np.empty((4, len(sources), 1 + int(spacing.last.max())))
-    for row, source in enumerate(sources):
-        pad, count = int(spacing.pads[row]), int(spacing.counts[row])
-        turn = float(spacing.turn[row])
-        _fill(out[:, row], source, (pad, count, float(spacing.meters[row])), turn)
+    for first in range(0, len(sources), _AT_ONCE):
+        rows = slice(first, first + _AT_ONCE)
+        _fill(out[:, rows], sources[rows], spacing.of_rows(rows))
     return out
 
 
-def _fill(row: Floats, source: LineSource, places: tuple[int, int, float], turn: float) -> None:
-    """The nodes (4, M) of one line. `places`: intervals before it and between its ends, meters of
-    each."""
-    pad, count, meters = places
-    s = np.arange(-pad, count + pad + 1).astype(np.float64) * meters
-    used = len(s)
-    laps: Floats | float = 0.0
-    if source.closed:
-        laps = np.floor(s / source.length)
-        s = s - laps * source.length
-    columns = [source.x, source.y, source.heading]
-    if isinstance(source.width, np.ndarray):
-        columns.append(source.width)
-    else:
-        row[3] = source.width
-    row[: len(columns), :used] = _between(s, source.s, np.stack(columns))
-    if source.closed:
-        row[2, :used] += laps * turn
-    else:
-        for end, step in ((0, -meters), (used - 1, meters)):
-            row[0, end] += step * math.cos(row[2, end])
-            row[1, end] += step * math.sin(row[2, end])
-    row[:, used:] = row[:, used - 1 : used]
+def _fill(out: Floats, sources: Sequence[LineSource], spacing: Spacing) -> None:
+    """The nodes (4, L, M) of some lines."""
+    at = (np.arange(out.shape[2]) - spacing.pads[:, None]) * spacing.meters[:, None]
+    laps = None
+    if spacing.closed.any():
+        laps = np.floor(at / spacing.length[:, None]) * spacing.closed[:, None]
+        at = at - laps * spacing.length[:, None]
+    _put_between(out, at, sources)
+    if laps is not None:
+        around = spacing.closed.nonzero()[0]
+        out[2, around] += laps[around] * spacing.turn[around, None]
+    last, meters = spacing.last.tolist(), spacing.meters.tolist()
+    for row, used in enumerate(last):
+        if not spacing.closed[row]:
+            for end, step in ((0, -meters[row]), (used, meters[row])):
+                heading = float(out[2, row, end])
+                out[0, row, end] += step * math.cos(heading)
+                out[1, row, end] += step * math.sin(heading)
+        if used + 1 < out.shape[2]:
+            out[:, row, used + 1 :] = out[:, row, used : used + 1]
 
 
-def _between(at: Floats, s: Floats, columns: Floats) -> Floats:
-    """(K, M) columns (K, n) at arc lengths (M,), linear between the points at `s` (n,), and beyond
-    these as at the ends. Sums and products of single numbers, as in the compiled loop."""
-    cell = np.maximum(s.searchsorted(at, "right") - 1, 0)
-    rest = np.maximum(at, s[0]) - s[cell]
-    slopes = np.zeros_like(columns)
-    np.divide(columns[:, 1:] - columns[:, :-1], s[1:] - s[:-1], out=slopes[:, :-1])
-    there = columns.take(cell, axis=1)
-    found: Floats = np.where(rest == 0.0, there, slopes.take(cell, axis=1) * rest + there)
-    return found
+def _put_between(out: Floats, at: Floats, sources: Sequence[LineSource]) -> None:
+    """Fill `out` (4, L, M) with what lines are at arc lengths (L, M), linear between their points,
+    and beyond these as at the ends. Sums and products of single numbers, as in the compiled
+    loop."""
+    s = np.concatenate([source.s for source in sources])
+    ends = np.cumsum([len(source.s) for source in sources])
+    begins = np.append(0, ends[:-1])
+    cell = np.empty(at.shape, dtype=np.int64)
+    for row, source in enumerate(sources):
+        cell[row] = source.s.searchsorted(at[row], "right")
+    cell = np.maximum(cell - 1, 0) + begins[:, None]
+    rest = np.maximum(at, s[begins][:, None]) - s.take(cell)
+    is_there = rest == 0.0
+    run = s[1:] - s[:-1]
+    run[ends[:-1] - 1] = 1.0  # from one line to the next
+    for column, values in enumerate(_columns(sources)):
+        if values.ndim == 2:  # the same all along
+            out[column] = values
+            continue
+        slopes = np.zeros_like(values)
+        np.divide(values[1:] - values[:-1], run, out=slopes[:-1])
+        slopes[ends - 1] = 0.0
+        there = values.take(cell)
+        found = slopes.take(cell)
+        found *= rest
+        found += there
+        np.copyto(found, there, where=is_there)
+        out[column] = found
+
+
+def _columns(sources: Sequence[LineSource]) -> list[Floats]:
+    """(P,) x, y, heading and width at the points of lines; (L, 1) widths that are the same all
+    along."""
+    columns = [
+        np.concatenate([getattr(source, name) for source in sources])
+        for name in ("x", "y", "heading")
+    ]
+    widths = [source.width for source in sources]
+    if not any(isinstance(width, np.ndarray) for width in widths):
+        return [*columns, np.array(widths, dtype=np.float64)[:, None]]
+    every = [np.broadcast_to(one.width, one.s.shape) for one in sources]
+    return [*columns, np.concatenate(every)]

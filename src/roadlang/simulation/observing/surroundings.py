@@ -8,7 +8,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats, Integers
 from ..lanes.road_lanes import LanesHere, RoadLanes, lane_values
-from ..lanes.speed_zones import has_limit
+from ..lanes.speed_zones import any_limit
 from ..state.world import World
 from ..surroundings.leaders import Pairing
 from ..surroundings.neighbors import Nearby
@@ -30,7 +30,7 @@ class Surroundings:
         self._roads = [road for scene in world.scenes for road in scene.roads]
         counts = [len(scene.roads) for scene in world.scenes]
         self._first = np.concatenate([[0], np.cumsum(counts)])[:-1].astype(np.int64)
-        self.has_limits = any(has_limit(road) for road in self._roads)
+        self.has_limits = any_limit(self._roads)
         """of speed, on any road"""
         self.has_lane_endings = has_lane_endings(self._roads)
         self._lanes: RoadLanes | None = None

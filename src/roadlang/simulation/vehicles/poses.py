@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ..lines.lines import on_arc
+from ..lines.lines import CELL, on_arc
 from ..tapes.traced import TracedColumn
 from . import compiled
 from .motion import Motion, Track
@@ -69,8 +69,7 @@ def points_beside(track: Track, along: Floats, left: Floats) -> tuple[Floats, Fl
     if compiled.is_loaded():
         return compiled.points_beside(track, along, left)
     cell, rest = track.cell(along)
-    found = track.lines.table.take(cell, axis=0)[:, :, :5]
-    x, y, slope_x, slope_y, curvature = np.ascontiguousarray(found.transpose(2, 0, 1))
+    x, y, slope_x, slope_y, curvature = track.lines.in_cells(cell, *range(5))
     bend = curvature * rest
     bulge = 0.5 * bend * (rest - track.spacing)
     # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
@@ -87,11 +86,10 @@ def line_widths(track: Track, along: Floats) -> Floats:
 
 def frames_in(track: Track, cell: Any, rest: Floats) -> Floats:
     """(5, ...) the same `rest` meters into cells."""
-    found = track.lines.table.take(cell, axis=0)
-    columns = found.T if found.ndim == 2 else found.transpose(2, 0, 1)
+    *columns, seen_curvature, width = track.lines.in_cells(cell, *range(len(CELL)))
     out = np.empty((5, *cell.shape))
     out[0], out[1], out[2] = on_arc(columns, rest, track.spacing)
-    out[3:] = columns[6:]
+    out[3], out[4] = seen_curvature, width
     return out
 
 

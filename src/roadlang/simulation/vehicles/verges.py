@@ -154,17 +154,23 @@ class Verges:
         place = table.place(rows, motion.along[rows])
         edges = np.full((len(rows), 2), (np.inf, -np.inf))
         sections: dict[tuple[int, int | None], tuple[LaneSection, list[int]]] = {}
+        constant: list[tuple[float, float]] = []
+        theirs: list[int] = []
+        numbers, lanes, routed = place.road.tolist(), place.lane.tolist(), self.has_route[rows]
         for i in np.flatnonzero(place.turn < 0).tolist():
-            agent = int(rows[i])
-            road = self.roads[agent][int(place.road[i])]
-            lane = int(place.lane[i]) if self.has_route[agent] else None
+            road = self.roads[rows[i]][numbers[i]]
+            lane = int(lanes[i]) if routed[i] else None
             found = self._edges(road, lane)
             if isinstance(found, LaneSection):
                 sections.setdefault((id(road), lane), (found, []))[1].append(i)
-                continue
-            edges[i] = _as_driven(np.array(found), place.direction[i])
-            if lane is None:
-                self.edges[agent] = edges[i]
+            else:
+                constant.append(found)
+                theirs.append(i)
+        if theirs:
+            direction = place.direction[theirs, None]
+            edges[theirs] = _as_driven(np.array(constant), direction)
+            kept = [i for i in theirs if not routed[i]]
+            self.edges[rows[kept]] = edges[kept]
         for (_, lane), (section, there) in sections.items():
             left_right = _edges_of(section, lane, place.station[there])
             edges[there] = _as_driven(left_right, place.direction[there, None])
