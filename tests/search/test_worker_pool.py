@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from multiprocessing import util
 from pathlib import Path
 from typing import Any
 
@@ -88,6 +89,30 @@ def test_a_few_jobs_are_done_in_this_process(
         found = list(pool.map(shifted, jobs, fewest))
     assert found == [(100 + job, os.getpid()) for job in jobs]
     assert left_behind(others) == set()
+
+
+def length(state: bytes, job: int) -> int:
+    return len(state) + job
+
+
+@pytest.mark.skipif(os.name == "nt", reason="processes are started in POSIX's way")
+def test_a_process_killed_before_it_read_what_is_shared_is_replaced(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What is shared is more than a pipe holds: nobody waits for it to be read."""
+    start, died = util.spawnv_passfds, list[int]()
+
+    def first_dies(program: Any, words: Any, files: Any) -> int:
+        is_first = not died and any("spawn_main" in str(word) for word in words)
+        process: int = start(program, [words[0], "-c", ""] if is_first else words, files)
+        if is_first:
+            died.append(process)
+        return process
+
+    monkeypatch.setattr(util, "spawnv_passfds", first_dies)
+    with WorkerPool(bytes(1_000_000), Workers(2)) as pool:
+        assert list(pool.map(length, [1, 2, 3])) == [1_000_001, 1_000_002, 1_000_003]
+    assert died
 
 
 def test_one_process_works_here() -> None:
