@@ -252,8 +252,8 @@ class World:
         """(N,) arc length along the road, within its ends."""
         along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
         station = np.where(self.backward, self.length - along, along)
-        rows = self.has_route.nonzero()[0]
-        station[rows] = stations(self.table, rows, along[rows]) if len(rows) else 0.0
+        if len(rows := self.has_route.nonzero()[0]):  # traced columns have no rows
+            station[rows] = stations(self.table, rows, along[rows])
         return station
 
     @property
