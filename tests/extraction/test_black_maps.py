@@ -7,7 +7,7 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_water import masks_without_water
+from roadlang_standard.extraction.map_water import _constant, masks_without_water
 
 _SIDE = 420
 _WHITE, _BLACK = np.full(3, 255.0), np.zeros(3)
@@ -54,6 +54,11 @@ def test_a_wide_road_that_streets_join_is_no_water() -> None:
     black = streets()
     cv2.line(black, (0, 150), (419, 165), 1, 20)
     assert without_water(black).sum() > 0.98 * black.sum()
+
+
+def test_where_all_lines_meet_none_has_one_width() -> None:
+    none = np.zeros((20, 20), bool)
+    assert not _constant(none, np.ones((20, 20), np.float32)).any()
 
 
 def test_black_streets_are_found_among_black_houses_and_below_their_names() -> None:

@@ -142,6 +142,8 @@ def _basin(mask: Booleans) -> Booleans | None:
 
 def _constant(lines: Booleans, inner: Layer) -> Booleans:
     """Which of the lines (h, w) are longer than wide and have one width from end to end."""
+    if not lines.any():
+        return lines
     count, run = cv2.connectedComponents(lines.astype(np.uint8), connectivity=8)
     at = np.flatnonzero(lines)
     order = np.argsort(run.ravel()[at], kind="stable")
