@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -250,3 +251,16 @@ def test_many_short_drives_load_the_compiled_motion_too(monkeypatch: pytest.Monk
     answers = [compiled.pays(3000, 40) for _ in range(8)]
     assert not answers[0]
     assert answers[-1]
+
+
+def test_tables_of_many_lines_are_compiled_where_numba_is_loaded(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(compiled, "_lines", [0])
+    monkeypatch.setattr(compiled, "is_loaded", lambda: False)
+    monkeypatch.delitem(sys.modules, "numba", raising=False)
+    assert not compiled.pays_for_lines(compiled.LINES + 1)
+    monkeypatch.setattr(compiled, "_lines", [0])
+    monkeypatch.setitem(sys.modules, "numba", np)
+    assert not compiled.pays_for_lines(compiled.LINES)
+    assert compiled.pays_for_lines(1)

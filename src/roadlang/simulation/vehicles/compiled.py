@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from types import ModuleType
@@ -121,7 +122,11 @@ PER_STEP, PER_AGENT = 8e-5, 1e-7
 """Seconds of processor time that a step takes about without it, and with each agent more."""
 DRIVES = 0.2
 """Seconds that scenes which are driven side by side take about without it."""
+LINES = 200
+"""Lines whose tables numpy makes in about the time in which compiled loops for them are loaded,
+where numba is."""
 _is_loaded = [False]
+_lines = [0]
 _worked = [0.0]
 """Estimated seconds of this process: it decides which of two motions is used, which are the same to
 the last bit."""
@@ -136,6 +141,13 @@ def expect(times: float) -> None:
 def is_loaded() -> bool:
     """Whether the compiled loop is there already."""
     return _is_loaded[0]
+
+
+def pays_for_lines(count: int) -> bool:
+    """Whether to use the compiled loops for the tables of that many lines more, which are the same
+    to the last bit: once the work of this process, with this, would have paid for loading them."""
+    _lines[0] += count
+    return is_loaded() or ("numba" in sys.modules and _lines[0] > LINES)
 
 
 def pays(steps: float, agents: int) -> bool:
