@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
@@ -14,6 +15,11 @@ _STROKE, _GLYPH, LARGER = 7, 18, 6.0
 roads are wider than so many pixels."""
 _CONTRASTS, _INK = (30, 60, 120), 1.8
 """Contrasts of letters in gray levels, and their ink: at least so many pixels a pixel of size."""
+_MANY = 0.06
+"""Lists of more than this share of all pixels take longer than arrays."""
+_BESIDE, _WORDS, _FULL = 3, 200, 0.3
+"""Words are filled one after the other, each with so many pixels around it, if there are no more of
+them, and they are no more of the picture: else all at once."""
 
 
 def letters_of_map(image: Image, width: float) -> Booleans:
@@ -46,12 +52,27 @@ def without_letters(image: Image, letters: Booleans) -> Image:
     """A map (h, w, 3) whose `letters` (h, w) have the color of the nearest pixel beside them."""
     if not letters.any() or letters.all():
         return image
+    around = cv2.dilate(letters.view(np.uint8), np.ones((2 * _BESIDE + 1,) * 2, np.uint8))
+    count, parts, boxes, _ = cv2.connectedComponentsWithStats(around, connectivity=8)
+    plain = image.copy()
+    if count > _WORDS or boxes[1:, 2:4].prod(axis=1).sum() > _FULL * letters.size:
+        _fill(plain, image, letters, letters)
+        return plain
+    for part, (left, top, width, height, _) in enumerate(boxes[1:].tolist(), start=1):
+        window = (slice(top, top + height), slice(left, left + width))
+        within = letters[window]
+        _fill(plain[window], image[window], within, within & (parts[window] == part))
+    return plain
+
+
+def _fill(plain: Image, image: Image, letters: Booleans, some: Booleans) -> None:
+    """Give `some` (h, w) of the letters of a map the color of the pixel beside them, in place."""
     _, nearest = cv2.distanceTransformWithLabels(
         letters.astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
     )
     source = np.zeros(int(nearest.max()) + 1, np.intp)
     source[nearest[~letters]] = np.flatnonzero(~letters)
-    return np.asarray(image.reshape(-1, 3)[source[nearest]])
+    plain[some] = image[np.divmod(source[nearest[some]], letters.shape[1])]
 
 
 def _add_glyphs(found: Image, strokes: Booleans, largest: int, ink: float) -> None:
@@ -60,11 +81,35 @@ def _add_glyphs(found: Image, strokes: Booleans, largest: int, ink: float) -> No
     if not width:
         return
     window = (slice(y, y + height), slice(x, x + width))
-    around = np.ascontiguousarray(strokes[window]).view(np.uint8)
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(around, connectivity=8)
-    sizes = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+    around = np.ascontiguousarray(strokes[window])
+    pixels = np.flatnonzero(around)
+    parts, sizes, areas = _parts(around, pixels)
     # Straight dashes have less ink for their size: edges of roads that come and go.
-    small = (sizes <= largest) & (stats[:, cv2.CC_STAT_AREA] >= ink * sizes)
+    small = (sizes <= largest) & (areas >= ink * sizes)
     small[0] = False
     if small.any():
-        found[window] |= small.take(parts).view(np.uint8)
+        chosen = pixels[small[parts.ravel()[pixels]]]
+        found[window][np.divmod(chosen, width)] = 1
+
+
+def _parts(
+    mask: Booleans, pixels: NDArray[np.intp]
+) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.intp]]:
+    """The label (h, w) of each part of a mask, how far each of them (n,) reaches, and how many
+    pixels it has; the `pixels` (p,) of all are indices of the flat mask.
+
+    Letters and outlines are few of the pixels: to look at these takes a fifth of the time.
+    """
+    if len(pixels) > _MANY * mask.size:
+        _, parts, stats, _ = cv2.connectedComponentsWithStats(mask.view(np.uint8), connectivity=8)
+        extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+        return np.asarray(parts, np.int32), extents, stats[:, cv2.CC_STAT_AREA].astype(np.intp)
+    count, parts = cv2.connectedComponents(mask.view(np.uint8), connectivity=8)
+    owner = parts.ravel()[pixels]
+    sizes = np.zeros(count, np.int32)
+    for axis in np.divmod(pixels, mask.shape[1]):
+        low, high = np.full(count, mask.size), np.zeros(count, np.intp)
+        np.minimum.at(low, owner, axis)
+        np.maximum.at(high, owner, axis)
+        sizes = np.maximum(sizes, (high - low + 1).astype(np.int32))
+    return np.asarray(parts, np.int32), sizes, np.bincount(owner, minlength=count)

@@ -80,17 +80,12 @@ def _water(mask: Booleans) -> Booleans | None:
     Roads join. Where one crosses water of its own color, its casing parts both; a wide road that
     passes over others is apart as well, but even.
     """
-    basin = _basin(mask)
-    dry = mask if basin is None else mask & ~basin
-    _, labels = cv2.connectedComponents(dry.astype(np.uint8), connectivity=4)
-    inner = cv2.distanceTransform(dry.astype(np.uint8), cv2.DIST_L2, 5)
-    thin = skeleton(dry)
-    lengths = np.bincount(labels[thin], minlength=2)
-    widths: dict[int, _Width] = {}
-    for part in np.flatnonzero(lengths >= _SHORT):
-        across = 2 * inner[thin & (labels == part)] - 1
-        widths[int(part)] = _Width(float(np.median(across)), float(np.quantile(across, 0.9)))
-    road = widths.pop(int(np.argmax(lengths)), None)
+    lines = _Lines.of(mask)
+    basin = _basin(mask, lines)
+    if basin is not None:
+        lines = _Lines.of(mask & ~basin)
+    labels, widths = lines.labels, lines.widths()
+    road = widths.pop(lines.longest(), None)
     if road is None:
         return basin
     found = {
@@ -107,18 +102,54 @@ def _water(mask: Booleans) -> Booleans | None:
     return np.asarray(apart | basin)
 
 
-def _basin(mask: Booleans) -> Booleans | None:
+@dataclass(frozen=True)
+class _Lines:
+    """Of a tone (h, w): the labels (h, w) of its parts, how far pixels are from its edge (h, w),
+    its skeleton (h, w), and the pixels of that (n,), as indices of the flat picture."""
+
+    labels: NDArray[np.int32]
+    inner: Layer
+    thin: Booleans
+    at: NDArray[np.intp]
+
+    @staticmethod
+    def of(mask: Booleans) -> _Lines:
+        seen, thin = mask.view(np.uint8), skeleton(mask)
+        _, labels = cv2.connectedComponents(seen, connectivity=4)
+        inner = cv2.distanceTransform(seen, cv2.DIST_L2, 5)
+        return _Lines(labels, inner, thin, np.flatnonzero(thin))
+
+    def longest(self) -> int:
+        """The part with the longest center lines."""
+        return int(np.argmax(np.bincount(self.labels.ravel()[self.at], minlength=2)))
+
+    def widths(self) -> dict[int, _Width]:
+        """Those of the parts whose center lines are not short, by their labels."""
+        if not len(self.at):
+            return {}
+        owner = self.labels.ravel()[self.at]
+        order = np.argsort(owner, kind="stable")
+        across = (2 * self.inner.ravel()[self.at] - 1)[order]
+        starts = np.flatnonzero(np.diff(owner[order], prepend=-1))
+        return {
+            int(owner[order[start]]): _Width(
+                float(np.median(values)), float(np.quantile(values, 0.9))
+            )
+            for start, values in zip(starts, np.split(across, starts[1:]), strict=True)
+            if len(values) >= _SHORT
+        }
+
+
+def _basin(mask: Booleans, lines: _Lines) -> Booleans | None:
     """What of a tone (h, w) is water or houses, though streets may lead into it; None if nothing.
 
     It is far wider than most streets, and so are wide roads; but their width is the same between
     two junctions.
     """
-    inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
-    thin = skeleton(mask)
+    inner, thin, labels = lines.inner, lines.thin, lines.labels
     even = ribbons(thin, inner).lines
     if not even.any():
         return None
-    _, labels = cv2.connectedComponents(mask.astype(np.uint8), connectivity=4)
     network = int(np.argmax(np.bincount(labels[even], minlength=2)))
     usual = 2 * float(np.median(inner[even & (labels == network)])) - 1
     broad = max(_BROAD * usual, usual + _WIDER_BY)
@@ -128,12 +159,12 @@ def _basin(mask: Booleans) -> Booleans | None:
     away = cv2.distanceTransform(1 - deep, cv2.DIST_L2, 5)
     wide = mask & (away < broad / 2)
     count, parts = cv2.connectedComponents(wide.astype(np.uint8), connectivity=8)
-    lines = thin & wide
+    core = thin & wide
     # Where lines meet, they end: between junctions a road's width is one.
-    near = cv2.filter2D(lines.astype(np.uint8), -1, np.ones((3, 3)), borderType=cv2.BORDER_CONSTANT)
-    forks = cv2.dilate((lines & (near > 3)).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    total = np.bincount(parts[lines], minlength=count)
-    same = np.bincount(parts[_constant(lines & ~forks, inner)], minlength=count)
+    near = cv2.filter2D(core.astype(np.uint8), -1, np.ones((3, 3)), borderType=cv2.BORDER_CONSTANT)
+    forks = cv2.dilate((core & (near > 3)).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    total = np.bincount(parts[core], minlength=count)
+    same = np.bincount(parts[_constant(core & ~forks, inner)], minlength=count)
     large = np.bincount(parts.ravel(), minlength=count) >= _LARGE * broad**2
     water = large & (same < _MOSTLY * total)
     water[0] = False

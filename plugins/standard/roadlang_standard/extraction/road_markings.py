@@ -126,6 +126,15 @@ class _Gaps:
         found.ravel()[self.pixels[chosen.take(self.labels.ravel()[self.pixels])]] = True
         return found
 
+    def thin(self, times: float, most: float, inner: Layer) -> _Gaps:
+        """Those of the small parts of which so many times the thickness is nowhere more pixels."""
+        owner = self.labels.ravel()[self.pixels]
+        thick = np.zeros(len(self.boxes), bool)
+        wide = 2 * inner.ravel()[self.pixels].astype(np.float64) - 1
+        thick[owner[times * wide > most]] = True
+        left = ~thick[owner]
+        return replace(self, pixels=self.pixels[left], keys=self.keys[~thick[self.keys]])
+
     def window(self, key: int, reach: int) -> tuple[slice, slice]:
         """The rows and columns of a part and so many pixels around it."""
         left, top, width, height = self.boxes[key, :4].tolist()
@@ -159,8 +168,8 @@ def _gaps(
     if not len(keys):
         return found
     inner = cv2.distanceTransform(found.union(keys).view(np.uint8), cv2.DIST_L2, 5)
-    thickness = found.most(inner)
-    keys = keys[least * thickness[keys] <= 2 * float(beside.max(initial=0.0)) - 1]
+    found = found.thin(least, 2 * float(beside.max(initial=0.0)) - 1, inner)
+    thickness, keys = found.most(inner), found.keys
     wide = [_width_about(beside, found, key, thickness[key]) for key in keys.tolist()]
     keys = keys[np.array(wide, float) >= least * thickness[keys]]
     if not len(keys):
