@@ -34,6 +34,10 @@ def read(folder: Path, text: str, **options: str) -> Curve | Road:
         "\ufeffy,x\n0,0\n0,50\n0,100\n",
         "x;y\n0,0;0\n49,5;0,0\n100,0;0\n",
         "x,y\r0,0\r50,0\r100,0\r",
+        "X [m],Y (m)\n0,0\n50,0\n100,0\n",
+        "name,x,y\nstart,0,0\n,50,0\nend,100,0\n",
+        "x,y\nm,m\n0,0\n50,0\n100,0\n",
+        "lap,x,y\nnan,0,0\nnan,50,0\ninf,100,0,\n",
     ],
 )
 def test_separators_and_heads_are_found_out(tmp_path: Path, text: str) -> None:
@@ -102,16 +106,17 @@ def test_widths_of_a_ring_stay_at_their_points(tmp_path: Path, repeated: bool) -
     ("text", "says"),
     [
         ("x,z\n0,0\n1,1\n", "no column `y`"),
-        ("x,y\n0,0\n1,one\n", "line 3 is not a row of numbers: `one`"),
-        ("x,y\n0,0\n1_000,1\n", "`1_000`"),
-        ("x,y\n0,0\n0x10,1\n", "`0x10`"),
+        ("x,y\n0,0\n1,one\n", "`one` in line 3 is not a finite number"),
+        ("x,y\n0,0\n1_000,1\n", "`1_000` in line 3"),
+        ("x,y\n0,0\n0x10,1\n", "`0x10` in line 3"),
+        ("x,y,name\n0,0,a\n1,,b\n", "an empty cell in line 3"),
         ("x,y\n0,0\n\uff11\uff12,1\n", "line 3"),
         ("x,y\n0,0,1,5\n50,0,2,5\n", "line 2 has 4 columns, not 2"),
         ("a; b; c\n1;2\n3;4\n", "line 2 has 2 columns, not 3"),
         ("x,y\n0,0\n1\n", "line 3 has 1 columns"),
         ("x,y\n0,0\n", "fewer than two rows"),
-        ("x,y\n0,0\nnan,1\n", "line 3 has numbers that are not finite"),
-        ("x,y\n0,0\n-Infinity,1\n", "line 3 has numbers that are not finite"),
+        ("x,y\n0,0\nnan,1\n", "in line 3 is not a finite number"),
+        ("x,y\n0,0\n-Infinity,1\n", "in line 3 is not a finite number"),
         ("# nothing\n", "fewer than two rows"),
     ],
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roadlang.diagnostics.source import Source
+from roadlang.syntax import parse
 from roadlang.syntax.recovery.unprintable import binary
 
 
@@ -28,3 +29,10 @@ def test_the_first_of_them_is_shown() -> None:
     assert found is not None
     assert found.span is not None
     assert (found.span.start, found.span.end) == (4, 5)
+
+
+@pytest.mark.parametrize("text", ['<?xml version="1.0"?>\n<osm/>', "\n<OpenDRIVE></OpenDRIVE>\n"])
+def test_a_map_in_xml_is_one_fault_that_says_how_maps_are_read(text: str) -> None:
+    _, (found,) = parse(Source("maps/town.osm", text))
+    assert (found.code, found.span and found.span.text) == ("RL001", "<")
+    assert '`network town from "town.osm"`' in found.help[0]

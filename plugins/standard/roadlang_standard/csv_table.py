@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,14 +22,17 @@ _MOST_ROWS = 200_000
 
 @dataclass(frozen=True)
 class Table:
-    """`names` in lower case without a unit (`x_m` is `x`), `rows` (n, columns)."""
+    """`names` in lower case, `rows` (n, columns) from the `lines` of the file; NaN where a cell is
+    no finite number, whose text is in `texts` by row and column."""
 
     path: Path
     names: tuple[str, ...]
     rows: Floats
+    lines: tuple[int, ...]
+    texts: Mapping[tuple[int, int], str]
 
     def columns(self, *wanted: str) -> Floats:
-        """(n, len(wanted)); raises RL477 for a column that is not there."""
+        """(n, len(wanted)); raises RL477 for a column that is not there or has other cells."""
         import numpy as np
 
         return np.stack([self._column(name) for name in wanted], axis=1)
@@ -44,15 +48,14 @@ class Table:
         plain = [_plain(known) for known in self.names]
         if _plain(name) not in plain:
             help_ = (*did_you_mean(name, self.names), f"it has {', '.join(self.names)}")
-            raise DiagnosticError(
-                diagnose(
-                    Code.UNREADABLE_TABLE,
-                    file=self.path.name,
-                    reason=f"no column `{name}`",
-                    help=help_,
-                )
-            )
-        return self.rows[:, plain.index(_plain(name))]
+            raise _refusal(self.path, f"no column `{name}`", help_)
+        index = plain.index(_plain(name))
+        for (row, column), text in self.texts.items():
+            if column == index:
+                line = self.lines[row]
+                shown = f"`{text}`" if text else "an empty cell"
+                raise _refusal(self.path, f"{shown} in line {line} is not a finite number")
+        return self.rows[:, index]
 
 
 def read_table(path: Path) -> Table:
@@ -65,25 +68,27 @@ def read_table(path: Path) -> Table:
     names: tuple[str, ...] = ()
     has_line_of_names = False
     rows: list[list[float]] = []
+    lines: list[int] = []
+    texts: dict[tuple[int, int], str] = {}
     for number, line in enumerate(read_text(path).splitlines(), start=1):
         is_comment = line.startswith("#")
         cells = _cells(line.lstrip("# ") if is_comment else line)
-        numbers = _numbers(cells)
-        if not cells or (is_comment and numbers is not None):
+        numbers = [_number(cell) for cell in cells]
+        are_numbers = not any(map(math.isnan, numbers))
+        if not cells or (is_comment and (are_numbers or rows)):
             continue
-        if numbers is None:
-            if rows:
-                odd = next(cell for cell in cells if _numbers([cell]) is None)
-                raise _refusal(path, f"line {number} is not a row of numbers: `{odd}`")
+        if not rows and not are_numbers and (is_comment or not has_line_of_names):
             names = names if is_comment and names else tuple(map(str.lower, cells))
             has_line_of_names |= not is_comment and separator_of(line) is not None
             continue
+        if not rows and all(map(math.isnan, numbers)):
+            continue  # the units of the columns
         most = len(names) if has_line_of_names else len(rows[0]) if rows else len(numbers)
         if len(numbers) != most:
             raise _refusal(path, f"line {number} has {len(numbers)} columns, not {most}")
-        if not all(map(math.isfinite, numbers)):
-            raise _refusal(path, f"line {number} has numbers that are not finite")
+        texts |= {(len(rows), i): cells[i] for i, each in enumerate(numbers) if math.isnan(each)}
         rows.append(numbers)
+        lines.append(number)
         if len(rows) > _MOST_ROWS:
             raise _refusal(path, f"it has more than {_MOST_ROWS:,} rows")
     if len(rows) < 2:
@@ -91,7 +96,7 @@ def read_table(path: Path) -> Table:
     table = np.asarray(rows, dtype=float)
     if len(names) != table.shape[1]:
         names = ("x", "y", "width")[: table.shape[1]]
-    return Table(path, names, table)
+    return Table(path, names, table, tuple(lines), texts)
 
 
 def separator_of(line: str) -> str | None:
@@ -102,21 +107,26 @@ def separator_of(line: str) -> str | None:
 def _cells(line: str) -> list[str]:
     separator = separator_of(line)
     cells = [cell.strip().strip('"') for cell in line.split(separator)]
-    if separator == ";":
-        cells = [cell.replace(",", ".") for cell in cells]
-    return [cell for cell in cells if cell]
+    while cells and not cells[-1]:  # lines may end with separators
+        del cells[-1]
+    return [cell.replace(",", ".") for cell in cells] if separator == ";" else cells
 
 
-def _numbers(cells: list[str]) -> list[float] | None:
+def _number(cell: str) -> float:
+    """NaN for what is no finite number."""
     try:
-        return [number_in(cell) for cell in cells]
+        number = number_in(cell)
     except ValueError:
-        return None
+        return math.nan
+    return number if math.isfinite(number) else math.nan
 
 
 def _plain(name: str) -> str:
-    return re.sub(r"_m$", "", name.lower())
+    """A name without its unit: `x_m`, `x [m]` and `x (m)` are `x`."""
+    return re.sub(r"(?:_m|\s*[\[(]m(?:eters?)?[\])])\Z", "", name.lower())
 
 
-def _refusal(path: Path, reason: str) -> DiagnosticError:
-    return DiagnosticError(diagnose(Code.UNREADABLE_TABLE, file=path.name, reason=reason))
+def _refusal(path: Path, reason: str, help_: tuple[str, ...] = ()) -> DiagnosticError:
+    return DiagnosticError(
+        diagnose(Code.UNREADABLE_TABLE, file=path.name, reason=reason, help=help_)
+    )

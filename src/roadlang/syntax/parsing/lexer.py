@@ -6,7 +6,7 @@ import re
 
 from ...diagnostics import Source
 from ..recovery.suspect_tokens import SUSPECTS
-from ..recovery.unprintable import binary, surrogates
+from ..recovery.unprintable import binary, markup, surrogates
 from ..tree.nodes import Comment
 from .grammar import END
 from .line_positions import begins_line
@@ -19,7 +19,7 @@ _MOST_REPORTED = 50
 def lex(source: Source, tables: Tables) -> Lexed:
     """All tokens of a source. Never fails: a bad character is reported and left out."""
     lexed = Lexed()
-    found = binary(source)
+    found = binary(source) or markup(source)
     if found is not None:
         lexed.diagnostics.append(found)
         lexed.tokens.append((END, "", 0, 0))

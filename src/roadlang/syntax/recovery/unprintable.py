@@ -1,4 +1,4 @@
-"""Sources that are no text, and characters that no file in UTF-8 can hold."""
+"""Sources that are no text of ours, and characters that no file in UTF-8 can hold."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from ...diagnostics import Code, Diagnostic, Source, diagnose
 
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1a\x7f\ufffd\ud800-\udfff]")
 _SURROGATES = re.compile(r"[\ud800-\udfff]+")
+_MARKUP = re.compile(r"\s*<(?=[?!A-Za-z])")
 _FEW = 8
 
 
@@ -21,6 +22,22 @@ def binary(source: Source) -> Diagnostic | None:
     if many < _FEW or many * 20 < len(source.text):
         return None
     return diagnose(Code.BINARY_FILE, source.span(first.start(), first.end()), path=source.path)
+
+
+def markup(source: Source) -> Diagnostic | None:
+    """A source in XML, such as a map of another tool."""
+    first = _MARKUP.match(source.text)
+    if first is None:
+        return None
+    name = source.path.replace("\\", "/").rpartition("/")[2]
+    return diagnose(
+        Code.UNEXPECTED_TOKEN,
+        source.span(first.end() - 1, first.end()),
+        expected="a statement",
+        found="`<`",
+        help=f"this is XML: a scene file reads a map by `network town from \"{name}\"`, and "
+        "`roadlang convert` writes it in another format",
+    )
 
 
 def surrogates(source: Source, reported: Sequence[Diagnostic]) -> list[Diagnostic]:
