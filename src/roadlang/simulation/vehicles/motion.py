@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
@@ -13,7 +13,7 @@ from ...geometry.arrays import Booleans, Floats
 from ..lines.lines import Lines
 from ..shallow_copies import shallow
 from .bodies import Bodies
-from .vehicle_steps import VehicleSteps
+from .vehicle_steps import MOST, VehicleSteps, columns_after
 
 
 @dataclass
@@ -185,6 +185,12 @@ class Track:
         cell = np.minimum(np.maximum(advance * self.per_meter, 0.0), self.last).astype(np.int64)
         return self.first + cell, advance - cell * self.spacing
 
+    def bend(self, along: Floats) -> tuple[Floats, Floats]:
+        """(N,) curvature and heading of the lines at arc lengths."""
+        cell, rest = self.cell(along)
+        curvature = self.lines.curvature[cell]
+        return curvature, self.lines.heading[cell] + curvature * rest
+
 
 _IN_MEMORY = ("_parts", "_steps")
 
@@ -199,6 +205,11 @@ def advance(
     """Move on by some steps of `dt` seconds. `wanted`: tangent of the steering angle, held within
     what the agent can steer; acceleration."""
     before = [getattr(motion, name) for name in MOTION_COLUMNS]
-    after = track.steps(car.walks, dt).drive(before, car, wanted, steps)
+    after: Iterable[Floats]
+    if len(before[0]) > MOST:
+        walks = car.walks if car.walks.any() else None
+        after = columns_after(before, car.in_order, wanted, walks, track.bend, steps, dt)
+    else:
+        after = track.steps(car.walks, dt).drive(before, car, wanted, steps)
     for name, column in zip(MOTION_COLUMNS, after, strict=True):
         setattr(motion, name, column)

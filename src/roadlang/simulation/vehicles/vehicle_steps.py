@@ -24,8 +24,9 @@ of their lines (last cell, origin, spacing, cells for each meter)."""
 STATE = MOTION + 1
 """Columns that change: the motion, and the curvature of the line below the agent."""
 COLUMNS = STATE + CAR + WANTED + LINE
-WIDE = 3072
-"""Agents whose columns are computed together, at most: so few that they stay in the caches."""
+MOST = 2048
+"""Agents whose rows of memory stay in the caches from one call of the engine to the next, at most:
+of more of them, new arrays are faster."""
 
 
 @cache
@@ -73,6 +74,18 @@ def _stepped(
     return along, offset, *after[:3], cosine, sine, tangent, heading, after[3], curve
 
 
+def columns_after(
+    motion: Sequence[Floats], car: Sequence[Floats], wanted: Sequence[Floats],
+    walks: Booleans | None, bend: Callable[[Any], tuple[Any, Any]], steps: int, dt: float,
+) -> Sequence[Floats]:  # fmt: skip
+    """The motion (10) after some steps, by the formulas as they are. `walks`: who is on foot, None
+    for nobody; `bend`: curvature and heading of lines at arc lengths."""
+    state: Sequence[Floats] = (*motion, bend(motion[0])[0])
+    for _ in range(steps):
+        state = _stepped(state, car, wanted, walks, bend, dt)
+    return state[:MOTION]
+
+
 def step_calls(
     columns: Sequence[Any], walks: Floats | None, lines: TableRows, dt: float
 ) -> tuple[list[Call], list[Call]]:
@@ -99,63 +112,39 @@ def step_calls(
 
 
 class VehicleSteps:
-    """Steps of agents that follow their lines."""
+    """Steps of some agents that follow their lines."""
 
     def __init__(
         self, table: Floats, first: Integers, places: Floats, walks: Booleans, dt: float
     ) -> None:
         """`table`: of the lines; `first`: (N,) where those of agents begin in it; `places`: (4, N)
         what else is to be known of them."""
-        count = len(first)
-        parts = max(1, -(-count // WIDE))
-        wide = -(-count // parts)
-        self._parts = [
-            _Part(slice(begin, begin + wide), (table, first, places), walks, dt)
-            for begin in range(0, count, max(1, wide))
-        ]
+        self._rows = aligned(COLUMNS - 1, len(first))
+        self._rows[COLUMNS - 1 - LINE :] = places
+        walkers = walks.astype(np.float64) if walks.any() else None
+        lines = TableRows.of(table, first)
+        self._begin, self._calls = step_calls(list(self._rows), walkers, lines, dt)
         self._car: Any = None
 
     def drive(
         self, motion: Sequence[Floats], car: Any, wanted: Sequence[Floats], steps: int
     ) -> Floats:
         """(10, N) the motion after some steps. `car`: the bodies of the agents."""
-        out = aligned(MOTION, len(motion[0]))
-        cars = () if car is self._car else car.in_order
-        self._car = car
-        with np.errstate(all="ignore"):
-            for part in self._parts:
-                part.drive(motion, cars, wanted, steps, out)
-        return out
-
-
-class _Part:
-    """Steps of some of the agents."""
-
-    def __init__(self, agents: slice, lines: Any, walks: Booleans, dt: float) -> None:
-        table, first, places = lines
-        self._agents = agents
-        starts, on_foot = first[agents], walks[agents]
-        self._rows = aligned(COLUMNS - 1, len(starts))
-        self._rows[COLUMNS - 1 - LINE :] = places[:, agents]
-        walkers = on_foot.astype(np.float64) if on_foot.any() else None
-        rows = TableRows.of(table, starts)
-        self._begin, self._calls = step_calls(list(self._rows), walkers, rows, dt)
-
-    def drive(
-        self, motion: Sequence[Floats], cars: Sequence[Floats], wanted: Sequence[Floats],
-        steps: int, out: Floats,
-    ) -> None:  # fmt: skip
-        """Fill `out` (10, N). `cars`: none, if they are those of the last time."""
-        rows, agents = self._rows, self._agents
+        rows = self._rows
         for row, column in enumerate(motion):
-            rows[row] = column[agents]
-        for row, column in enumerate(cars, MOTION):
-            rows[row] = column[agents]
+            rows[row] = column
+        if car is not self._car:
+            for row, column in enumerate(car.in_order, MOTION):
+                rows[row] = column
+            self._car = car
         for row, column in enumerate(wanted, MOTION + CAR):
-            rows[row] = column[agents]
-        for call in self._begin:
-            call()
-        for _ in range(steps):
-            for call in self._calls:
+            rows[row] = column
+        with np.errstate(all="ignore"):
+            for call in self._begin:
                 call()
-        out[:, agents] = rows[:MOTION]
+            for _ in range(steps):
+                for call in self._calls:
+                    call()
+        out = aligned(MOTION, rows.shape[1])
+        out[:] = rows[:MOTION]
+        return out
