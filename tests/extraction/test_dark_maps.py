@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import with_contrast
+from roadlang_standard.extraction.map_tones import map_tone, with_contrast
 from roadlang_standard.extraction.picture_kind import MASK, picture_kind
+from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import (
     LIGHT,
     MapStyle,
@@ -54,6 +57,33 @@ def test_thin_streets_of_a_faint_map_are_found() -> None:
     image, lines = grid(2.5)
     faint = 30 + (image.astype(float) - LAND) * 0.3
     assert min(scores(faint.round().astype(np.uint8), lines)) > 0.85
+
+
+def test_a_river_of_full_contrast_leaves_the_streets_of_a_map_faint() -> None:
+    """It is raised all the same: what is broad says nothing about lines."""
+    plain = drawn_map(FAINT, names=False)
+    river = drawn_map(replace(FAINT, water=(90, 90, 110)), names=False)
+    land = (plain == FAINT.land).all(axis=2) & (river == FAINT.land).all(axis=2)
+    street = (river == FAINT.street).all(axis=2)
+    raised = with_contrast(river)
+    assert (raised[land] == 12).all()
+    assert raised[street].min() > 40
+
+
+def test_a_wide_river_tinted_blue_is_no_road_where_streets_are_gray() -> None:
+    land = np.zeros((400, 400), bool)
+    masks = [land.copy() for _ in range(3)]
+    masks[0][::40, :] = masks[0][1::40, :] = masks[0][2::40, :] = masks[0][:, 197:203] = True
+    masks[1][101:113, :] = True
+    masks[1] &= ~masks[0]
+    masks[2] = ~masks[0] & ~masks[1]
+    colors = ((45.0, 45.0, 45.0), (63.0, 57.0, 57.0), (12.0, 12.0, 12.0))
+    street, river, ground = (
+        map_tone(np.array(color), mask) for color, mask in zip(colors, masks, strict=True)
+    )
+    assert [tone.color[0] for tone in road_tones([street, river, ground], 400)] == [45.0]
+    gray = map_tone(np.array((60.0, 60.0, 60.0)), masks[1])
+    assert len(road_tones([street, gray, ground], 400)) == 2
 
 
 def test_streets_of_a_faint_map_that_was_saved_as_jpeg_are_found() -> None:

@@ -60,15 +60,17 @@ def is_drawing(
         return not pale or plain < _PLAIN
     if _are_markings(land, roads):
         return True
-    if len(roads) != 1 or plain < _PLAIN or _is_named(streets[0], letters):
+    if len(roads) != 1 or plain < _PLAIN or are_named(streets, letters):
         return False
     return _names_nothing(roads[0], letters) or _is_marked(roads[0])
 
 
-def _is_named(street: MapTone, letters: Booleans) -> bool:
-    """Whether streets lead up to the names that are written on them: a drawing interrupts no road
-    for its name."""
-    below, _ = streets_below_names(street.mask, letters, street.width)
+def are_named(streets: Sequence[MapTone], letters: Booleans) -> bool:
+    """Whether `streets` of one color lead up to the names that are written on them (h, w): a
+    drawing, or a plan, interrupts no road for its name."""
+    if len(streets) != 1:
+        return False
+    below, _ = streets_below_names(streets[0].mask, letters, streets[0].width)
     return bool((below & letters).sum() > _ON_STREETS * letters.sum())
 
 

@@ -15,7 +15,7 @@ from .found_network import FoundNetwork
 from .map_halos import without_halos, without_names
 from .map_letters import LARGER, letters_of_map, without_letters
 from .map_lines import THIN, holes, parts_touching, short_parts, with_line_colors, without_outlines
-from .map_or_drawing import FEW, LETTERED, is_drawing
+from .map_or_drawing import FEW, LETTERED, are_named, is_drawing
 from .map_tones import (
     EXACT,
     LOSSY,
@@ -88,21 +88,22 @@ def roads_of_map(
     """
     tolerance = tolerance_of(image)
     if tolerance is not LOSSY:
-        return _roads_of_map(with_contrast(image), tolerance, width, is_plan)
+        raised = with_contrast(image)
+        return _roads_of_map(raised, tolerance, width, is_plan if raised is image else None)
     image = without_jpeg_noise(image)
     found = _roads_of_map(image, tolerance, width, is_plan)
     if found is not None:
         return found
     # Contrast makes more of JPEG's noise, too: it is raised where there are no roads else.
     raised = with_contrast(image)
-    return None if raised is image else _roads_of_map(raised, tolerance, width, is_plan)
+    return None if raised is image else _roads_of_map(raised, tolerance, width, None)
 
 
 def _roads_of_map(
-    image: Image, tolerance: Tolerance, width: float | None, is_plan: Callable[[], bool]
+    image: Image, tolerance: Tolerance, width: float | None, is_plan: Callable[[], bool] | None
 ) -> FoundNetwork | None:
-    # Names on roads leave no even strips of them: the colors of roads are chosen without names.
-    names = letters_of_map(image, LARGER)
+    # Faint maps come without `is_plan`: nobody draws with so little contrast.
+    names = letters_of_map(image, LARGER)  # on roads they leave no even strips of their color
     plain = image if tolerance is LOSSY else without_letters(image, names)
     colors = flat_colors(plain, tolerance)
     lettered = float(names.mean()) if tolerance is LOSSY else _differing(plain, image)
@@ -115,7 +116,7 @@ def _roads_of_map(
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
     letters = names if typical <= LARGER else letters_of_map(image, typical)
     shown = [tone.color for tone in chosen.tones] if thin else colors
-    if is_drawing(chosen.wet, chosen.roads, letters, len(shown)) or is_plan():
+    if is_plan is not None and _is_drawn(chosen, letters, len(shown), is_plan):
         return None
     is_plain = plain is image and not thin
     if is_plain:
@@ -132,14 +133,16 @@ def _roads_of_map(
     if tolerance is LOSSY:
         mask = without_halos(mask, letters)
     surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
-    found = roads_of_surface(
-        surface.astype(np.float32),
-        "map",
-        width=width,
-        specks=usual**2,
-        cover=Cover(letters, hidden, widest, drawn=len(shown) <= FEW and not thin),
-    )
+    cover = Cover(letters, hidden, widest, drawn=len(shown) <= FEW and not thin)
+    layer = surface.astype(np.float32)
+    found = roads_of_surface(layer, "map", width=width, specks=usual**2, cover=cover)
     return replace(found, mask=surface)
+
+
+def _is_drawn(chosen: _Roads, letters: Booleans, colors: int, is_plan: Callable[[], bool]) -> bool:
+    """Whether it is rather a drawing, or a plan with dimensions; `is_plan` takes longest."""
+    drawn = is_drawing(chosen.wet, chosen.roads, letters, colors)
+    return drawn or (is_plan() and not are_named(chosen.roads, letters))
 
 
 def _wide(tone: MapTone) -> float:

@@ -27,6 +27,9 @@ _SAME_TONE, _MARKED, _FAINT, _CLEAR, _MOST_STRETCH = 3, 0.9, 20, 60, 3.0
 """A map is faint where what differs from its land by more than the first, in gray levels, does so
 by no more than the third in the share of the second; that share is to differ by the fourth, but
 contrast is not raised by more than the last factor."""
+_BROAD, _MARKED_THIN = 11, 0.75
+"""So is one where that holds, in the second share, of what holds no square of so many pixels: a
+river or woods of full contrast leave the streets as faint as they are."""
 _GRAY = 0.02
 """Channels that differ by less, of 1, have no hue."""
 _SHAPED, _GRAIN = 0.2, 4.0
@@ -154,8 +157,10 @@ def with_contrast(image: Image) -> Image:
     if not land:
         return image
     away = away_from(image, land[0])
-    seen = away[away > _SAME_TONE]
-    differs = float(np.quantile(seen, _MARKED)) if seen.size else 255.0
+    differing = (away > _SAME_TONE).astype(np.uint8)
+    broad = cv2.morphologyEx(differing, cv2.MORPH_OPEN, np.ones((_BROAD, _BROAD), np.uint8))
+    marked = (away[differing > 0], _MARKED), (away[differing > broad], _MARKED_THIN)
+    differs = min(float(np.quantile(seen, share)) if seen.size else 255.0 for seen, share in marked)
     if differs > _FAINT:
         return image
     stretch = min(_MOST_STRETCH, _CLEAR / differs)

@@ -36,6 +36,8 @@ _LEAST = 0.5
 _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 230 / 360
 """Water is of these hues where it is also wide, or bluish up to the other one where it differs from
 the land in the other direction than roads do, darker or lighter."""
+_TINTED = 250 / 360
+"""Where streets are gray, water of up to this hue may be nearly gray, as main roads are not."""
 _GREEN_HUES = 75 / 360, 160 / 360
 """Of parks, woods and meadows."""
 _WIDE = 1.5
@@ -194,7 +196,8 @@ def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
     """Whether a ribbon is a river rather than a road of another class than `main`."""
     if tone.is_gray:
         return False
-    if _has_water_hue(tone) and tone.width > _WIDE * main.width:
+    wide = tone.width > _WIDE * main.width
+    if wide and (_has_water_hue(tone) or (main.is_gray and _is_tinted_blue(tone))):
         return True
     directions = [float(np.sign(one.color.mean() - land.color.mean())) for one in (tone, main)]
     return _WATER_HUES[0] <= _hue(tone) <= _BLUISH and directions[0] != directions[1]
@@ -202,6 +205,13 @@ def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
 
 def _has_water_hue(tone: MapTone) -> bool:
     return not tone.is_gray and _WATER_HUES[0] <= _hue(tone) <= _WATER_HUES[1]
+
+
+def _is_tinted_blue(tone: MapTone) -> bool:
+    """Whether a tone is nearly gray, but blue rather than that."""
+    blue, green, red = tone.color / 255
+    hue, saturation, _ = colorsys.rgb_to_hsv(red, green, blue)
+    return _WATER_HUES[0] <= hue <= _TINTED and saturation < _SATURATED
 
 
 def _is_green(tone: MapTone) -> bool:
