@@ -10,7 +10,7 @@ import pytest
 
 from roadlang.api import Scene
 from roadlang.simulation.building.world_building import world_of
-from roadlang.simulation.state import along_routes, settling
+from roadlang.simulation.state import along_routes, held_controls, settling
 from roadlang.simulation.surroundings import near_pairs, quiet_steps
 from roadlang.simulation.surroundings.leaders import Pairing
 from roadlang.simulation.traffic import looking, waiting
@@ -53,7 +53,7 @@ def test_traffic_drives_to_the_same_bytes(
     control: str, both: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     scenes, ran = scenes_with(control), set()
-    for module in (looking, waiting, settling, near_pairs, quiet_steps):
+    for module in (looking, waiting, held_controls, settling, near_pairs, quiet_steps):
         loop: Any = module._loop()
 
         def counted(*given: Any, name: str = module.__name__, loop: Any = loop) -> Any:
@@ -63,7 +63,7 @@ def test_traffic_drives_to_the_same_bytes(
         monkeypatch.setattr(module, "_loop", lambda counted=counted: counted)
     plain, fast = both(lambda: [bytes_of(trace) for trace in drives(scenes, duration=15.0)])
     assert fast == plain
-    assert len(ran) == 5, "each of the loops was used"
+    assert len(ran) == 6, "each of the loops was used"
 
 
 def test_pairs_that_are_near_are_the_same(both: Any) -> None:

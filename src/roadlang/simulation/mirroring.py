@@ -22,6 +22,7 @@ from .controlling.driving import DriverGroup
 from .observing.sensing import DueReading
 from .observing.single_agents import OthersSeen, observations
 from .recording.recording import Recorder
+from .state.held_controls import limited
 from .surroundings.contacts import Contact
 from .vehicles.bodies import Body
 from .vehicles.poses import Poses
@@ -148,11 +149,11 @@ class Mirror:
             rows, found = self._decided_alone()
             decision.put(rows, found)
         self._recorder.note_failures(world, decision.failures)
-        return replace(decision, acceleration=world.limited(decision.acceleration))
+        return replace(decision, acceleration=limited(world, decision.acceleration))
 
     def limited(self, acceleration: Floats) -> Floats:
         """(N,) accelerations; at the end of their roads, agents brake."""
-        return self._world.limited(acceleration)
+        return limited(self._world, acceleration)
 
     def seen(self, name: str) -> Observation:
         """The current observation of an agent."""

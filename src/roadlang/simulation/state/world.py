@@ -23,7 +23,8 @@ from ..vehicles.placing import Placing
 from ..vehicles.poses import Poses, poses_of
 from ..vehicles.verges import Verges
 from .along_routes import stations
-from .arrivals import ARRIVED, END_BRAKING, all_arrived
+from .arrivals import ARRIVED, all_arrived
+from .held_controls import held_controls
 from .line_heights import LineHeights
 from .settling import can_settle, settle
 
@@ -137,15 +138,12 @@ class World:
         `steps`. Stops change nothing of the motion, not even in the last bit.
         """
         bodies, motion = self.bodies, self.motion
-        angle = np.minimum(np.maximum(steering, bodies.least_steering), bodies.max_steering)
         if heading is not None:
             motion.face(bodies.walks & np.isfinite(heading) & ~self.halted, heading)
-        wanted, stand = self.limited(acceleration), np.count_nonzero(self.halted)
-        held = (np.tan(angle), np.where(self.halted, -END_BRAKING, wanted) if stand else wanted)
+        held, below = held_controls(self, steering, acceleration)
         self.placing = pose and Placing.of(self.poses, motion, pose[0], ~self.halted, pose[1])
         self.placed_at = self.tick
         before, passed = motion.copied(), []
-        below = self.verges.below(bodies, motion, self.table, self.present)
         for begin, end in pairwise((0, *stops, steps)):
             self.advance(motion, below, self.track, held, end - begin, self.dt)
             if end < steps:
@@ -156,13 +154,6 @@ class World:
                 passed.append(between)
         self._arrive(before, steps)
         return passed
-
-    def limited(self, acceleration: Floats) -> Floats:
-        """(N,) accelerations with the braking of those who have arrived at the end of a road."""
-        if np.count_nonzero(self.at_end):  # several times as fast as `any`
-            most = np.where(self.at_end & ~self.closed, -END_BRAKING, math.inf)
-            return np.minimum(acceleration, most)
-        return acceleration
 
     def follow(self, pose: Floats, steering: Floats, poses: Poses, *, passed: bool) -> None:
         """Another engine has moved the agents: (N, 4) x, y, heading and speed. `poses`: those so
