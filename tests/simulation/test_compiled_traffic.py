@@ -53,6 +53,7 @@ def test_traffic_drives_to_the_same_bytes(
     control: str, both: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     scenes, ran = scenes_with(control), set()
+    monkeypatch.setattr(looking, "LOOKS", 0)
     for module in (looking, waiting, held_controls, settling, near_pairs, quiet_steps):
         loop: Any = module._loop()
 

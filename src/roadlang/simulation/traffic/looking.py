@@ -18,9 +18,15 @@ from .crowd import Crowd
 from .entrants import Ways
 from .remembering import remember
 
+LOOKS = 60_000
+"""Looks at one agent by this process from which on the loop is used, which takes some seconds to
+compile once after an installation."""
+_looked = [0]
+
 
 def begun(world: World, ways: Ways) -> Approaches:
     """The crossings of some agents, which `looked` may still fill."""
+    _looked[0] += len(ways.number)
     if not _is_compiled(world, ways):
         return Approaches.of(world, ways)
     shape = ways.number.shape
@@ -57,7 +63,8 @@ def looked(world: World, crowd: Crowd) -> Asking:
 def _is_compiled(world: World, ways: Ways) -> bool:
     """The loop is written for all agents of a world whose lines are open."""
     everyone = isinstance(ways.rows, slice)
-    return everyone and not world.track.has_closed and compiled.is_loaded()
+    pays = _looked[0] > LOOKS and compiled.is_loaded()
+    return everyone and not world.track.has_closed and pays
 
 
 @cache
