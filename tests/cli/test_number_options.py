@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 import pytest
@@ -40,7 +41,7 @@ SHARE = FiniteRange(0, 1, min_open=True, max_open=True)
     ],
 )
 def test_what_is_no_such_number_is_answered_with_one(
-    type_: click.ParamType, written: str, said: str
+    type_: click.ParamType[Any], written: str, said: str
 ) -> None:
     with pytest.raises(click.BadParameter) as caught:
         type_.convert(written, None, None)

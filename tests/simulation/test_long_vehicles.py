@@ -14,7 +14,7 @@ from roadlang.simulation.bends.leaning import leaned
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.lines.route_lines import LineLeg, RouteLine
-from roadlang.simulation.traffic import oncoming
+from roadlang.simulation.traffic.sampled_ways import SampledWays
 from roadlang.simulation.traffic.wide_places import WidePlaces
 
 from .crossing_traffic import contacts
@@ -123,7 +123,7 @@ def test_no_wide_place_ahead_is_overlooked() -> None:
     told = []
     for step in range(200):
         world.motion.along = np.minimum(world.motion.along + 0.37 * (step > 0), world.end)
-        samples = oncoming._Samples.of(world, agents)
+        samples = SampledWays.of(world, agents)
         is_there, may_be = samples.is_wide.any(axis=0), found.may_be_ahead(world)
         assert not (is_there & ~may_be).any()
         told.append((is_there.sum(), (~may_be).sum()))

@@ -35,7 +35,7 @@ def markup(source: Source) -> Diagnostic | None:
         source.span(first.end() - 1, first.end()),
         expected="a statement",
         found="`<`",
-        help=f"this is XML: a scene file reads a map by `network town from \"{name}\"`, and "
+        help=f'this is XML: a scene file reads a map by `network town from "{name}"`, and '
         "`roadlang convert` writes it in another format",
     )
 
