@@ -77,7 +77,9 @@ def test_what_shows_nothing() -> None:
     half = np.full((2, 2, 2), 32768, np.uint16)
     assert TiffBands().shown(half) is None
     half[0, 0, 1] = 32767
-    assert np.argwhere(~TiffBands().shown(half)).tolist() == [[0, 0]]
+    one_hidden = TiffBands().shown(half)
+    assert one_hidden is not None
+    assert np.argwhere(~one_hidden).tolist() == [[0, 0]]
 
 
 def test_bands_are_read_from_tags() -> None:

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from roadlang.simulation.traffic.narrow_places import WIDEST, narrow_places
+from roadlang.simulation.traffic.narrow_places import COARSE, WIDEST, narrow_places
 from roadlang.simulation.traffic.sampled_ways import SPACING, SampledWays
 from roadlang.simulation.traffic.wide_places import MARGIN
 from roadlang.simulation.vehicles import compiled
@@ -21,12 +21,13 @@ Found = list[list[list[float]]] | None
 def found(
     direction: float, beside: float, turned: float = math.pi,
     left: tuple[float, float] = (1.5, 1.5), right: tuple[float, float] = (1.5, 1.5),
+    apart: float = APART, reach: float = REACH,
 ) -> Found:  # fmt: skip
     """The places of one that heads in a direction, and of another 30 m ahead and `beside` meters to
     its left, which is turned, compiled too to the last bit. `left`, `right`: what each covers."""
-    s = (np.arange(0.0, REACH, SPACING) - HALF)[:, None] * np.ones(2)
+    s = (np.arange(0.0, reach, SPACING) - HALF)[:, None] * np.ones(2)
     heading = np.array([direction, direction + turned])
-    ahead, across = np.array([0.0, APART]), np.array([0.0, beside])
+    ahead, across = np.array([0.0, apart]), np.array([0.0, beside])
     x = ahead * math.cos(direction) - across * math.sin(direction) + s * np.cos(heading)
     y = ahead * math.sin(direction) + across * math.cos(direction) + s * np.sin(heading)
     cosine, sine = np.cos(heading) + 0.0 * s, np.sin(heading) + 0.0 * s
@@ -83,3 +84,16 @@ def test_lines_far_apart_have_room_for_anything() -> None:
     wide = (9.0, 9.0)
     assert found(0.0, WIDEST - 0.1, left=wide) is not None
     assert found(0.0, WIDEST + 0.1, left=wide) is None
+
+
+def test_lines_that_come_close_at_their_very_ends_are_not_overlooked() -> None:
+    """Where the last samples are beyond those that are looked at first."""
+    samples = np.arange(0.0, REACH + SPACING, SPACING) - HALF
+    assert (len(samples) - 1) % COARSE == COARSE - 1
+    apart = 2.0 * samples[-1] + 7.5  # between the last samples
+    meets, do_not = (
+        found(0.0, 0.0, left=(9.0, 9.0), apart=away, reach=REACH + SPACING)
+        for away in (apart, apart + 1.0)
+    )
+    assert meets is not None
+    assert do_not is None

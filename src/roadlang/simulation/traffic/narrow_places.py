@@ -23,6 +23,9 @@ OPPOSED = -0.5
 """Cosine of the angle between the lines of two that come toward each other, at most."""
 WIDEST = 8.0
 """Meters: lines farther apart have room for two."""
+NEAR = WIDEST + 2.0 * (COARSE - 1) * SPACING
+"""Meters: where no samples that are looked at first are that near, no others are within `WIDEST`.
+At the end of a line, the last sample can be `COARSE` - 1 beyond the last of those."""
 
 
 def narrow_places(
@@ -51,8 +54,7 @@ def _are_close(lines: SampledWays, first: Integers, second: Integers) -> Boolean
     x, y = lines.x[::COARSE], lines.y[::COARSE]
     dx = x[None, :, second] - x[:, None, first]
     dy = y[None, :, second] - y[:, None, first]
-    near = WIDEST + COARSE * SPACING
-    return np.asarray((dx * dx + dy * dy < near * near).any(axis=(0, 1)))
+    return np.asarray((dx * dx + dy * dy < NEAR * NEAR).any(axis=(0, 1)))
 
 
 def _places(lines: SampledWays, first: Integers, second: Integers) -> tuple[Floats, Floats] | None:
@@ -141,11 +143,10 @@ def loop_over_ways(s: Any, ways: Any, first: Any, second: Any, out: Any) -> Any:
 
 def come_close(x: Any, y: Any, i: Any, j: Any) -> Any:
     """What `_are_close` gives of two lines."""
-    near = WIDEST + COARSE * SPACING
     for m in range(0, x.shape[0], COARSE):
         for n in range(0, x.shape[0], COARSE):
             dx, dy = x[n, j] - x[m, i], y[n, j] - y[m, i]
-            if dx * dx + dy * dy < near * near:
+            if dx * dx + dy * dy < NEAR * NEAR:
                 return True
     return False
 
