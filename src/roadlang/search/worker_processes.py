@@ -5,18 +5,17 @@ from __future__ import annotations
 import gc
 import multiprocessing
 import os
-import pickle  # noqa: TID251 - what processes do with every argument
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
 from functools import partial
 from multiprocessing import resource_tracker
-from multiprocessing.shared_memory import SharedMemory
-from typing import Any, cast
+from typing import Any
 
 from ..plugins.termination import Terminated, end_on_sigterm
 from .ordered_results import results_in_order
+from .shared_state import Reference, SharedState, read
 
 _RESTARTS = 3
 """How often processes that died are replaced before the work is given up."""
@@ -29,7 +28,7 @@ class WorkerProcesses:
         self._state = state
         self._count = count
         self._executor: ProcessPoolExecutor | None = None
-        self._sent: SharedMemory | None = None
+        self._shared: SharedState | None = None
         self._other_children = frozenset(multiprocessing.active_children())
 
     def map(self, work: Callable[[Any, Any], Any], jobs: Sequence[Any]) -> Iterator[Any]:
@@ -58,24 +57,19 @@ class WorkerProcesses:
                 process.terminate()
         self._executor.shutdown(wait=True, cancel_futures=True)
         self._executor = None
-        if self._sent is not None:
-            self._sent.close()
-            self._sent.unlink()
-            self._sent = None
+        if self._shared is not None:
+            self._shared.withdraw()
+            self._shared = None
 
     def _started(self) -> ProcessPoolExecutor:
         if self._executor is None:
-            content = pickle.dumps(self._state)
-            # Not in the arguments of a process: they go through a pipe, and whoever writes more
-            # than that holds waits forever for a process that was killed before it read them.
-            self._sent = SharedMemory(create=True, size=len(content))
-            cast(memoryview, self._sent.buf)[: len(content)] = content
+            self._shared = SharedState(self._state)
             self._executor = ProcessPoolExecutor(
                 self._count,
                 # Spawned: a fork may copy the locked locks of threads that OpenCV has started.
                 mp_context=multiprocessing.get_context("spawn"),
                 initializer=_start,
-                initargs=(self._sent.name, len(content)),
+                initargs=(self._shared.reference,),
             )
         return self._executor
 
@@ -106,15 +100,13 @@ _is_idle = threading.Event()
 """Whether a worker process waits for a job."""
 
 
-def _start(name: str, size: int) -> None:
-    """Read the state, `size` bytes of the shared memory `name`."""
+def _start(reference: Reference) -> None:
+    """Read the shared state."""
     # Not ignored: programs that are started from here would not hear it either.
     signal.signal(signal.SIGINT, lambda number, frame: None)
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-    sent = SharedMemory(name)
-    _process_state.append(pickle.loads(bytes(cast(memoryview, sent.buf)[:size])))
-    sent.close()
+    _process_state.append(read(reference))
     _is_idle.set()
     end_on_sigterm(_is_idle.is_set)
     threading.Thread(target=_end_with_parent, daemon=True).start()
