@@ -33,7 +33,7 @@ def test_what_is_no_time_is_refused_with_an_example(written: str) -> None:
 
 @pytest.mark.parametrize("written", ["10ms", "0", "-1s"])
 def test_bounds_hold_for_the_time_in_seconds(written: str) -> None:
-    with pytest.raises(click.BadParameter, match=r"x>=0\.1"):
+    with pytest.raises(click.BadParameter, match=r"write a number of at least 0\.1s"):
         seconds(min=0.1).convert(written, None, None)
 
 

@@ -39,8 +39,3 @@ def test_less_than_three_tenths_of_the_expected_diversity_is_reported(
     )
     said = SceneSet(LOADED, 1, result).diagnostics
     assert [diagnostic.code for diagnostic in said] == ["RL603"] * reported
-
-
-def test_seeds_beyond_64_bits_are_counted_from_0_again() -> None:
-    (scene,) = LOADED.sample(1, seed=2**64 + 1)
-    assert scene.record.agents == SCENES[0].record.agents

@@ -64,7 +64,7 @@ BENT = (
     [
         ("require far: always (deviation(bent, main) > 0.5m)\n", "RL601"),
         ("require far: always (deviation(bent, main) > 5m)\n", "RL600"),
-        ("require wide: width(main) > 200m\n", "RL600"),
+        ("require wide: always (width(main) > 200m)\n", "RL600"),
     ],
 )
 def test_what_is_beyond_the_end_of_its_road_is_said_whatever_rejects_before_it(

@@ -38,7 +38,7 @@ def test_a_word_of_another_tool_is_no_name_of_a_column() -> None:
 def test_what_follows_the_name_of_an_operator_stands_in_parentheses() -> None:
     with pytest.raises(DiagnosticError) as raised:
         stl.parse("always (rise x > 0)")
-    told = ("what follows `rise` stands in parentheses: `rise (x > 0)`",)
+    told = ("write `rise (x > 0)`",)
     assert raised.value.diagnostics[0].help == told
 
 
