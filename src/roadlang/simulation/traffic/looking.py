@@ -18,9 +18,9 @@ from .crowd import Crowd
 from .entrants import Ways
 from .remembering import remember
 
-LOOKS = 60_000
-"""Looks at one agent by this process from which on the loop is used, which takes some seconds to
-compile once after an installation."""
+LOOKS = 5_000
+"""Looks at one agent by this process from which on the loop is used: about a minute of 20 agents. It
+takes seconds to compile, once after an installation."""
 _looked = [0]
 
 
