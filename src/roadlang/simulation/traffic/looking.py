@@ -19,8 +19,8 @@ from .entrants import Ways
 from .remembering import remember
 
 LOOKS = 5_000
-"""Looks at one agent by this process from which on the loop is used: about a minute of 20 agents. It
-takes seconds to compile, once after an installation."""
+"""Looks at one agent by this process from which on the loop is used: about a minute of 20 agents.
+It takes seconds to compile, once after an installation."""
 _looked = [0]
 
 
