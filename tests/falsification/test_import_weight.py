@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
-
-import pytest
-
-from roadlang.geometry import compiling
 
 CODE = """
 import sys
@@ -40,21 +35,3 @@ def test_parts_of_numpy_that_scipy_names_are_loaded_when_they_are_used() -> None
         [sys.executable, "-c", DEFERRED], capture_output=True, text=True, check=True
     )
     assert found.stdout == "False None\n7.0 A\n"
-
-
-COMPILING = """
-import sys
-from roadlang.geometry import compiling
-numba = compiling.loaded()
-print("coverage" in sys.modules, numba.njit(lambda x: x + 1)(1))
-"""
-
-
-@pytest.mark.skipif(not compiling.is_installed(), reason="needs numba")
-def test_numba_is_loaded_without_coverage() -> None:
-    unmeasured = {key: value for key, value in os.environ.items() if not key.startswith("COV")}
-    found = subprocess.run(
-        [sys.executable, "-c", COMPILING],
-        capture_output=True, text=True, check=True, env=unmeasured,
-    )  # fmt: skip
-    assert found.stdout == "False 2\n"

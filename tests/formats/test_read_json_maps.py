@@ -195,7 +195,7 @@ def test_courtyards_are_no_buildings(tmp_path: Path, kind: str) -> None:
         ),
         (
             '{"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 99]]}}',
-            "is no place on Earth",
+            "is not a place on Earth",
         ),
         ('{"type": "Feature", "geometry": {"type": ["LineString"]}}', "not a string"),
         (

@@ -209,7 +209,10 @@ LANELET = '<osm version="0.6"><relation id="1"><tag k="type" v="lanelet"/></rela
     ("text", "word"),
     [
         ("<osm></osm>", "no way"),
-        (osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1), "is no place on Earth"),
+        (
+            osm(way(1, "31 33")).replace('lat="48.003"', 'lat="480.03"', 1),
+            "is not a place on Earth",
+        ),
         (osm(way(1, "31 33"), way(1, "11 12")), "two ways"),
         (osm(way(1, "31 33"), way(2, "a 12"), nodes='<node id="a" lat="60" lon="11"/>'), "km"),
         ("<gpx/>", "not `osm`"),
@@ -228,8 +231,8 @@ def test_faults_are_reported_in_the_file(tmp_path: Path, text: str, word: str) -
     ("latitude", "longitude", "says"),
     [
         (89.0, 11.0, ""), (89.001, 11.0, "89.001 degrees: .* pole"), (-89.0, 180.0, ""),
-        (-89.001, 180.0, "pole"), (48.0, -180.0, ""), (48.0, 180.001, "no place on Earth"),
-        (48.0, -180.001, "no place on Earth"), (91.0, 11.0, "in the place of the latitude"),
+        (-89.001, 180.0, "pole"), (48.0, -180.0, ""), (48.0, 180.001, "not a place on Earth"),
+        (48.0, -180.001, "not a place on Earth"), (91.0, 11.0, "in the place of the latitude"),
     ],
 )  # fmt: skip
 def test_places_are_on_earth_but_not_at_a_pole(

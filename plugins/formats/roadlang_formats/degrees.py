@@ -15,4 +15,4 @@ def why_no_place(latitude: float, longitude: float) -> str:
         )
     swapped = abs(longitude) <= 90.0 and abs(latitude) <= 180.0
     order = ": is the longitude in the place of the latitude?" if swapped else ""
-    return f"latitude {latitude:g}, longitude {longitude:g} degrees is no place on Earth{order}"
+    return f"latitude {latitude:g}, longitude {longitude:g} degrees is not a place on Earth{order}"

@@ -17,7 +17,7 @@ def decoded(data: bytes) -> str:
 
 def number_in(text: str) -> float:
     """The number in a cell of a table, as C and spreadsheets write it: also `nan`, `inf` and
-    `-Infinity`. Python's `1_000` and digits of other scripts are none. Raises ValueError."""
+    `-Infinity`. Raises ValueError, also for Python's `1_000` and for digits of other scripts."""
     if "_" in text or not text.isascii():
         raise ValueError(f"not a number: {text!r}")
     return float(text)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import sys
 from collections.abc import Callable
 from functools import cache
 from types import ModuleType
@@ -20,16 +19,9 @@ def is_installed() -> bool:
 
 @cache
 def loaded() -> Any:
-    """numba, with its part `extending`. Where the package `coverage` is installed, numba would load
-    it too, to tell it of compiled lines: that is left out unless it is measuring."""
-    unloaded = "coverage" not in sys.modules
-    if unloaded:
-        sys.modules["coverage"] = None  # type: ignore[assignment]  # an import of it fails
-    try:
-        import numba.extending
-    finally:
-        if unloaded:
-            del sys.modules["coverage"]
+    """numba, with its part `extending`."""
+    import numba.extending
+
     return numba
 
 

@@ -65,10 +65,10 @@ _ON_LETTERS = 0.6
 
 @dataclass(frozen=True)
 class _Roads:
-    """The colors of roads on a map without letters, all its tones with water and houses in the
-    color of streets, and the same without these."""
+    """The colors of roads on a map without letters; all its tones, in which water and houses may
+    have the color of streets; and its tones without these."""
 
-    wet: list[MapTone]
+    all_tones: list[MapTone]
     tones: list[MapTone]
     roads: list[MapTone]
 
@@ -120,12 +120,13 @@ def _roads_of_map(
         return None
     is_plain = plain is image and not thin
     if is_plain:
-        wet, seen = ([tone.mask for tone in tones] for tones in (chosen.wet, chosen.tones))
+        everything = [tone.mask for tone in chosen.all_tones]
+        seen = [tone.mask for tone in chosen.tones]
     else:
-        wet = color_masks(image, shown, tolerance.near, thin)
-        seen = masks_without_water(shown, wet)
+        everything = color_masks(image, shown, tolerance.near, thin)
+        seen = masks_without_water(shown, everything)
     mask, others = _masks(seen, chosen, letters, thin)
-    water = [one & ~dry for one, dry in zip(wet, seen, strict=True) if dry is not one]
+    water = [one & ~dry for one, dry in zip(everything, seen, strict=True) if dry is not one]
     if water:
         others += water
         letters = _opened(letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS)
@@ -141,7 +142,7 @@ def _roads_of_map(
 
 def _is_drawn(chosen: _Roads, letters: Booleans, colors: int, is_plan: Callable[[], bool]) -> bool:
     """Whether it is rather a drawing, or a plan with dimensions; `is_plan` takes longest."""
-    drawn = is_drawing(chosen.wet, chosen.roads, letters, colors)
+    drawn = is_drawing(chosen.all_tones, chosen.roads, letters, colors)
     return drawn or (is_plan() and not are_named(chosen.roads, letters))
 
 
@@ -168,10 +169,10 @@ def _chosen(
     fine = None if names is not None else _fine_roads(plain, with_line_colors(plain, colors))
     if fine is not None and fine.width(lambda tone: tone.width) < THIN:
         return fine, True
-    wet = map_tones(plain, colors, EXACT if names is None else LOSSY)
-    tones = without_water(wet)
+    all_tones = map_tones(plain, colors, EXACT if names is None else LOSSY)
+    tones = without_water(all_tones)
     shapes = tones if names is None else without_names(tones, names)
-    chosen = _Roads(wet, tones, road_tones(with_streets_alone(shapes), min(plain.shape[:2])))
+    chosen = _Roads(all_tones, tones, road_tones(with_streets_alone(shapes), min(plain.shape[:2])))
     # Names on streets leave less of them even than what is known of their edges.
     if fine is not None and not chosen.roads:
         return fine, True
@@ -180,10 +181,10 @@ def _chosen(
 
 def _fine_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
     """The roads of a lossless map (h, w, 3) without letters, with their smoothed edges."""
-    wet = map_tones(plain, colors, smooth=True)
-    tones = without_water(wet)
+    all_tones = map_tones(plain, colors, smooth=True)
+    tones = without_water(all_tones)
     streets = without_outlines(with_streets_alone(tones))
-    found = _Roads(wet, tones, road_tones(streets, min(plain.shape[:2])))
+    found = _Roads(all_tones, tones, road_tones(streets, min(plain.shape[:2])))
     return found if found.roads else None
 
 

@@ -13,7 +13,8 @@ from . import approaches, asking, grants, remembering
 
 def least_braking(speed: Any, distance: Any) -> Any:
     """`approaches.braking_to_stop` of numbers."""
-    return 0.5 * speed * speed / (distance if distance > 0.05 else 0.05)
+    least = approaches.LEAST_DISTANCE
+    return 0.5 * speed * speed / (distance if distance > least else least)
 
 
 def looked(
@@ -81,8 +82,8 @@ def ask_to_go(
             slot, distance = x, to_line[i, x]
     v = speed[i]
     seconds = asking.SHORT_BOOKING if is_short[i, slot] else asking.BOOKING
-    asks[i] = takes_part and distance < v * seconds + v * v / 6.0 + 6.0
-    comes[i] = takes_part and distance < v * asking.SEEN + v * v / 6.0 + 6.0
+    asks[i] = takes_part and distance < approaches.horizon(v, seconds)
+    comes[i] = takes_part and distance < approaches.horizon(v, asking.SEEN)
     slots[i], room[i] = slot, 0.0
     free = gap > distance
     for y in range(to_line.shape[1]):
@@ -91,7 +92,7 @@ def ask_to_go(
     is_first[i] = free and objects[i] > distance
     if asks[i]:
         if arrival[i, slot] == np.inf:
-            arrival[i, slot] = time + distance / (v if v > 1.0 else 1.0)
+            arrival[i, slot] = time + distance / (v if v > asking.SLOWEST else asking.SLOWEST)
         room[i] = room_of(gaps, speed, i, to_leave[i, slot] - length[i])
 
 
@@ -109,7 +110,7 @@ def room_of(gaps: Any, speed: Any, i: Any, beyond: Any) -> Any:
     slot_count, least = gaps.shape[1], np.inf
     first = i // slot_count * slot_count
     for k in range(slot_count):
-        if gaps[i, k] > beyond - 0.5:
+        if gaps[i, k] > beyond - asking.SLACK:
             v = speed[first + k]
             tail = gaps[i, k] + asking.TAIL_TIME * (v if v > 0.0 else 0.0)
             if tail < least:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -25,6 +26,8 @@ FAR = 1e6
 """Seconds: no signal lasts longer."""
 OVER_LINE = 1.0
 """Meters over a stop line within which a car may still wait."""
+LEAST_DISTANCE = 0.05
+"""Meters in which who is at a line or over it would have to stop, for want of any."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +78,7 @@ class Approaches:
 
 def braking_to_stop(speed: Floats, distance: Floats) -> Floats:
     """m/s^2 with which to stop within a distance: v^2 / (2 d)."""
-    return np.asarray(0.5 * speed * speed / np.maximum(distance, 0.05))
+    return np.asarray(0.5 * speed * speed / np.maximum(distance, LEAST_DISTANCE))
 
 
 def seconds_for(
@@ -91,6 +94,7 @@ def seconds_for(
     return np.asarray(np.where(distance < gained, rising, span + (distance - gained) / top))
 
 
-def horizon(speed: Floats, seconds: Floats | float) -> Floats:
-    """Meters before a junction from which on a car asks to go: it could still stop."""
-    return np.asarray(speed * seconds + speed * speed / 6.0 + 6.0)
+def horizon(speed: Any, seconds: Any) -> Any:
+    """Meters before a junction from which on a car asks to go: it could still stop. Of columns, and
+    of numbers in the compiled loop."""
+    return speed * seconds + speed * speed / 6.0 + 6.0

@@ -19,6 +19,10 @@ SEEN = 6.5
 """Seconds ahead of its arrival that those who yield to one see it come."""
 TAIL_TIME = 2.0
 """Seconds for which who is ahead of the junction makes room."""
+SLOWEST = 1.0
+"""m/s: when who is slower arrives is told as if it went so fast."""
+SLACK = 0.5
+"""Meters by which the tail of who counts as beyond a junction may still be in it."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +57,7 @@ class Asking:
         comes = takes_part & (distance < horizon(crowd.speed, SEEN))
         fresh = (asks & (grants.arrival[each, slot] == NEVER)).nonzero()[0]
         if len(fresh):
-            arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], 1.0)
+            arrival = crowd.time + distance[fresh] / np.maximum(crowd.speed[fresh], SLOWEST)
             grants.arrival[fresh, slot[fresh]] = arrival
         if not np.count_nonzero(asks):
             return cls(asks, comes, slot, each, np.zeros(len(asks), dtype=bool), distance)
@@ -102,5 +106,5 @@ def _room(crowd: Crowd, asks: Booleans, slot: Integers) -> Floats:
     beyond = crowd.near.to_leave[crowd.entrants.each, slot] - crowd.entrants.length
     beyond = np.where(asks, beyond, 0.0)[:, None]
     tail = crowd.gaps + TAIL_TIME * np.maximum(crowd.of_mates(crowd.speed), 0.0)
-    tail = np.where(crowd.gaps > beyond - 0.5, tail, math.inf)
+    tail = np.where(crowd.gaps > beyond - SLACK, tail, math.inf)
     return np.asarray(tail.min(axis=1) - beyond[:, 0])

@@ -70,7 +70,8 @@ def _is_compiled(world: World, ways: Ways) -> bool:
 @cache
 def _loop() -> Any:
     parts = (
-        approach_loops.least_braking, approach_loops.approach, approach_loops.remember,
+        approaches.horizon, approach_loops.least_braking, approach_loops.approach,
+        approach_loops.remember,
         approach_loops.take_back, approach_loops.ask_to_go, approach_loops.ahead,
         approach_loops.room_of,
     )  # fmt: skip
