@@ -20,7 +20,8 @@ def virtual_screen() -> Iterator[str]:
         pytest.skip("needs Xvfb and xdotool")
     read, write = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x720x24"],
+        # It would begin anew whenever the last program leaves, and refuse others meanwhile.
+        ["Xvfb", "-noreset", "-displayfd", str(write), "-screen", "0", "1280x720x24"],
         pass_fds=[write],
         stderr=subprocess.DEVNULL,
     )
