@@ -103,6 +103,7 @@ def lower_call(
         owner=owner,
         span=fault_span,
         complete_block=_is_complete(block),
+        verbs=(found.entry.verb,),
     )
     for inner in block.passes if block else ():
         checker.report(Code.MISPLACED_PASS, inner.verb.span, what=owner, verb=inner.verb.text)
@@ -115,21 +116,22 @@ def lower_call(
 
 def lower_options(
     checker: Checker,
-    statement: str,
+    spec: StatementSpec,
     block: ast.Block | None,
-    schema: Sequence[OptionSchema],
     context: Context,
     span: Span,
+    extra: Sequence[OptionSchema] = (),
 ) -> BoundOptions:
-    """The options of a statement."""
+    """The options of a statement, and those that its kind has beside them."""
     return bind_options(
         checker,
         block.options if block else (),
-        schema,
+        [*spec.schema, *extra],
         context,
-        owner=f"`{statement}`",
+        owner=f"`{spec.word}`",
         span=span,
         complete_block=_is_complete(block),
+        verbs=spec.verbs,
     )
 
 

@@ -275,21 +275,3 @@ def option_help(checker: Checker, name: str, owner: str, known: Container[str]) 
     if name in _PLACES and verb not in ("agent", "object"):
         return ()
     return (_OPTIONS[name],) if name in _OPTIONS else ()
-
-
-_OWN_VERBS = {"image": "adjust", "network": "extract", "road": "draw"}
-"""What makes them, if it does not stand in the statement itself"""
-
-
-def option_elsewhere(checker: Checker, name: str, owner: str) -> tuple[str, ...]:
-    """The one or two kinds beside the `owner`, `falsify with halton`, that have the option; for a
-    road those that draw it."""
-    written, with_, _ = owner.strip("`").partition(" with ")
-    verb = written if with_ else _OWN_VERBS.get(written, "")
-    kinds = map(loaded, checker.registry.of(verb)) if verb else ()
-    found = [
-        f"`{verb} with {kind.entry.name}`"
-        for kind in kinds
-        if isinstance(kind, ResolvedKind) and any(option.name == name for option in kind.schema)
-    ]
-    return (f"`{name}` is an option of {' and '.join(found)}",) if 0 < len(found) < 3 else ()

@@ -19,8 +19,9 @@ from ..types.assignable import check_assignable
 from ..types.dimensions import common_dimension, dimension_of
 from ..types.expression_types import TypedExpression
 from .file_option import check_file
-from .habits import option_elsewhere, option_help
+from .habits import option_help
 from .legend import check_legend
+from .options_elsewhere import kind_as_option, option_elsewhere
 from .when_condition import check_condition
 
 
@@ -61,9 +62,11 @@ def bind_options(
     owner: str,
     span: Span,
     complete_block: bool = True,
+    verbs: Iterable[str] = (),
 ) -> BoundOptions:
     """The options of a block. `complete_block`: it could be read, so that what is not in it is
-    missing. `owner` has the options, for messages; `span` is blamed for what is missing."""
+    missing. `owner` has the options, for messages; `span` is blamed for what is missing. Kinds of
+    the `verbs` may have options that it does not."""
     known = {option.name: option for option in schema}
     first: dict[str, Span] = {}
     stated: dict[str, TypedExpression] = {}
@@ -72,7 +75,7 @@ def bind_options(
     for option in options:
         name = option.key.text
         if name not in known:
-            report_unknown(checker, option.key, known, owner)
+            report_unknown(checker, option.key, known, owner, verbs)
             misspelled.append(name)
             complete = False
         elif name in first:
@@ -152,16 +155,19 @@ def _comparable(typed: TypedExpression, expected: opt.OptionType) -> list[TypedE
 
 
 def report_unknown(
-    checker: Checker, key: ast.Word, known: dict[str, OptionSchema], owner: str
+    checker: Checker,
+    key: ast.Word,
+    known: dict[str, OptionSchema],
+    owner: str,
+    verbs: Iterable[str] = (),
 ) -> None:
-    """RL220, with the nearest option or all of them."""
-    habit = () if key.text in known else option_help(checker, key.text, owner, known)
-    meant = None if habit else meant_name(key.text, known)
+    """RL220, with where it belongs, the nearest option or all of them."""
+    name = key.text
+    habit = option_help(checker, name, owner, known) or kind_as_option(checker, name, verbs)
+    meant = None if habit else meant_name(name, known)
     listed = "it has " + ", ".join(f"`{name}`" for name in known) if known else "it has none"
-    help_ = habit or (() if meant else (*option_elsewhere(checker, key.text, owner), listed))
-    checker.report(
-        Code.UNKNOWN_OPTION, key.span, name=key.text, owner=owner, help=help_, meant=meant
-    )
+    help_ = habit or (() if meant else (*option_elsewhere(checker, name, verbs), listed))
+    checker.report(Code.UNKNOWN_OPTION, key.span, name=name, owner=owner, help=help_, meant=meant)
 
 
 def report_missing(

@@ -176,9 +176,7 @@ def _options(
         known = tuple(option for option in block.options if option.key.text in names)
         block = ast.Block(known, span=block.span)
     extra = [replace_required(option) for option in shared if option.name not in names]
-    bound = lower_options(
-        checker, statement.word, block, [*spec.schema, *extra], context, statement.name.span
-    )
+    bound = lower_options(checker, spec, block, context, statement.name.span, extra)
     if "spacing" in bound.stated and not _has_count(statement):
         span = bound.stated["spacing"].span
         help_ = "say how many there are: `count: 5`"

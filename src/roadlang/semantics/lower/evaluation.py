@@ -29,7 +29,7 @@ def lower_evaluation(
         return PLAIN
     name = statement.name
     context = Context(user=name.text, place=name.text, drive_time=False)
-    bound = lower_options(checker, spec.word, block, spec.schema, context, name.span)
+    bound = lower_options(checker, spec, block, context, name.span)
     passes = lower_passes(checker, spec, block, context)
     if not bound.complete or passes is None or not block.complete:
         return None

@@ -49,9 +49,7 @@ def lower_geometry(
     word, name = statement.word, statement.name.text
     context = Context(user=name, place=name, per="road" if word == "network" else "scene")
     source = _source(checker, statement, declaration.folder, context)
-    bound = lower_options(
-        checker, word, statement.block, spec.schema, Context(name, name), statement.name.span
-    )
+    bound = lower_options(checker, spec, statement.block, Context(name, name), statement.name.span)
     passes = lower_passes(checker, spec, statement.block, context)
     if not (source.fine and bound.complete) or passes is None:
         return None

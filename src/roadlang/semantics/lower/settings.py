@@ -18,7 +18,7 @@ def lower_settings(checker: Checker, spec: StatementSpec, placed: PlacedStatemen
     block: ast.Block | None = getattr(placed.statement, "block", None)
     context = Context(user=spec.word, place=spec.word)
     span = placed.statement.span
-    bound = lower_options(checker, spec.word, block, spec.schema, context, span)
+    bound = lower_options(checker, spec, block, context, span)
     lower_passes(checker, spec, block, context)
     traffic = bound.stated.get("traffic")
     if traffic is not None and traffic.value is not None and is_random(checker, traffic.value):
