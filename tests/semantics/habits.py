@@ -378,4 +378,7 @@ HABITS = [
     (BENT.replace("9m", "9m, over: 2m..90m"), "RL206", "`[2m, 90m]`", "[2m, 90m]"),
     (BENT + "\nrequire r: bent.length(main) < 5m", "RL225", "`length(bent, main)`", None),
     (BENT + "\nrequire r: always (deviation(bent - main) < 5m)", "RL206", "", None),
+    (EGO.replace("drive", "route: main, drive"), "RL206", "the road that it is on", None),
+    (EGO.replace("drive", "offset: left 3m, drive"), "RL001", "`side: left, offset: 3m`", None),
+    (EGO.replace("drive", "offset: 3m right, drive"), "RL001", "`offset: -3m` to the right", None),
 ]

@@ -11,7 +11,8 @@ _SYMBOLS = {
     "centimeter": "cm", "centimetre": "cm", "kilometer": "km", "kilometre": "km",
     "foot": "ft", "feet": "ft", "mile": "mi", "pixel": "px",
     "sec": "s", "second": "s", "msec": "ms", "millisecond": "ms", "minute": "min", "hour": "h",
-    "hr": "h", "radian": "rad", "degree": "deg", "\N{DEGREE SIGN}": "deg", "percent": "%",
+    "hr": "h", "radian": "rad", "degree": "deg", "percent": "%",
+    "\N{DEGREE SIGN}": "deg", "\N{MASCULINE ORDINAL INDICATOR}": "deg",
     "kilogram": "kg", "tonne": "t", "newton": "N", "hertz": "Hz",
     "kmh": "km/h", "kph": "km/h", "kmph": "km/h", "mps": "m/s",
 }  # fmt: skip

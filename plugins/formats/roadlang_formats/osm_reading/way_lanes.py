@@ -7,6 +7,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from .implied_limits import implied_limit
+
 Tags = Mapping[str, str]
 
 LANES: Mapping[str, int] = {
@@ -34,6 +36,8 @@ LANES: Mapping[str, int] = {
 """The ways for motor vehicles, and their default number of lanes in each direction."""
 _MOST = 12
 _UNITS = {"": 1.0 / 3.6, "km/h": 1.0 / 3.6, "kmh": 1.0 / 3.6, "kph": 1.0 / 3.6, "mph": 0.44704}
+_IMPLIED = ("maxspeed:type", "source:maxspeed", "zone:maxspeed", "zone:traffic")
+"""The tags that may have a limit where `maxspeed` is missing; the first that has one counts."""
 _ONE_WAY = {"yes": True, "true": True, "1": True, "-1": False, "reverse": False}
 
 
@@ -80,7 +84,7 @@ def way_lanes(tags: Tags) -> WayLanes:
     total, forward, backward = (
         _count(tags.get(name)) for name in ("lanes", "lanes:forward", "lanes:backward")
     )
-    limit = speed_limit(tags.get("maxspeed", ""))
+    limit = _limit(tags)
     way = one_way(tags)
     if way is not None:
         count = total or (forward if way else backward) or usual
@@ -102,9 +106,18 @@ def _count(written: str | None) -> int | None:
     return min(int(found.group()), _MOST) if found and int(found.group()) else None
 
 
+def _limit(tags: Tags) -> float | None:
+    if "maxspeed" in tags:
+        return speed_limit(tags["maxspeed"])
+    implied = (speed_limit(tags[name]) for name in _IMPLIED if name in tags)
+    return next((limit for limit in implied if limit is not None), None)
+
+
 def speed_limit(written: str) -> float | None:
-    """m/s; None for a value that is not a number, such as `signals` or `DE:urban`."""
+    """m/s, of a number or a word such as `DE:urban`; None where there is none, as `signals`."""
     found = re.fullmatch(r"\s*(\d{1,3}(?:\.\d+)?)\s*([a-z/]*)\s*", written)
-    if found is None or found.group(2) not in _UNITS or not float(found.group(1)):
+    if found is None:
+        return implied_limit(written.strip())
+    if found.group(2) not in _UNITS or not float(found.group(1)):
         return None
     return float(found.group(1)) * _UNITS[found.group(2)]

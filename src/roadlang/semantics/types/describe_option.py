@@ -67,4 +67,5 @@ def _describe(expected: opt.OptionType) -> str:
         case opt.AnyType():
             return "a value"
         case opt.UnionType(alternatives):
-            return " or ".join(_describe(part) for part in alternatives)
+            parts = [part for part in alternatives if part != opt.WordType()]  # named at the end
+            return " or ".join(_describe(part) for part in parts)

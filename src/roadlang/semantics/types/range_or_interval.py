@@ -10,6 +10,11 @@ from . import expression_types as ty
 from .expression_types import TypedExpression
 from .matching import matches
 
+_ROAD_AS_ROUTE = (
+    "an agent follows the road that it is on without a route; a route leads through a network, "
+    "by points and turns: `route: [(0m, 0m), left]`"
+)
+
 
 def other_form(
     typed: TypedExpression, expected: opt.OptionType
@@ -44,10 +49,18 @@ def other_form(
         meant = f"({', '.join(numbers)})"
         fits = len(numbers) == len(typed.items) == len(expected.parts)
         return ((f"write `{meant}`",), (Fix(typed.span, meant),)) if fits else ((), ())
+    return _as_list(typed, expected) if isinstance(expected, opt.ListType) else ((), ())
+
+
+def _as_list(
+    typed: TypedExpression, expected: opt.ListType
+) -> tuple[tuple[str, ...], tuple[Fix, ...]]:
+    if opt.takes_words(expected.item) and typed.type == ty.DeclaredType("road"):
+        return (_ROAD_AS_ROUTE,), ()
     is_point = isinstance(typed.type, ty.CoordinatesType)  # lists of points have several
-    if isinstance(expected, opt.ListType) and is_point and isinstance(expected.item, opt.PointType):
+    if is_point and isinstance(expected.item, opt.PointType):
         return (f"a list of points is written `[{typed.span.text}, (X, Y)]`",), ()
-    if isinstance(expected, opt.ListType) and not is_point and matches(typed, expected.item):
+    if not is_point and matches(typed, expected.item):
         meant = f"[{typed.span.text}]"
         words = _words(typed)
         if len(words) > 1:  # a command line

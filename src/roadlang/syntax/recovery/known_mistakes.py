@@ -38,7 +38,7 @@ from .form_mistakes import (
     option_without_value,
 )
 from .number_mistakes import clock_time, decimal_comma, decimal_point, loose_unit
-from .placement_habits import position_on_road
+from .placement_habits import position_on_road, sided_offset
 from .scenic_habits import controllers_in_turn, scenic_operator, scenic_placement
 from .sign_mistakes import (
     colon_before_monitor,
@@ -82,6 +82,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     membership,
     position_range,
     position_on_road,
+    sided_offset,
     weights_map,
     range_word,
     typed_value,

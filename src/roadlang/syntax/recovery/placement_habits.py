@@ -6,6 +6,8 @@ from ...diagnostics import Code, Fix, diagnose
 from ..parsing.tokens import Token
 from .error_position import Edit, ErrorPosition, Mistake
 
+_SIDES = ("left", "right")
+
 
 def position_on_road(place: ErrorPosition) -> Mistake | None:
     """`at main 5m`, `at 5m main`, `at 5m of main`, `on main 5m` and `is car main at 5m`."""
@@ -77,3 +79,25 @@ def _rewritten(
     at: Token = ("AT", "at", span.start, span.start)
     edit = Edit(place.index + first, place.index + last + 1, (on, road, at, position))
     return Mistake(found, edit)
+
+
+def sided_offset(place: ErrorPosition) -> Mistake | None:
+    """`offset: left 3m` and `offset: 3m left`: the sign of the number says which side."""
+    for first in (-1, -2):  # where the parser stops: at the number, or after the side
+        pair = [place.token(first), place.token(first + 1)]
+        number, side = sorted(pair, key=lambda token: token[0] != "NUMBER")
+        if (number[0], place.kind(first - 1)) != ("NUMBER", "COLON") or side[1] not in _SIDES:
+            continue
+        if place.word(first - 2) != "offset":
+            continue
+        span, length = place.span(first, first + 1), number[1]
+        found = diagnose(
+            Code.UNEXPECTED_TOKEN,
+            span,
+            expected="a length",
+            found=f"`{span.text}`",
+            help=f"`offset: {length}` is to the left of the middle, `offset: -{length}` to the "
+            f"right; `side: {side[1]}, offset: {length}` is outward from the edge of the road",
+        )
+        return Mistake(found, Edit(place.index + first, place.index + first + 2, (number,)))
+    return None

@@ -21,6 +21,12 @@ _WORD = re.compile(r"[\w\u0300-\u036f]+")
 """Letters, also those of Unicode that are written as a letter and marks on it."""
 _LATEX = re.compile(r"\$[^$\n]*\$|\\[A-Za-z]+|\\")
 _SINGLE = re.compile(r"'([^'\r\n]*)'|[“”„«]([^“”»\"\r\n]*)[“”»]")
+_UNIT_SIGNS = {
+    "%": "%",
+    "\N{DEGREE SIGN}": "deg",
+    "\N{MASCULINE ORDINAL INDICATOR}": "deg",
+    "\N{RING ABOVE}": "deg",
+}
 _CLOSED = re.compile(r'"(?:[^"\\\r\n]|\\[^\r\n])*"')
 _BARE_STRING = re.compile(r"\"[\w./\\-]*(?=\s*[{,)\]}:])")
 _MARGIN_STATEMENT = re.compile(rf"^(?:{'|'.join(STATEMENTS)})\b", re.MULTILINE)
@@ -165,20 +171,27 @@ def _symbol(place: UnlexableText) -> Answer | None:
     ), end
 
 
-def _percent(place: UnlexableText) -> Answer | None:
-    """`5 %`: the sign belongs to the number before it."""
-    if place.text[place.start] != "%" or not place.tokens:
+def _unit_sign(place: UnlexableText) -> Answer | None:
+    """`5 %`, `90 °`: the sign belongs to the number before it. Also what looks like a degree sign,
+    behind a space or not."""
+    char = place.text[place.start]
+    unit = _UNIT_SIGNS.get(char)
+    if unit is None or not place.tokens:
         return None
     kind, number, start, end = place.tokens[-1]
-    if kind != "NUMBER" or place.text[end : place.start].strip(" \t"):
+    spaced = place.text[end : place.start]
+    if kind != "NUMBER" or not number[-1].isdigit() or spaced.strip(" \t"):
         return None
-    place.tokens[-1] = (kind, number + "%", start, place.start + 1)
+    fixed = number + unit
+    place.tokens[-1] = (kind, fixed, start, place.start + 1)
     span = place.source.span(start, place.start + 1)
-    fixed = number + "%"
-    help = f"write `{fixed}`"
-    found = diagnose(
-        Code.SPACE_BEFORE_UNIT, span, number=number, unit="%", help=help, fixes=[Fix(span, fixed)]
-    )
+    help, fixes = f"write `{fixed}`", [Fix(span, fixed)]
+    if spaced:
+        found = diagnose(
+            Code.SPACE_BEFORE_UNIT, span, number=number, unit=unit, help=help, fixes=fixes
+        )
+    else:
+        found = diagnose(Code.UNEXPECTED_CHARACTER, span, what=char, help=help, fixes=fixes)
     return found, place.start + 1
 
 
@@ -251,6 +264,6 @@ _EXPLAINERS: tuple[Callable[[UnlexableText], Answer | None], ...] = (
     _single_quotes,
     _latex,
     _symbol,
-    _percent,
+    _unit_sign,
     _letter,
 )
