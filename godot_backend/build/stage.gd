@@ -105,6 +105,12 @@ func path(path_id: int) -> PathLine:
 	return _paths[path_id]
 
 
+## Gives the agents their paths, before anything drives them.
+func lead_agents() -> void:
+	for agent in agents():
+		agent.follow(path(agent.path_id))
+
+
 func sorted_keys() -> Array:
 	var keys: Array = _things.keys()
 	keys.sort()

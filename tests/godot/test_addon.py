@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from roadlang import load
 from roadlang_godot.build.layout import layout_of
 from roadlang_godot.commands.godot import command
 from roadlang_godot.drive import driving
@@ -57,9 +58,8 @@ func _follow_parent() -> void:
 
 func _built() -> void:
 	var ego: RoadlangAgent = stage.agent("ego")
-	var scene: RoadlangScene = stage.scene()
-	var path: RoadlangPath = scene.path(ego.path_id)
-	var says := [scene.scene_name, ego.agent_name, path.length]
+	var path: RoadlangPath = ego.path
+	var says := [stage.scene().scene_name, ego.agent_name, path.length]
 	print("game: built %s with %s on %.0f m" % says)
 
 
@@ -149,6 +149,23 @@ def test_a_game_receives_scenes(imported_game: Path) -> None:
         assert "game: built test with ego on 869 m" in running.output()
         assert "ERROR" not in running.output()
     assert driven.trace["x"][-1] > driven.trace["x"][0]
+
+
+@pytest.mark.slow
+@pytest.mark.godot
+def test_scenes_are_driven_in_a_game(imported_game: Path, tmp_path: Path) -> None:
+    file = tmp_path / "scene.rl"
+    with started(fixed_fps=60, extra=["--path", str(imported_game)]) as running:
+        file.write_text(f"""
+road main {{ draw with waypoints {{ points: [(0m, 0m), (80m, 0m), (160m, 40m)] }} }}
+agent ego is car on main at 5m {{ drive with lane_follow {{ speed: 3m/s..9m/s }} }}
+expect slow: always (ego.speed < 10m/s)
+simulate with godot {{ duration: 2s, host: "127.0.0.1", port: {running.port} }}
+""")
+        driven = load(file).sample(2, seed=1).run()
+        printed = running.output()
+    assert [drive.verdicts["slow"].satisfied for drive in driven] == [True, True]
+    assert len(re.findall("game: ended by time", printed)) == 2
 
 
 @pytest.mark.slow

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Duration, Flag, Simulator, Word, option
+from roadlang.api import Duration, Flag, Integer, Simulator, String, Word, option
 from roadlang_standard.sense_camera import Camera
+
+from .usual_port import USUAL_PORT
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -29,6 +31,13 @@ class GodotSimulator(Simulator):
         words=("mesh", "tiles"),
         help="build the road as a mesh along the curve, or as pixel tiles",
     )
+    host: String | None = option(
+        None, help="host of a running Godot to drive in, such as a game; else one is started"
+    )
+    port: Integer = option(USUAL_PORT, minimum=1, maximum=65535, help="port of that Godot")
+    transport: Word = option(
+        "udp", words=("udp", "websocket"), help="transport protocol of that Godot"
+    )
 
     def offers(self, sensor: type[Sensor]) -> bool:
         """What Python measures, and cameras."""
@@ -39,6 +48,10 @@ class GodotSimulator(Simulator):
     ) -> Iterable[Trace]:
         """Drive the scenes with one engine, each in a world without a past."""
         from .drive.simulate import Settings, drive_scenes
+        from .engines.running_engine import RunningEngine
 
-        settings = Settings(self.duration, self.step, self.headless, self.road)
+        running = None
+        if self.host is not None:
+            running = RunningEngine(self.host, self.port, self.transport)
+        settings = Settings(self.duration, self.step, self.headless, self.road, running)
         yield from drive_scenes(scenes, settings, controllers)

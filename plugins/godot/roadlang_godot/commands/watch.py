@@ -72,6 +72,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     from roadlang import load
     from roadlang.commands import parse_overrides
     from roadlang_godot.engines import engine
+    from roadlang_godot.engines.running_engine import RunningEngine
 
     loaded = load(file).with_params(parse_overrides(settings))
     scenes = loaded.sample(1, seed=seed)
@@ -79,7 +80,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     watcher = Watcher(loaded, seed, road, save)
     deadline = float("inf") if seconds is None else time.monotonic() + seconds
     if host is not None:
-        with engine.connect(host, port, name=scenes[0].name) as session:
+        with RunningEngine(host, port).connect(scenes[0].name) as session:
             watcher.run(session, scenes, deadline)
         return
     with engine.start(window=not headless) as running, running.connect() as session:

@@ -18,6 +18,7 @@ from ..build.mounted_camera import cameras_of
 from ..engines import engine
 from ..engines.one_core import on_one_core
 from ..engines.restarted_engine import RestartedEngine
+from ..engines.running_engine import RunningEngine
 from ..faults import fault
 from ..net.session import Session
 from ..net.telemetry import of_agent
@@ -40,6 +41,8 @@ class Settings:
     step: float = 0.02
     headless: bool = True
     road: str = "mesh"
+    running: RunningEngine | None = None
+    """the engine to drive in; None: one is started"""
 
     @property
     def every(self) -> int:
@@ -71,9 +74,15 @@ def drive_scenes(
 ) -> Iterator[Trace]:
     """Drive scenes one after the other in one engine, each in a fresh world.
 
-    An engine that is lost is started again, and drives the same scene from its start: the trace is
-    the same. Raises RL505 with the name of a scene in which too many engines were lost.
+    An engine that was started here and is lost is started again, and drives the same scene from its
+    start: the trace is the same. Raises RL505 with the name of a scene in which too many engines
+    were lost, or where one is lost that somebody else has started.
     """
+    if settings.running is not None:
+        with settings.running.connect(scenes[0].name) as session:
+            for scene, of_scene in zip(scenes, controllers, strict=True):
+                yield drive_in(session, scene, settings, of_scene)
+        return
     draw = any(map(cameras_of, scenes))
     fixed = None if not settings.headless else settings.rate if draw else settings.frame_rate
     engines = RestartedEngine(
@@ -99,7 +108,7 @@ def drive_in(session: Session, scene: Scene, settings: Settings, controllers: Co
     """
     decided = decided_in_python(scene, controllers)
     by_hand = drives_by_hand(scene)
-    if settings.headless and by_hand:
+    if by_hand and settings.headless and settings.running is None:
         help_ = "`manual` needs a window: add `--window`, or use `roadlang watch`"
         raise fault(
             Code.UNSUPPORTED_CONTROLLER, help_, kind=MANUAL, engine="Godot without a window"
