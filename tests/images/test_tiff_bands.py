@@ -16,21 +16,33 @@ INFRARED, OPACITY = 0, 2
 LZW, ZSTANDARD = 5, 50000
 
 
+GRAY, RGB = 1, 2
+
+
 def tiff_of(
-    pixels: np.ndarray, extra: int | None = None, no_data: str = "", compression: int = 1
+    pixels: np.ndarray,
+    extra: int | None = None,
+    no_data: str = "",
+    compression: int = 1,
+    meaning: int = RGB,
+    planes: int = 1,
 ) -> bytes:
-    """Bytes of pixels (h, w, bands) by band, red first, with the kind of the last band."""
+    """A file of pixels (h, w, bands), red first. `extra`: the kind of the last band; `planes`: 2
+    where the bands are apart."""
     height, width, bands = pixels.shape
-    body = pixels.astype(np.uint8).tobytes()
+    body = pixels.tobytes()
     tags = [
-        (256, 3, 1, width), (257, 3, 1, height), (259, 3, 1, compression), (262, 3, 1, 2),
+        (256, 3, 1, width), (257, 3, 1, height), (259, 3, 1, compression), (262, 3, 1, meaning),
         (273, 4, 1, 8), (277, 3, 1, bands), (278, 3, 1, height), (279, 4, 1, len(body)),
-        (284, 3, 1, 1),
+        (284, 3, 1, planes),
     ]  # fmt: skip
-    depths = struct.pack(f"<{bands}H", *[8] * bands)
+    depths = struct.pack(f"<{bands}H", *[8 * pixels.itemsize] * bands)
     tags.append((258, 3, bands, 8 + len(body)))
     body += depths
-    if extra is not None:
+    if extra is not None and meaning == GRAY:  # all bands but the first
+        tags.append((338, 3, bands - 1, extra << 16 if bands == 3 else 8 + len(body)))
+        body += struct.pack(f"<{bands - 1}H", *[0] * (bands - 2), extra)
+    elif extra is not None:
         tags.append((338, 3, 1, extra))
     if no_data:
         text = no_data.encode() + b"\0"
@@ -88,6 +100,28 @@ def test_bands_are_read_from_tags() -> None:
     assert TiffBands.of(tiff_of(picture()[..., :3], None, "none")).no_data is None
     assert TiffBands.of(tiff_of(picture(), OPACITY)) == TiffBands()
     assert TiffBands.of(b"II*\0") == TiffBands()
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16])
+@pytest.mark.parametrize("bands", [3, 4])
+def test_bands_that_are_not_said_to_be_colors_are_red_green_and_blue(
+    tmp_path: Path, bands: int, kind: type[np.unsignedinteger]
+) -> None:
+    pixels = picture()[..., :bands].astype(kind) * (257 if kind is np.uint16 else 1)
+    (tmp_path / "a.tif").write_bytes(tiff_of(pixels, INFRARED, meaning=GRAY))
+    opened = open_image(tmp_path / "a.tif", "a.tif", None)
+    assert opened.pixels[0, 0].tolist() == [30, 20, 10]
+
+
+def test_bands_of_two_bytes_that_are_apart_are_refused(tmp_path: Path) -> None:
+    pixels = np.ascontiguousarray(picture()[..., :3]).astype(np.uint16)
+    (tmp_path / "a.tif").write_bytes(tiff_of(pixels, planes=2))
+    with pytest.raises(DiagnosticError) as raised:
+        open_image(tmp_path / "a.tif", "a.tif", None)
+    (fault,) = raised.value.diagnostics
+    assert fault.code == "RL404"
+    assert "-co INTERLEAVE=PIXEL" in fault.help[0]
+    assert not TiffBands.of(tiff_of(picture(), planes=2)).is_misread
 
 
 @pytest.mark.parametrize(

@@ -101,7 +101,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     if not is_complete(header.format, content):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
     bands = TiffBands.of(content) if header.format == "TIFF" else TiffBands()
-    pixels = _decoded(content, header)
+    pixels = None if bands.is_misread else _decoded(content, header)
     if pixels is None or pixels.size == 0:
         raise _refusal(
             Code.DAMAGED_IMAGE, span, written, format=header.format, help=(bands.unsupported,)
@@ -172,6 +172,8 @@ def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
     mode = cv2.IMREAD_COLOR if header.format == "JPEG" else cv2.IMREAD_UNCHANGED
     level = _set_log_level(_SILENT)
     try:
+        if header.format == "TIFF":
+            content = TiffBands.in_color(content)
         pixels: NDArray[np.generic] | None = cv2.imdecode(np.frombuffer(content, np.uint8), mode)
         return pixels
     except cv2.error:

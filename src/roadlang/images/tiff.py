@@ -4,6 +4,7 @@ places and counts have 64 bits."""
 from __future__ import annotations
 
 import struct
+from collections.abc import Sequence
 
 _FORMATS = {1: "B", 3: "H", 4: "I", 11: "f", 12: "d", 16: "Q"}
 _TEXT = 2
@@ -46,6 +47,15 @@ class TiffTags:
         if struct.calcsize("=" + layout) > self._room:
             (at,) = self._unpack(self._place, at)
         return self._unpack(layout, at)
+
+    def rewritten(self, tag: int, numbers: Sequence[int]) -> bytes:
+        """The file with other values of a tag that is there, as many as stand in it: with none it
+        is a tag that readers skip."""
+        kind, _, at = self._entries[tag]
+        layout = f"{self._order}{self._place}{len(numbers)}{_FORMATS[kind]}"
+        values = struct.pack(layout, len(numbers), *numbers)
+        start = at - struct.calcsize("=" + self._place)
+        return self._content[:start] + values + self._content[start + len(values) :]
 
     def text(self, tag: int) -> str:
         """The text of a tag; empty where it is not there or holds no text."""

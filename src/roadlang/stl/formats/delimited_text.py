@@ -15,6 +15,7 @@ import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from unicodedata import normalize
 
 import numpy as np
 
@@ -37,8 +38,9 @@ class DelimitedTextFault(Exception):
 
 @dataclass(frozen=True)
 class DelimitedText:
-    """`names` of the columns; `body` are the lines below them, the first of which is line `first`
-    of the file; cells are parted by `delimiter` (None: by spaces)."""
+    """`names` of the columns, with letters in their composed form (NFC); `body` are the lines below
+    them, the first of which is line `first` of the file; cells are parted by `delimiter` (None: by
+    spaces)."""
 
     names: tuple[str, ...]
     body: str
@@ -59,8 +61,9 @@ class DelimitedText:
                 break
             comment = header.strip().lstrip(COMMENT).strip() or comment
         delimiter = _delimiter(header)
-        names = _cells(header, delimiter)
+        names = [normalize("NFC", name) for name in _cells(header, delimiter)]
         if all(_is_number(name) for name in names):
+            comment = normalize("NFC", comment)
             commented = _cells(comment, _delimiter(comment)) if comment else []
             if len(commented) != len(names) or any(map(_is_number, commented)):
                 raise DelimitedTextFault("the first line has numbers; it must name the columns")

@@ -6,6 +6,7 @@ import json
 import math
 from pathlib import Path
 from typing import Any
+from unicodedata import normalize
 
 from ...diagnostics import Code, DiagnosticError, arguments, diagnose
 from ...files.reading import UnreadableFile, read_file
@@ -99,7 +100,8 @@ def _checked(path: Path, columns: dict[str, Any]) -> Columns:
     if not columns:
         raise _unreadable(path, "it has no columns")
     checked: dict[str, list[Any]] = {}
-    for name, column in columns.items():
+    for written, column in columns.items():
+        name = normalize("NFC", written)
         if not isinstance(column, list):
             raise _unreadable(path, f"`{name}` is not a list of numbers")
         places = (f"`{name}`, sample {index}" for index in range(len(column)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable
 from dataclasses import fields
 from functools import partial
@@ -150,7 +151,8 @@ class Builder:
         return ast.Name(token[1], span=Span(self.source, start, end))
 
     def quoted(self, start: int, end: int, token: Token) -> ast.Name:
-        return ast.Name(token[1][1:-1], quoted=True, span=Span(self.source, start, end))
+        name = unicodedata.normalize("NFC", token[1][1:-1])  # as names of columns are read
+        return ast.Name(name, quoted=True, span=Span(self.source, start, end))
 
     def member(self, start: int, end: int, of: ast.Expression, name: Token) -> ast.Member:
         return ast.Member(of, self._word(name), span=Span(self.source, start, end))
