@@ -8,11 +8,10 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from roadlang.geometry import Floats
-
 from .box_lines import are_boxes, are_framed
 from .explained_surface import ExplainedSurface
 from .found_network import EDGE_LINES, FoundNetwork, FoundRoad
+from .line_art import ends_at_rim, sure_by_junctions, sure_by_widths
 
 _LONG, _SLENDER = 0.6, 3.0
 """Roads that hang together are believed if they are so long in all, in shorter sides of the
@@ -36,8 +35,8 @@ _ROWS, _EVEN = 3, 0.02
 are rows, columns or fields; such a line goes at most this share of its length across."""
 _ALONG, _TOUCHING = 0.7, 1.5
 """A bar touches the border, but for so many pixels, on this share of its length."""
-_RIM = 3.0
-"""Pixels from the border at which a road leaves the picture: how long it is there is unknown."""
+_STATED = ("legend", "free space")
+"""The methods by which somebody said which colors are roads: what they say is no line art."""
 
 
 def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) -> FoundNetwork:
@@ -52,8 +51,10 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
     factors: dict[int, float] = {}
     parts = connected_parts(found.roads)
     mostly = _share_in_long(parts, _LONG * side) if len(parts) >= _MANY else 1.0
-    leaving = [any(_at_rim(road, found.mask.shape) for road in part) for part in parts]
+    bars = [all(_is_bar(road, found.mask.shape) for road in part) for part in parts]
+    leaving = [any(ends_at_rim(road, found.mask.shape).any() for road in part) for part in parts]
     drawn = drawn or not any(leaving)
+    network = _sure_as_network(found, drawn)
     surface = ExplainedSurface.of(found.mask, found.roads, measured)
     rows = _rows(parts, leaving) if drawn else [False] * len(parts)
     shares = [surface.shares(part) for part in parts]
@@ -66,16 +67,25 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
         explained, rim = shares[index]
         alone = mostly < _MOSTLY or not leaving[index]
         factor = _slender(part) * (_extended(part, side) if alone else 1.0)
-        factor *= min(1.0, mostly / _MOSTLY)
-        is_none = rows[index] or boxes[index] or is_ground or rim > _GROUND
+        factor *= min(1.0, mostly / _MOSTLY) * network
+        is_none = bars[index] and (drawn or all(bars))
+        is_none |= rows[index] or boxes[index] or is_ground or rim > _GROUND
         if drawn:
             factor *= float(np.clip((explained - nothing) / (sure - nothing), 0.0, 1.0))
-            is_none |= all(_is_bar(road, found.mask.shape) for road in part)
             is_none |= are_framed(part, frames, side)
         factor *= _NO_ROAD if is_none else 1.0
         factors.update((id(road), factor) for road in part)
     roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
     return replace(found, roads=roads)
+
+
+def _sure_as_network(found: FoundNetwork, drawn: bool) -> float:
+    """How sure all roads are by how they meet, leave the picture and, if drawn, keep their width;
+    what a rendered map shows is wide at its symbols."""
+    if not found.roads or found.method in _STATED:
+        return 1.0
+    by_junctions = sure_by_junctions(found.roads, found.mask.shape)
+    return min(by_junctions, sure_by_widths(found.roads)) if drawn else by_junctions
 
 
 def _rows(parts: list[list[FoundRoad]], leaving: list[bool]) -> list[bool]:
@@ -135,11 +145,3 @@ def connected_parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
     for road in roads:
         found[part[road.start]].append(road)
     return [members for members in found if members]
-
-
-def _at_rim(road: FoundRoad, shape: tuple[int, ...]) -> bool:
-    """Whether a road has an end, less half its width, at the border of the picture (h, w)."""
-    near = _RIM + 0.5 * float(np.median(road.widths))
-    ends: Floats = road.points[[0, -1]]
-    far = np.array(shape[::-1]) - 1 - near
-    return bool(((ends <= near) | (ends >= far)).any())

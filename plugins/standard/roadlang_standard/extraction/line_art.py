@@ -1,0 +1,66 @@
+"""Line art: a face, a diagram, cracks. Its lines end on one another, or vary in width; roads cross,
+keep their width, and a network of many roads goes on beyond the picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from roadlang.geometry import Booleans
+
+from .found_network import FoundRoad
+
+_NO_ROAD = 0.45
+"""The confidence of line art."""
+_FEW, _MANY = 7.0, 11.0
+"""Up to the first number of lines that end on another one are roads, from the second one on they
+are line art, where nothing leaves the picture."""
+_STUB = 3.0
+"""Dead ends of fewer widths are barbs, ticks and whiskers."""
+_RIM = 3.0
+"""Pixels from the border at which a road leaves the picture."""
+_ROADS, _EVEN, _UNEVEN = 10, 0.1, 0.2
+"""So many roads or more vary in width by at most the first share of it, by their standard
+deviation; with the second one they are cracks or veins. A few may be strokes of a pen."""
+
+
+def sure_by_junctions(roads: Sequence[FoundRoad], shape: tuple[int, ...]) -> float:
+    """How sure all roads of a picture (h, w) are by how they meet and leave it.
+
+    A town that goes on beyond the picture leaves it at least as many times as the square root of
+    the number of its junctions: a grid of n by n streets has 4 n such ends.
+    """
+    nodes = np.array([(road.start, road.end) for road in roads], np.intp).reshape(-1, 2)
+    degree = np.bincount(nodes.ravel())
+    joins, crossings = np.count_nonzero(degree == 3), np.count_nonzero(degree > 3)
+    if 2 * joins - crossings <= _FEW:
+        return 1.0
+    free = degree[nodes] == 1
+    rim = np.array([ends_at_rim(road, shape) for road in roads])
+    short = np.array([road.length < _STUB * float(np.median(road.widths)) for road in roads])
+    stubs = np.count_nonzero((free & ~rim).any(axis=1) & short)
+    leaving = np.count_nonzero(free & rim) / np.sqrt(joins + crossings)
+    art = (joins + min(stubs, joins) - crossings) * max(0.0, 1.0 - float(leaving))
+    return float(np.interp(art, (_FEW, _MANY), (1.0, _NO_ROAD)))
+
+
+def sure_by_widths(roads: Sequence[FoundRoad]) -> float:
+    """How sure all roads of a drawing are by how evenly wide each of them is."""
+    if len(roads) < _ROADS:
+        return 1.0
+    lengths = np.array([road.length for road in roads])
+    uneven = np.array(
+        [np.std(road.widths) / max(float(np.mean(road.widths)), 1.0) for road in roads]
+    )
+    mean = float(lengths @ uneven / max(float(lengths.sum()), 1e-9))
+    return float(np.interp(mean, (_EVEN, _UNEVEN), (1.0, 0.0)))
+
+
+def ends_at_rim(road: FoundRoad, shape: tuple[int, ...]) -> Booleans:
+    """Whether the start and the end (2,) of a road, less half its width, are at the border of the
+    picture (h, w)."""
+    near = _RIM + 0.5 * float(np.median(road.widths))
+    ends = road.points[[0, -1]]
+    far = np.array(shape[::-1]) - 1 - near
+    return np.asarray(((ends <= near) | (ends >= far)).any(axis=1))

@@ -1,0 +1,102 @@
+"""Line art is no sure road: its lines end on one another, within the picture, or vary in width."""
+
+import cv2
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.drawing import roads_of_drawing
+from roadlang_standard.extraction.found_network import FoundRoad
+from roadlang_standard.extraction.line_art import sure_by_junctions, sure_by_widths
+from roadlang_standard.extraction.masks import Cover, roads_of_surface
+
+
+def _drawn(lines, shape=(600, 900), width=6, circles=()):
+    image = np.full((*shape, 3), 255, np.uint8)
+    for start, end in lines:
+        cv2.line(image, start, end, (40, 40, 40), width, cv2.LINE_AA)
+    for center in circles:
+        cv2.circle(image, center, 36, (40, 40, 40), width, cv2.LINE_AA)
+    return image
+
+
+def _surest(found):
+    return max(road.confidence for road in found.roads)
+
+
+def _side_streets(count, main=((40, 300), (860, 300))):
+    sides = [(90 + 80 * k, 60 if k % 2 else 540) for k in range(count)]
+    return [main, *(((x, 300), (x, y)) for x, y in sides)]
+
+
+def test_a_family_tree_is_no_sure_road():
+    people = [(150, 300), (350, 300), (550, 300), (750, 300), (250, 500), (450, 500)]
+    lines = [((150, 180), (750, 180)), ((450, 60), (450, 180)), ((350, 400), (550, 400))]
+    lines += [((x, 180), (x, 264)) for x in (150, 350, 550, 750)]
+    lines += [((386, 300), (514, 300)), ((250, 400), (350, 400)), ((450, 300), (450, 464))]
+    lines += [((250, 400), (250, 464)), ((586, 300), (714, 300))]
+    found = roads_of_drawing(_drawn(lines, circles=people))
+    assert 0 < _surest(found) < 0.5
+
+
+@pytest.mark.parametrize("count", [3, 6])
+def test_side_streets_on_a_sheet_with_margins_are_sure(count):
+    found = roads_of_drawing(_drawn(_side_streets(count)))
+    assert len(found.roads) >= 2 * count
+    assert _surest(found) > 0.95
+
+
+def test_many_side_streets_are_sure_where_they_leave_the_picture_or_cross():
+    inside = roads_of_drawing(_drawn(_side_streets(10)))
+    leaving = [(a, (b[0], -5 if b[1] < 300 else 605)) for a, b in _side_streets(10)[1:]]
+    beyond = roads_of_drawing(_drawn([((-5, 300), (905, 300)), *leaving]))
+    across = [((x, 60), (x, 540)) for x in range(90, 830, 80)]
+    crossing = roads_of_drawing(_drawn([((40, 300), (860, 300)), *across]))
+    assert _surest(inside) < 0.7
+    assert _surest(beyond) > 0.95
+    assert _surest(crossing) > 0.95
+
+
+def _road(start, end, points, widths):
+    return FoundRoad(start, end, np.array(points, float), np.array(widths, float))
+
+
+def test_barbs_on_a_line_count_as_lines_that_end_on_it():
+    shape = (400, 1000)
+    count = 6
+    places = [(100 + 100 * k, 200) for k in range(count + 2)]
+    line = [_road(k, k + 1, places[k : k + 2], [5, 5]) for k in range(count + 1)]
+    barbs = {
+        length: [
+            _road(k + 1, 100 + k, [places[k + 1], (places[k + 1][0], 200 - length)], [5, 5])
+            for k in range(count)
+        ]
+        for length in (10, 100)
+    }
+    assert sure_by_junctions([*line, *barbs[100]], shape) == 1.0
+    assert sure_by_junctions([*line, *barbs[10]], shape) < 0.5
+
+
+def test_many_roads_of_uneven_width_are_cracks_and_a_few_are_strokes_of_a_pen():
+    def roads(count, widths):
+        return [_road(2 * k, 2 * k + 1, [(0, 9 * k), (99, 9 * k)], widths) for k in range(count)]
+
+    assert sure_by_widths(roads(12, [4, 4.4])) == 1.0
+    assert sure_by_widths(roads(12, [3, 5])) < 0.1
+    assert sure_by_widths(roads(4, [3, 5])) == 1.0
+
+
+def test_streets_whose_color_is_stated_are_sure_however_they_meet():
+    surface = np.zeros((600, 900), np.float32)
+    for start, end in _side_streets(10):
+        cv2.line(surface, start, end, 1.0, 12)
+    assert _surest(roads_of_surface(surface, "legend")) > 0.95
+    assert _surest(roads_of_surface(surface, "filled road")) < 0.7
+
+
+def test_the_bar_of_a_window_is_no_sure_road_of_a_map_either():
+    surface = np.zeros((600, 900), np.float32)
+    surface[:30] = 1.0
+    cover = Cover(np.zeros(surface.shape, bool), np.zeros(surface.shape, np.float32), 30.0)
+    assert _surest(roads_of_surface(surface, "map", cover=cover)) < 0.5
+    surface[:, 400:430] = 1.0
+    assert _surest(roads_of_surface(surface, "map", cover=cover)) > 0.9
