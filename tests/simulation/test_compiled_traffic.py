@@ -9,15 +9,23 @@ import numpy as np
 import pytest
 
 from roadlang.api import Scene
+from roadlang.simulation import quiet_drives
 from roadlang.simulation.building.world_building import world_of
+from roadlang.simulation.controlling.driving import DriverGroup
 from roadlang.simulation.state import along_routes, held_controls, settling
-from roadlang.simulation.surroundings import near_pairs, quiet_steps
-from roadlang.simulation.surroundings.leaders import Pairing
+from roadlang.simulation.surroundings import leader_loops, near_pairs
+from roadlang.simulation.surroundings.contacts import ContactDetector
+from roadlang.simulation.surroundings.leaders import Pairing, leaders
 from roadlang.simulation.traffic import looking, waiting
 from roadlang.simulation.vehicles import compiled
 
 from .test_same_bytes import CROSSING, bytes_of, drives, records
 
+LOOPS = [
+    *((module, "_loop") for module in (looking, waiting, held_controls, settling, quiet_drives)),
+    (leader_loops, "_windows"),
+    (leader_loops, "_nearest"),
+]
 CONTROLS = {
     "right_first": "",
     "signals": "control with signals { green: 5s, yellow: 1s, all_red: 1s }",
@@ -54,17 +62,17 @@ def test_traffic_drives_to_the_same_bytes(
 ) -> None:
     scenes, ran = scenes_with(control), set()
     monkeypatch.setattr(looking, "LOOKS", 0)
-    for module in (looking, waiting, held_controls, settling, near_pairs, quiet_steps):
-        loop: Any = module._loop()
+    for module, name in LOOPS:
+        loop: Any = getattr(module, name)()
 
-        def counted(*given: Any, name: str = module.__name__, loop: Any = loop) -> Any:
-            ran.add(name)
+        def counted(*given: Any, which: Any = (module, name), loop: Any = loop) -> Any:
+            ran.add(which)
             return loop(*given)
 
-        monkeypatch.setattr(module, "_loop", lambda counted=counted: counted)
+        monkeypatch.setattr(module, name, lambda counted=counted: counted)
     plain, fast = both(lambda: [bytes_of(trace) for trace in drives(scenes, duration=15.0)])
     assert fast == plain
-    assert len(ran) == 6, "each of the loops was used"
+    assert ran == set(LOOPS), "each of the loops was used"
 
 
 def test_pairs_that_are_near_are_the_same(both: Any) -> None:
@@ -114,3 +122,57 @@ def test_places_and_limits_along_routes_are_the_same(both: Any) -> None:
         )
         np.testing.assert_array_equal(fast, plain)
         assert len(np.unique(plain[0])) > 5
+
+
+def test_who_is_next_ahead_is_the_same(both: Any) -> None:
+    scenes = scenes_with("roads", 3)
+    world = world_of(scenes, {}, 0.02, 0.1)
+    draw = np.random.default_rng(11)
+    world.motion.speed = draw.uniform(0.0, 40.0, len(world.present))
+    world.motion.along = draw.uniform(0.0, 0.7, len(world.present)) * world.length
+    world.followed.lateral.offset = draw.choice([0.0, 0.0, -1.0, 2.5], len(world.present))
+    world.present = draw.uniform(size=len(world.present)) < 0.9
+    pairing, poses = Pairing.of(world), world.poses
+    plain, fast = both(lambda: leaders(world, poses, pairing))
+    there = np.isfinite(plain.gaps)
+    assert 5 < there.sum() < there.size / 2
+    for name in ("gap", "speed", "acceleration", "gaps"):
+        np.testing.assert_array_equal(getattr(fast, name), getattr(plain, name))
+    np.testing.assert_array_equal(fast.turned[there], plain.turned[there])
+
+
+PASSING = """
+road main { draw with segments { pieces: [straight(300m)] }, lanes: 2, width: 7m }
+agent one is car on main at 10m {
+  lane: -1, start_speed: 10m/s, drive with traffic { speed: 10m/s }
+}
+agent two is car on main at 200m..220m {
+  lane: 1, start_speed: 10m/s, drive with traffic { speed: 10m/s }
+}
+"""
+
+
+def test_what_a_decision_holds_for_is_driven_at_once(
+    both: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where two pass each other, closer than the circles around them."""
+    scenes, done = records(PASSING, 2), {"watch": 0, "held": 0}
+    for owner, name in ((ContactDetector, "watch"), (DriverGroup, "held")):
+        made = getattr(owner, name)
+
+        def counted(*given: Any, name: str = name, made: Any = made) -> Any:
+            done[name] += 1
+            return made(*given)
+
+        monkeypatch.setattr(owner, name, counted)
+
+    def driven() -> Any:
+        done.update(watch=0, held=0)
+        return [
+            bytes_of(trace) for trace in drives(scenes, duration=12.0, control_step=0.04)
+        ], dict(done)
+
+    (plain, singly), (fast, at_once) = both(driven)
+    assert fast == plain
+    assert singly == {"watch": 301, "held": 300}
+    assert at_once == {"watch": 1, "held": 100}

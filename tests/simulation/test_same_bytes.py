@@ -236,7 +236,9 @@ def test_compiled_it_finds_the_same_gaps_to_who_comes_from_elsewhere(
         return plain
 
     compiled.kernel()
-    monkeypatch.setattr("roadlang.simulation.surroundings.leaders.nearest_in_corridor", both_ways)
+    leaders = "roadlang.simulation.surroundings.leaders"
+    monkeypatch.setattr(f"{leaders}.can_search", lambda world: False)  # as on hills
+    monkeypatch.setattr(f"{leaders}.nearest_in_corridor", both_ways)
     drives([scene], duration=12.0)
     assert sum(np.isfinite(gap).sum() for (gap, _), _ in seen) > 50
     for plain, fast in seen:

@@ -16,6 +16,7 @@ from ..ir.trace import Trace
 from ..plugins.kinds import Controller
 from .building.world_building import world_of
 from .controlling.driving import DriverGroup, signals_of
+from .quiet_drives import StepCounts, drive_quietly
 from .recording.recording import Recorder
 from .recording.violations import ViolationWatch
 from .state.world import World
@@ -140,20 +141,25 @@ def _decide_and_move(
     held, sampled = settings.ticks(settings.control_step), settings.ticks(settings.step)
     decision = drivers.held(world) or drivers.decide(world, poses or world.poses)
     recorder.note_failures(world, decision.failures)
-    steps = min(held, settings.ticks(settings.duration) - world.tick)
+    left = settings.ticks(settings.duration) - world.tick
+    times = drivers.holds(world, held, left // held)
+    counts = StepCounts(held, sampled)
+    if times and drive_quietly(world, decision, (contacts, recorder), counts, times):
+        return None
+    steps = min(held, left)
     samples = range(sampled - world.tick % sampled, steps, sampled)
     pose = None if decision.pose is None else (decision.pose, held)
     passed = world.step(
         decision.steering, decision.acceleration, decision.heading, steps, samples, pose
     )
-    poses = None if contacts.is_quiet(world) else world.poses
-    touched = poses and contacts.watch(world, poses, steps * settings.vehicle_step)
+    poses = world.poses
+    touched = contacts.watch(world, poses, steps * settings.vehicle_step)
     if touched:
         recorder.note(world, touched)
         poses = world.poses
         contacts.seen(poses)
     for between in passed:
-        _halt_touched(between, world, touched or ())
+        _halt_touched(between, world, touched)
         recorder.record(between, between.poses)
     return poses
 

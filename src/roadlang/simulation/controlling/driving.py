@@ -79,6 +79,18 @@ class DriverGroup:
             return None
         return self._held
 
+    def holds(self, world: World, held: int, most: int) -> int:
+        """For how many times `held` steps the last decision holds, from now on: at most so many,
+        and no more than one where it may change before a controller decides anew."""
+        times = min(most, 1)
+        if self._held is None or self.sensing is not None or not self._triggers.is_empty:
+            return times
+        while times < most and not any(
+            each.is_over(world.time_at(world.tick + times * held)) for each in self._lasting
+        ):
+            times += 1
+        return times
+
     def decide(self, world: World, poses: Poses) -> Decision:
         """What all agents are to do until the next step. Moves the lines that they follow."""
         self.sense(world, poses)

@@ -47,11 +47,10 @@ def held_controls(
     have where they are."""
     bodies, motion = world.bodies, world.motion
     if world.advance is not compiled.advance or world.track.has_closed:
-        angle = np.minimum(np.maximum(steering, bodies.least_steering), bodies.max_steering)
         wanted, stand = limited(world, acceleration), np.count_nonzero(world.halted)
         held = np.where(world.halted, -END_BRAKING, wanted) if stand else wanted
         below = world.verges.below(bodies, motion, world.table, world.present)
-        return (np.tan(angle), held), below
+        return (tangents(bodies, steering), held), below
     out = np.empty((2, len(steering)))
     may_leave = _loop()(
         (steering, acceleration), (bodies.least_steering, bodies.max_steering, bodies.half_base),
@@ -60,6 +59,13 @@ def held_controls(
     if may_leave or not world.verges.patches.is_empty:
         bodies = world.verges.below(bodies, motion, world.table, world.present)
     return (np.tan(out[0]), out[1]), bodies
+
+
+def tangents(bodies: Bodies, steering: Floats) -> Floats:
+    """(N,) of the steering angles, within what agents can steer."""
+    angle = np.minimum(np.maximum(steering, bodies.least_steering), bodies.max_steering)
+    found: Floats = np.tan(angle)  # of traced columns too
+    return found
 
 
 def limited(world: DrivenWorld, acceleration: Floats) -> Floats:

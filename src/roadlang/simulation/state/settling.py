@@ -19,8 +19,9 @@ from ..vehicles.motion import Advance, Motion, Track
 from ..vehicles.placing import Placing
 from . import arrivals
 
-_MOTION = 10
-"""Columns of a motion: who has left gets all of them back."""
+MOTION, ROWS, FLAGS = 10, 15, 3
+"""Columns of a motion, of which who has left gets all back; rows of numbers and of truths that the
+loop fills."""
 
 
 class MovingWorld(Protocol):
@@ -71,9 +72,7 @@ def settle(world: MovingWorld, before: Motion, steps: int) -> None:
         world.count_red_lights(before.along, found.moved, seconds)
     world.tick += steps
     world.arrived = world.motion.along, world.traveled, found.at_end
-    if world.any_left or found.any_at_end:
-        world.any_left = bool(np.count_nonzero(found.arrived))
-        world.present = world.filled & ~found.arrived
+    world.any_left, world.present = found.any_left, found.present
 
 
 @dataclass(frozen=True)
@@ -87,11 +86,11 @@ class Settled:
     speed: Floats
     """m/s; 0 of who has left"""
     at_end: Booleans
-    arrived: Booleans
-    """of those at their ends, who did not begin there"""
+    present: Booleans
     crosses: bool
     """whether anybody crosses a stop line with a signal"""
-    any_at_end: bool
+    any_left: bool
+    """whether anybody is not present any more"""
 
 
 def settled(
@@ -106,9 +105,9 @@ def settled(
     `agents` (N,): who is filled, was present, and has a road; `lines`: (N,) where they end, how far
     agents had traveled, their lengths, and (N, X) their stop lines; `any_left`: whether anybody of
     who was not present had left."""
-    out = np.empty((_MOTION + 5, len(motion.along)))
-    truths = np.empty((2, len(motion.along)), dtype=bool)
-    crosses, any_at_end = _loop()(
+    out = np.empty((ROWS, len(motion.along)))
+    truths = np.empty((FLAGS, len(motion.along)), dtype=bool)
+    crosses, any_left = _loop()(
         before.columns, motion.columns, agents, lines, any_left, seconds, out, truths
     )
     (
@@ -116,8 +115,8 @@ def settled(
         motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
         along, left, traveled, moved, speed,
     ) = out  # fmt: skip
-    at_end, arrived = truths
-    return Settled((along, left), traveled, moved, speed, at_end, arrived, crosses, any_at_end)
+    at_end, _, present = truths
+    return Settled((along, left), traveled, moved, speed, at_end, present, crosses, any_left)
 
 
 def loop_over_moved(
@@ -125,9 +124,9 @@ def loop_over_moved(
     truths: Any,
 ) -> Any:  # fmt: skip
     """Fill `out`, (15, N), with ten columns of the motion, the pace along and to the left, and
-    `traveled`, `moved` and `speed` of `Settled`, and `truths`, (2, N), with `at_end` and
-    `arrived`. Whether anybody crosses a stop line, and whether anybody is at its end. numba
-    compiles it; Python never runs it."""
+    `traveled`, `moved` and `speed` of `Settled`, and `truths`, (3, N), with `at_end`, who of these
+    did not begin there, and `present`. Whether anybody crosses a stop line, and whether anybody has
+    left. numba compiles it; Python never runs it."""
     (filled, present, has_road), (end, traveled, length, stops) = agents, lines
     crosses, any_at_end = False, False
     for i in range(out.shape[1]):
@@ -145,8 +144,14 @@ def loop_over_moved(
             crosses = crosses or (ahead > 0.0 and ahead <= moved)
         at_end = has_road[i] and end[i] - out[0, i] < arrivals.ARRIVED
         truths[0, i], truths[1, i] = at_end, at_end and out[12, i] > arrivals.ARRIVED
+        truths[2, i] = present[i]
         any_at_end = any_at_end or at_end
-    return crosses, any_at_end
+    has_left = False
+    if any_left or any_at_end:
+        for i in range(out.shape[1]):
+            truths[2, i] = filled[i] and not truths[1, i]
+            has_left = has_left or truths[1, i]
+    return crosses, has_left
 
 
 @cache

@@ -94,7 +94,11 @@ class World:
     @property
     def time(self) -> float:
         """Seconds since the start, as one would write them: 0.3, not 0.30000000000000004."""
-        return round(self.tick * self.dt, 9)
+        return self.time_at(self.tick)
+
+    def time_at(self, tick: int) -> float:
+        """The same at a step."""
+        return round(tick * self.dt, 9)
 
     @property
     def age(self) -> Floats:

@@ -7,6 +7,7 @@ the first contact has a formula, and nothing passes through anything however fas
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,7 +22,6 @@ from .close_pairs import ClosePairs
 from .first_contacts import first_contact, overlapping
 from .levels import ground_heights, standing_heights
 from .outlines import Outlines
-from .quiet_steps import quiet_step
 
 
 @dataclass(frozen=True)
@@ -82,20 +82,22 @@ class ContactDetector:
         """Whether nobody can touch anything."""
         return not len(self._pairs.first) and not len(self._near[0])
 
-    def is_quiet(self, world: World) -> bool:
-        """Whether it is certain that nobody has touched anything since the last call of this or
-        of `watch`, and `watch` need not be called: told for agents that are few."""
-        if self._places is None or world.placing is not None or not self._pairs.can_be_quiet:
-            return False
-        found = quiet_step(
-            world, (self._pairs.first, self._pairs.second), self._radius, self._places
-        )
-        if found is None:
-            return False
-        self._places, step = found
-        self._pairs.gone(step)
+    def can_be_quiet(self) -> tuple[Floats, tuple[Integers, Integers], Floats] | None:
+        """What has to be known to tell steps in which nobody touches anything: (2, N) where agents
+        were, nearly; the pairs that may touch, and the radii of agents (N,). None where that is
+        not told."""
+        if self._places is None or not self._pairs.can_be_quiet:
+            return None
+        return self._places, (self._pairs.first, self._pairs.second), self._radius
+
+    def was_quiet(self, world: World, places: Floats, ways: Sequence[float]) -> None:
+        """It is certain that nobody has touched anything since the last call of this or of `watch`:
+        agents are at `places`, (2, N), nearly, and in each of some steps nobody has gone farther
+        than so many meters."""
+        self._places = places
+        for way in ways:
+            self._pairs.gone(way)
         self._before = world.motion.copied(), world.track
-        return True
 
     def watch(self, world: World, poses: Poses, seconds: float) -> list[Contact]:
         """Contacts since the last call, `seconds` ago; those agents are halted in the world."""

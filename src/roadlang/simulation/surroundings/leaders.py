@@ -13,6 +13,7 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..vehicles.poses import Poses
 from .corridors import nearest_in_corridor
+from .leader_loops import can_search, search
 from .near_pairs import near_pairs
 from .next_on_road import next_on_road
 from .outlines import Outlines
@@ -32,26 +33,23 @@ class Leaders:
     """(N,) acceleration of the vehicle ahead, along the lane"""
     acceleration: Floats
     """(N,) acceleration of the vehicle ahead, along the lane"""
-    _all: Callable[[], tuple[Floats, Floats]]
+    _gaps: Callable[[], Floats]
+    _turned: Callable[[], Floats]
 
     @cached_property
-    def _of_pairs(self) -> tuple[Floats, Floats]:
-        return self._all()
-
-    @property
     def gaps(self) -> Floats:
         """(S, A, A) from the first to the second along the line of the first, infinite for what is
         not in its lane ahead."""
-        return self._of_pairs[0]
+        return self._gaps()
 
-    @property
+    @cached_property
     def turned(self) -> Floats:
         """(S, A, A) radians by which the second is turned from the line of the first."""
-        return self._of_pairs[1]
+        return self._turned()
 
     def without(self, world: World, pairing: Pairing, ignored: Booleans) -> Leaders:
         """Who is ahead where some agents (N,) do not count."""
-        gaps, turned = self._of_pairs
+        gaps, turned = self.gaps, self.turned
         gaps = np.where(ignored.reshape(len(gaps), 1, -1), math.inf, gaps)
         return _next_ahead(world, pairing, gaps, turned)
 
@@ -106,6 +104,8 @@ def leaders(world: World, poses: Poses, pairing: Pairing) -> Leaders:
         gaps = RoadColumns.of(world).gaps(pairing.on_road)
     else:
         gaps = np.full((*shape, world.slots), math.inf)
+    if has_others and can_search(world):
+        return _searched(world, poses, pairing, gaps)
     turned = _turned(poses.heading.reshape(shape))
     if has_others:
         _search(world, poses, pairing, gaps, turned)
@@ -123,7 +123,7 @@ def _next_on_roads(world: World, poses: Poses, pairing: Pairing) -> Leaders:
     agent = pairing.scene * world.slots + first
     return _ahead(
         world, (least, agent, poses.heading.take(agent) - heading),
-        lambda: (columns.gaps(pairs) if known is None else known, _turned(heading)),
+        lambda: columns.gaps(pairs) if known is None else known, lambda: _turned(heading),
     )  # fmt: skip
 
 
@@ -137,21 +137,41 @@ def _next_ahead(world: World, pairing: Pairing, gaps: Floats, turned: Floats) ->
     first = gaps.argmin(axis=2)
     agent = pairing.scene * world.slots + first
     place = (pairing.scene * world.slots + pairing.agent) * world.slots + first
-    return _ahead(world, (gaps.take(place), agent, turned.take(place)), lambda: (gaps, turned))
+    return _ahead(
+        world, (gaps.take(place), agent, turned.take(place)), lambda: gaps, lambda: turned
+    )
 
 
 def _ahead(
     world: World,
     nearest: tuple[Floats, Integers, Floats],
-    of_pairs: Callable[[], tuple[Floats, Floats]],
+    gaps: Callable[[], Floats],
+    turned: Callable[[], Floats],
 ) -> Leaders:
     """`nearest`: the least gaps (S, A), to which agents of the world, and by how much these are
-    turned; `of_pairs`: the gaps and turns of all pairs."""
+    turned; `gaps` and `turned`: of all pairs."""
     least, agent, turn = nearest
     along = np.where(np.isfinite(least), np.cos(turn), 0.0)
     speed = along * world.motion.speed.take(agent)
     acceleration = along * world.motion.acceleration.take(agent)
-    return Leaders(least.ravel(), speed.ravel(), acceleration.ravel(), of_pairs)
+    return Leaders(least.ravel(), speed.ravel(), acceleration.ravel(), gaps, turned)
+
+
+def _searched(world: World, poses: Poses, pairing: Pairing, gaps: Floats) -> Leaders:
+    """The same by compiled loops. `gaps` (S, A, A): those of two on one road."""
+    met = search(world, poses, pairing.elsewhere, pairing.radius, gaps)
+    heading = along = poses.heading
+    if len(met.heading):
+        along = np.where(met.pair >= 0, met.heading[met.pair], heading)
+
+    def all_turned() -> Floats:
+        turned = _turned(heading.reshape(gaps.shape[:2]))
+        place = met.agent * world.slots + met.target % world.slots
+        turned.put(place, heading[met.target] - met.heading)
+        return turned
+
+    turn = heading.take(met.first) - along
+    return _ahead(world, (met.least, met.first, turn), lambda: gaps, all_turned)
 
 
 def _search(world: World, poses: Poses, pairing: Pairing, gap: Floats, turned: Floats) -> None:

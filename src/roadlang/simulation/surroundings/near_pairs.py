@@ -42,8 +42,13 @@ class PairsAhead:
 
 def looks_ahead(world: World) -> Floats:
     """(N,) meters."""
-    view: Floats = np.minimum(LEAST_VIEW + VIEW_TIME * world.motion.speed, MOST_VIEW)
+    view: Floats = view_at(world.motion.speed)
     return view
+
+
+def view_at(speed: Any) -> Any:
+    """Meters that agents look ahead. Of columns, and of numbers in the compiled loops."""
+    return np.minimum(LEAST_VIEW + VIEW_TIME * speed, MOST_VIEW)
 
 
 def near_pairs(world: World, poses: Poses, pairs: Booleans, radius: Floats) -> PairsAhead:
@@ -76,8 +81,7 @@ def loop_over_pairs_near(pairs: Any, radius: Any, there: Any, out: Any, agents: 
     for scene in range(scenes):
         for first in range(slots):
             i, before = scene * slots + first, count
-            view = LEAST_VIEW + VIEW_TIME * speed[i]
-            view = view if view < MOST_VIEW else MOST_VIEW
+            view = view_at(speed[i])
             for second in range(slots):
                 j = scene * slots + second
                 if not (present[i] and present[j] and pairs[scene, first, second]):
@@ -94,5 +98,5 @@ def loop_over_pairs_near(pairs: Any, radius: Any, there: Any, out: Any, agents: 
 
 @cache
 def _loop() -> Any:
-    compiled.register((), (loop_over_pairs_near,))
+    compiled.register((view_at,), (loop_over_pairs_near,))
     return compiled.compile_loop(loop_over_pairs_near, sys.modules[__name__])
