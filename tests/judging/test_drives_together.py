@@ -1,4 +1,5 @@
-"""Drives with the same samples in time are judged together, to the last bit as by themselves."""
+"""Drives with the same samples in time are judged together, to the last bit as by themselves; by
+formulas that look at all samples alike, drives of different lengths too."""
 
 from __future__ import annotations
 
@@ -94,6 +95,41 @@ def test_a_drive_that_cannot_be_judged_leaves_the_others_as_they_are() -> None:
     assert set(judge(one, traces[-1], REGISTRY, found[-1]).faults) == {"e0"}
 
 
+@pytest.mark.parametrize(
+    "formula",
+    [
+        {"always": {"<": ["v", 12.0]}},
+        {"eventually": {"and": [{"<": ["v", 9.0]}, {">": ["v", 5.0]}]}},
+        {"eventually": {"always": {">": ["v", 8.0]}}},
+        {">": ["v", 8.0]},
+    ],
+    ids=["always", "eventually both", "in the end", "at the start"],
+)
+def test_drives_of_different_lengths_are_judged_together(formula: Any) -> None:
+    one = scene(condition(formula, **SPEED))
+    traces = [shortened(each.agents["ego"], 20 + 3 * row) for row, each in enumerate(drives(5))]
+    written = one.expectations[0].formula
+    assert written is not None
+    alone = [DriveCondition(written, each, REGISTRY).rho for each in traces]
+    assert together(one, traces) == [{"e0": rho} for rho in alone]
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        {"always": {"<": ["v", 12.0]}, "interval": [0, 1]},
+        {"historically": {"<": ["v", 12.0]}},
+        {"next": {"<": ["v", 12.0]}},
+        {"until": [{"<": ["v", 15.0]}, {">": ["v", 14.0]}]},
+    ],
+    ids=["in a window", "in the past", "at the next sample", "until"],
+)
+def test_what_tells_samples_apart_needs_the_same_ones(formula: Any) -> None:
+    short, full = shortened(agent("ego", 10.0 * TIME), 40), drives(2)[1]
+    assert together(scene(condition(formula, **SPEED)), [full, short]) == [{}, {}]
+
+
 def test_a_drive_with_samples_of_its_own_is_judged_alone() -> None:
-    short = shortened(agent("ego", 10.0 * TIME), 40)
-    assert together(scene(SLOW), [*drives(2)[1:], short]) == [{}, {}]
+    full = drives(2)[1]
+    late = Trace(TIME + 0.01, {"ego": full.agents["ego"]}, "test")
+    assert together(scene(SLOW), [full, late]) == [{}, {}]

@@ -1,9 +1,13 @@
-"""Robustness on many drives: those with the same samples in time are one batch of signals."""
+"""Robustness on many drives: those with the same samples in time are one batch of signals.
+
+Many formulas look at all samples alike (`always (x < 3)`). Their robustness stays the same if the
+last sample is repeated, so that drives of different lengths are one batch too.
+"""
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +18,7 @@ from ..geometry.arrays import Floats
 from ..ir.scene import Scene
 from ..ir.trace import Trace
 from ..plugins.registry import Registry
+from ..stl.formula import formulas as f
 from .drive_formulas import DriveFormula
 from .drives import DriveCondition
 
@@ -35,13 +40,13 @@ def robustness_together(
     """Of each drive, by expectation, what `DriveCondition.rho` is to the last bit; of those alone
     that are evaluated together: the others have to be evaluated by themselves."""
     found: list[dict[str, float]] = [{} for _ in scenes]
-    alike: dict[tuple[int, bytes], list[_Member]] = defaultdict(list)
+    by_formula: dict[int, list[_Member]] = defaultdict(list)
     for drive, (scene, trace) in enumerate(zip(scenes, traces, strict=True)):
         for member in _members(drive, scene, trace, registry):
-            alike[id(member.said), member.time.tobytes()].append(member)
-    for members in alike.values():
-        if len(members) > 1:
-            for member, rho in zip(members, _rho(members), strict=False):
+            by_formula[id(member.said)].append(member)
+    for batch in (batch for members in by_formula.values() for batch in _batches(members)):
+        if len(batch) > 1:
+            for member, rho in zip(batch, _rho(batch), strict=False):
                 found[member.drive][member.name] = float(rho)
     return found
 
@@ -63,17 +68,49 @@ def _members(drive: int, scene: Scene, trace: Trace, registry: Registry) -> Iter
             yield _Member(drive, verdict.name, condition.said, trace.time, choices[0][1])
 
 
+def _batches(members: Sequence[_Member]) -> Iterable[list[_Member]]:
+    """The members of one formula that are evaluated together: those with the same samples in time
+    and, where the last may be repeated, those with the first of the most samples."""
+    longest = b""
+    if _may_repeat_last(members[0].said.formula):
+        longest = max((member.time.tobytes() for member in members), key=len)
+    found: dict[bytes, list[_Member]] = defaultdict(list)
+    for member in members:
+        own = member.time.tobytes()
+        found[longest if own and longest.startswith(own) else own].append(member)
+    return found.values()
+
+
+def _may_repeat_last(formula: f.Formula) -> bool:
+    """Whether it means the same with more samples like the last: each operator looks at one sample,
+    or at all from one on."""
+    return all(
+        (isinstance(part, f.UnaryTemporal) and not part.past and part.window is None)
+        or isinstance(part, f.Truth | f.Comparison | f.Pointwise)
+        for part in formula.walk()
+    )
+
+
 def _rho(members: Sequence[_Member]) -> Floats:
     """(V,) the robustness of each, none where it cannot be evaluated."""
-    first = members[0]
+    longest = max(members, key=lambda member: len(member.time))
     signals = {
-        name: np.stack([member.values[name] for member in members])
+        name: _stacked([member.values[name] for member in members], len(longest.time))
         if isinstance(value, np.ndarray)
         else value
-        for name, value in first.values.items()
+        for name, value in longest.values.items()
     }
     try:
-        rho = first.said.formula.rho(first.time, signals)
+        rho = longest.said.formula.rho(longest.time, signals)
     except DiagnosticError:
         return np.empty(0)
     return np.broadcast_to(rho, len(members))  # of no signal at all there is but one
+
+
+def _stacked(rows: Sequence[Floats], samples: int) -> Floats:
+    """(V, samples) of rows of so many samples or fewer, the last of each repeated."""
+    stacked = np.empty((len(rows), samples))
+    for into, row in zip(stacked, rows, strict=True):
+        into[: len(row)] = row
+        into[len(row) :] = row[-1]
+    return stacked
