@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,7 @@ from ..simulation.vehicles.poses import Poses
 from .margins import Margins
 from .observed import Observed
 from .off_road import OffRoadCheck
-from .rewards import Transition
+from .rewards import Transition, transition_of
 from .scene_pool import ScenePool
 from .settings import EnvSettings
 
@@ -82,6 +83,7 @@ class Episodes:
         self._samples = Samples(depth, settings.step)
         self._samples.add(world, self._poses)
         self._off_road = OffRoadCheck(world)
+        world.verges.look_up(world.table, world.motion)
 
     def restart(self, rows: Integers) -> None:
         """Some scenes begin again."""
@@ -95,6 +97,7 @@ class Episodes:
         if self._drivers is not None:
             self._drivers.restart(agents)
         self._samples.restart(agents, world, self._poses)
+        self._before = self._before.copy()
         self._before[rows] = 0.0
 
     def _restarted(self, agents: Integers) -> Poses:
@@ -105,7 +108,7 @@ class Episodes:
 
     def observe(self, rows: Integers) -> Observed:
         """(R, F) what the driven agents of some scenes see, and what their sensors read."""
-        agents = self._agents[rows]
+        agents = self._driven(rows)
         if self._drivers is None or self._drivers.sensing is None:
             view = View(self._world, self._poses, self._settings.step, self._surroundings)
             return self._vector.of(view.of(agents))
@@ -140,44 +143,58 @@ class Episodes:
         self._poses = poses
         progress = world.traveled[agents] - along
         transition = self._transition(rows, actions, progress)
-        self._before[self._scenes(rows)] = actions
+        self._remember(rows, actions)
         return transition, self._ends(rows, transition)
+
+    def _remember(self, rows: Integers, actions: Floats) -> None:
+        """What was done, for the next transition; that of the last one keeps its array."""
+        if len(rows) == len(self._before):
+            self._before = actions
+            return
+        self._before = self._before.copy()
+        self._before[rows] = actions
 
     def _decided(self, rows: Integers, actions: Floats) -> Decision:
         world, settings = self._world, self._settings
-        count = len(world.present)
+        agents, count = self._selected(rows), len(world.present)
+        steering = actions[:, 0] * world.bodies.max_steering[agents]
+        scale = np.where(actions[:, 1] < 0.0, settings.deceleration, settings.acceleration)
+        acceleration = actions[:, 1] * scale
+        if len(rows) == count:
+            return Decision(steering, acceleration)
         if self._drivers is None:
             decision = Decision(np.zeros(count), np.full(count, -IDLE_BRAKING))
         else:
             decision = self._drivers.decide(world, self._poses)
-        agents = self._selected(rows)
-        decision.steering[agents] = actions[:, 0] * world.bodies.max_steering[agents]
-        scale = np.where(actions[:, 1] < 0.0, settings.deceleration, settings.acceleration)
-        decision.acceleration[agents] = actions[:, 1] * scale
+        decision.steering[agents], decision.acceleration[agents] = steering, acceleration
         return decision
 
     def _transition(self, rows: Integers, actions: Floats, moved: Floats) -> Transition:
         world, poses, agents = self._world, self._poses, self._selected(rows)
-        motion = world.motion
+        motion, scenes = world.motion, self._scenes(rows)
         self._samples.add(world, poses)
-        margins = {margin.name: margin.values(self._samples)[rows] for margin in self._margins}
-        return Transition(
-            margins=margins,
-            moved=moved,
-            time=world.age[agents],
-            x=poses.x[agents],
-            y=poses.y[agents],
-            heading=poses.heading[agents],
-            speed=motion.speed[agents],
-            acceleration=motion.acceleration[agents],
-            yaw_rate=motion.yaw_rate[agents],
-            steering=np.arctan(motion.tangent[agents]),
-            cross_track_error=world.cross_track_error[agents],
-            action=actions,
-            previous_action=self._before[rows],
-            collided=world.contacts[agents] > 0.0,
-            off_road=self._off_road.of(world, self._samples, self._agents[rows]),
-            arrived=world.at_end[agents],
+        ticks, tangent = world.tick - world.began[agents], motion.tangent[agents]
+        return transition_of(
+            {
+                "margins": {one.name: one.values(self._samples)[scenes] for one in self._margins},
+                "moved": moved,
+                "x": poses.x[agents],
+                "y": poses.y[agents],
+                "heading": poses.heading[agents],
+                "speed": motion.speed[agents],
+                "acceleration": motion.acceleration[agents],
+                "yaw_rate": motion.yaw_rate[agents],
+                "cross_track_error": world.cross_track_error[agents],
+                "action": actions,
+                "previous_action": self._before[scenes],
+                "collided": world.contacts[agents] > 0.0,
+                "off_road": self._off_road.of(world, self._samples, self._driven(rows)),
+                "arrived": world.at_end[agents],
+            },
+            {
+                "time": partial(np.multiply, ticks, world.dt),
+                "steering": partial(np.arctan, tangent),
+            },
         )
 
     def _scenes(self, rows: Integers) -> Any:
@@ -186,7 +203,12 @@ class Episodes:
 
     def _selected(self, rows: Integers) -> Any:
         """The driven agents of some scenes, as an index that copies nothing where it can."""
-        return slice(None) if len(rows) == len(self._world.present) else self._agents[rows]
+        return slice(None) if len(rows) == len(self._world.present) else self._driven(rows)
+
+    def _driven(self, rows: Integers) -> Integers:
+        """(R,) the driven agents of some scenes, which are named in their order: of all, the very
+        array that names them at every step."""
+        return self._agents if len(rows) == len(self._agents) else self._agents[rows]
 
     def _ends(self, rows: Integers, after: Transition) -> EpisodeEnds:
         settings, world = self._settings, self._world

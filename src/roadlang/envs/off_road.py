@@ -8,6 +8,7 @@ from ..geometry.arrays import Booleans, Floats, Integers
 from ..geometry.cross_section import drivable_borders
 from ..ir.scene import SceneRoad
 from ..simulation.lanes.lane_columns import LaneSection
+from ..simulation.signals.lane_reader import on_own_roads
 from ..simulation.signals.samples import Samples
 from ..simulation.state.world import World
 
@@ -28,17 +29,19 @@ class OffRoadCheck:
         self._half_width = np.array([_half_width(world, agent, drivable) for agent in agents])
         self._room = _room(world, self._half_width)
         self._half_length = 0.5 * world.bodies.length
-        self._reads_alike = _are_alike(world)
+        self._lanes = _shared_lanes(world)
 
     def of(self, world: World, samples: Samples, agents: Integers) -> Booleans:
         """(n,) whether some agents are outside the drivable area. `samples`: of the world now."""
         out = np.zeros(len(agents), dtype=bool)
-        near = np.flatnonzero(self._is_near(world)[agents])
+        near = self._is_near(world)[agents].nonzero()[0]
         if not len(near):
             return out
-        # To read a few more signals takes less time than to look whether it is needed, unless that
-        # is done for one agent after another.
-        unsure = near if self._reads_alike else near[~self._inside(world, agents[near])]
+        if self._lanes is not None:
+            out[near] = _beyond(world, samples, agents[near], self._lanes) > 0.0
+            return out
+        # To look whether it is needed takes less time than to read agent after agent.
+        unsure = near[~self._inside(world, agents[near])]
         if len(unsure):
             out[unsure] = samples.column("off_road", agents[unsure], 0)[-1] > 0.0
         return out
@@ -79,17 +82,27 @@ def _room(world: World, half_width: Floats) -> Floats:
     return np.where(wide, half_width - 0.5 * bodies.width - bulge - _ROUNDING, -1.0)
 
 
-def _are_alike(world: World) -> bool:
-    """Whether all agents are on roads with one cross-section, the same all along: their signals
-    are read together."""
+def _shared_lanes(world: World) -> LaneSection | None:
+    """The lanes of the roads of all agents, where all have one cross-section, the same all along:
+    their signals are read together."""
     if world.has_route.any():
-        return False
+        return None
     roads = {id(road): road for scene in world.scenes for road in scene.roads}
     alike = {(road.lane_list, road.center_offset): road for road in roads.values()}
     (road, *others) = alike.values() or (None,)
     if road is None or others or not road.lane_list:
-        return False
-    return LaneSection.of(road).is_constant
+        return None
+    lanes = LaneSection.of(road)
+    return lanes if lanes.is_constant else None
+
+
+def _beyond(world: World, samples: Samples, agents: Integers, lanes: LaneSection) -> Floats:
+    """(n,) the signal `off_road` of agents on roads with the same lanes all along, of which no
+    station has to be known."""
+    columns = {name: samples.now(name, agents)[:, None] for name in ("along", "offset", "heading")}
+    on = on_own_roads(world, agents, {**columns, "station": columns["along"]})
+    size = world.bodies.length[agents][:, None], world.bodies.width[agents][:, None]
+    return lanes.off_road(on, *size)[:, 0]
 
 
 def _half_width(world: World, agent: int, drivable: dict[int, float]) -> float:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
 
 from ..geometry.arrays import Booleans, Floats
 
@@ -14,6 +15,8 @@ MOST = 100.0
 @dataclass(frozen=True)
 class Transition:
     """What happened to N agents in one step, as columns (N,). SI units and radians."""
+
+    # Most rewards need few of the columns: some are computed when they are first looked at.
 
     margins: Mapping[str, Floats]
     """of each `expect` over the drive, by name: the robustness now of `p` in `always p`, at most
@@ -37,3 +40,25 @@ class Transition:
     collided: Booleans
     off_road: Booleans
     arrived: Booleans
+
+    if not TYPE_CHECKING:  # where it would hide what is no member
+
+        def __getattr__(self, name: str) -> Any:
+            later = self.__dict__.get("_later", {})
+            if name not in later:
+                raise AttributeError(f"a transition has no member `{name}`")
+            value = self.__dict__[name] = later[name]()
+            return value
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+
+def transition_of(
+    known: Mapping[str, Any], later: Mapping[str, Callable[[], Floats]]
+) -> Transition:
+    """One of which some columns are `known`, and the others are what functions give: these must
+    not depend on what changes afterward."""
+    found = object.__new__(Transition)
+    found.__dict__.update(known, _later=later)
+    return found

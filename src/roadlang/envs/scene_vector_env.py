@@ -103,24 +103,24 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
         """Hold an action for each, (num_envs, 2), for `step` seconds."""
         rows = self._running()
         over, mode = self._over, self.autoreset_mode
-        if mode == AutoresetMode.DISABLED and over.any():
+        if mode == AutoresetMode.DISABLED and np.count_nonzero(over):
             raise RuntimeError("an episode is over: reset(options={'reset_mask': ...}) it first")
         happened, ends = rows.step(checked_actions(actions, self.num_envs, 2))
         rewards = np.array(self._reward(happened), dtype=np.float64)
         terminated = ends.terminated
         truncated = ends.late & ~terminated
         info: dict[str, Any] = dict(ends.reasons)
-        if mode == AutoresetMode.NEXT_STEP and over.any():
+        if mode == AutoresetMode.NEXT_STEP and np.count_nonzero(over):
             rewards[over] = 0.0
             ran = ~over
             terminated, truncated = terminated & ran, truncated & ran
             info = {name: column & ran for name, column in info.items()}
-            rows.advance(np.flatnonzero(over))
+            rows.advance(over.nonzero()[0])
         self._over = terminated | truncated
         observed = rows.observe()
         ran = ~over
         info = _masked(info | {"margins": _masked(dict(happened.margins), ran)}, ran)
-        if mode == AutoresetMode.SAME_STEP and self._over.any():
+        if mode == AutoresetMode.SAME_STEP and np.count_nonzero(self._over):
             observed, info = self._first_step(observed, info)
         return observed, rewards, terminated, truncated, info
 
@@ -130,9 +130,9 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
         """Where an episode is over, the next one begins; `info` has how the last one ended."""
         over = self._over.copy()
         last = np.full(self.num_envs, None, dtype=object)
-        for row in np.flatnonzero(over):
+        for row in over.nonzero()[0]:
             last[row] = deepcopy(row_of(observed, int(row)))
-        self._running().advance(np.flatnonzero(over))
+        self._running().advance(over.nonzero()[0])
         return self._running().observe(), {
             **info,
             **_masked({"final_obs": last, "final_info": dict(info)}, over),

@@ -36,6 +36,18 @@ def on_arc(cell: Any, rest: Any, spacing: Any) -> Any:
     )
 
 
+def beside_chord(cell: Any, rest: Any, spacing: Any, left: Any) -> tuple[Any, Any]:
+    """x and y `rest` meters into a cell and `left` meters beside the line, nearly, without a sine:
+    the tangent of the arc turns from before its chord to beyond it. One source for arrays and
+    traced columns. `cell`: the first five of `CELL`."""
+    x, y, slope_x, slope_y, curvature = cell
+    bend = curvature * rest
+    bulge = 0.5 * bend * (rest - spacing)
+    ahead = rest - left * (bend - 0.5 * curvature * spacing)
+    across = bulge + left
+    return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
+
+
 @dataclass(frozen=True)
 class Lines:
     """Tables of L lines, each of M cells; `heading[row * M + cell]` is that where a cell begins.

@@ -11,6 +11,8 @@ import numpy as np
 
 from ...geometry.arrays import Floats, wrapped
 from ...ir.observation import ObservationBatch
+from ..vehicles.path_calls import turned
+from .lazy_observations import LazyObservations
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -104,39 +106,49 @@ class ObservationVector:
         axes = np.cos(seen.heading), np.sin(seen.heading)
         place = len(_EGO)
         if self.distances:
-            x, y = seen.path_ahead(np.array(self.distances))
-            rows = out[place : place + 2 * len(self.distances)]
-            rows[::2], rows[1::2] = _turned(x - seen.x, y - seen.y, axes)
-            place += len(rows)
+            points = _path(seen, tuple(self.distances), axes)
+            out[place : place + len(points)] = points
+            place += len(points)
         if self.agents:
             place += self._fill_others(seen, axes, out[place:])
-        within = out[:place]  # the others are 0
+        within = out[:place]
         np.maximum(within, self.low[:place, None], out=within)
         np.minimum(within, self.high[:place, None], out=within)
-        return np.ascontiguousarray(out.T)
+        found = np.zeros(out.shape[::-1], dtype=np.float32)
+        found[:, :place] = within.T
+        return found
 
     def _fill_others(
         self, seen: ObservationBatch, axes: tuple[Floats, Floats], rows: NDArray[np.float32]
     ) -> int:
-        """Fill the rows of other agents, (5 agents, N). How many of these may not be 0."""
+        """Fill the rows of other agents, (5 agents, N). How many of these there are: none of them,
+        if all are 0."""
         x, y, heading, speed = (column.T for column in seen.nearest(self.agents))
         if np.isnan(x[:1]).all():  # nearest first
-            rows[:] = 0.0
             return 0
         out = rows.reshape(self.agents, len(_OTHER), -1)
         off_x, off_y = x - seen.x, y - seen.y
         near = off_x * off_x + off_y * off_y <= FARTHEST * FARTHEST  # False where it is NaN
         numbers = (
             near,
-            *_turned(off_x, off_y, axes),
-            *_turned(speed * np.cos(heading), speed * np.sin(heading), axes),
+            *turned(off_x, off_y, axes),
+            *turned(speed * np.cos(heading), speed * np.sin(heading), axes),
         )
         for place, column in enumerate(numbers):
             out[:, place] = np.where(near, column, 0.0)
         return len(rows)
 
 
-def _turned(x: Floats, y: Floats, axes: tuple[Floats, Floats]) -> tuple[Floats, Floats]:
-    """Meters ahead and to the left, of meters east and north."""
-    cosine, sine = axes
-    return x * cosine + y * sine, y * cosine - x * sine
+def _path(
+    seen: ObservationBatch, distances: tuple[float, ...], axes: tuple[Floats, Floats]
+) -> Floats:
+    """(2 K, N) the points of the path, meters ahead and to the left by turns."""
+    if isinstance(seen, LazyObservations):
+        places = seen.x, seen.y, *axes
+        found: Floats | None = seen.view.path_seen(seen.rows, distances, places)
+        if found is not None:
+            return found
+    x, y = seen.path_ahead(np.array(distances))
+    points = np.empty((2 * len(distances), len(seen.x)))
+    points[::2], points[1::2] = turned(x - seen.x, y - seen.y, axes)
+    return points

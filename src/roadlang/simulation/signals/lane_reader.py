@@ -101,23 +101,26 @@ class LaneReader:
     ) -> dict[str, Floats]:
         """Of agents without a route, whose lines are the center lines of their roads."""
         world = self._world
-        along, shape = columns["along"], columns["along"].shape
-        track = world.track.of_rows(np.repeat(agents, shape[1]))
-        cell, rest = track.cell(along.ravel())
-        curvature = track.lines.curvature[cell]
-        line_heading = (track.lines.heading[cell] + curvature * rest).reshape(shape)
-        backward = world.backward[agents][:, None]
-        sign = np.where(backward, -1.0, 1.0)
-        on = OnRoad(
-            columns["station"], sign * columns["offset"], columns["heading"] - line_heading,
-            sign * curvature.reshape(shape),
-        )  # fmt: skip
+        on = on_own_roads(world, agents, columns)
         size = world.bodies.length[agents][:, None], world.bodies.width[agents][:, None]
         if tuple(names) == ("off_road",):
             return {"off_road": lanes.off_road(on, *size)}
-        found = dict(lanes.columns(on, backward, *size))
-        found["road"] = np.broadcast_to(world.road[agents][:, None], shape)
+        found = dict(lanes.columns(on, world.backward[agents][:, None], *size))
+        found["road"] = np.broadcast_to(world.road[agents][:, None], on.error.shape)
         return found
+
+
+def on_own_roads(world: World, agents: Integers, columns: Mapping[str, Floats]) -> OnRoad:
+    """Where agents without a route are, whose lines are the center lines of their roads. `columns`
+    (n, T): `along`, `offset`, `heading` and `station` of `NEEDED`."""
+    along, shape = columns["along"], columns["along"].shape
+    every = agents if shape[1] == 1 else np.repeat(agents, shape[1])
+    curvature, line_heading = world.track.bend_of(every, along.ravel())
+    sign = np.where(world.backward[agents], -1.0, 1.0)[:, None]
+    return OnRoad(
+        columns["station"], sign * columns["offset"],
+        columns["heading"] - line_heading.reshape(shape), sign * curvature.reshape(shape),
+    )  # fmt: skip
 
 
 def _along_route(world: World, agent: int, columns: Mapping[str, Floats]) -> dict[str, Floats]:

@@ -9,7 +9,7 @@ from dataclasses import fields
 
 import numpy as np
 
-from ...geometry.arrays import Floats, Integers
+from ...geometry.arrays import Floats, Integers, read_only
 from ...ir.road_heights import standing_trace
 from ...ir.trace import AgentTrace, Trace
 from ..lanes.lane_columns import LANE_COLUMNS
@@ -35,6 +35,7 @@ class Samples:
         longest = None if math.isinf(depth) else int(depth)
         self._depth = depth
         self._spacing = spacing
+        self._spaced: dict[int, Floats] = {}  # times of so many samples
         self._times: deque[float] = deque(maxlen=None if longest is None else longest + 1)
         self._past: deque[dict[str, Floats]] = deque(maxlen=longest)
         self._now: dict[str, Floats] = {}
@@ -79,7 +80,10 @@ class Samples:
         """(K,) seconds, of now and of at most `depth` samples before."""
         if self._spacing is not None:
             count = min(len(self._times), depth + 1)
-            return np.arange(1 - count, 1, dtype=np.float64) * self._spacing
+            if count not in self._spaced:
+                spaced = np.arange(1 - count, 1, dtype=np.float64) * self._spacing
+                self._spaced[count] = read_only(spaced)
+            return self._spaced[count]
         return np.array(self._times)[-depth - 1 :]
 
     def column(self, name: str, agents: Integers, depth: int) -> Floats:
@@ -94,6 +98,13 @@ class Samples:
         before = list(self._past)[max(len(self._past) - depth, 0) :]
         found = np.stack([*(past[name][agents] for past in before), now])
         return np.unwrap(found, axis=0) if name == "heading" and len(found) > 1 else found
+
+    def now(self, name: str, agents: Integers) -> Floats:
+        """(R,) what `column` gives of now, of one of `COLUMNS`, when only few agents are asked
+        for."""
+        known = self._now.get(name)
+        values: Floats = COLUMNS[name](self._world, self._poses) if known is None else known
+        return values[agents]
 
     def trace(self, scene: int) -> Trace:
         """A scene up to now, its agents and objects."""

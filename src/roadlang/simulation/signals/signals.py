@@ -103,6 +103,12 @@ class SignalCall:
         if kind not in signals:
             raise unsupported(kind)
         self._entry = signals[kind]
+        found_kind = drive_signal_kind(self._entry)
+        self._is_member = found_kind.member
+        self.looks_back = float(found_kind.looks_back)
+        """how many samples before the last it depends on"""
+        self._moment = Trace(np.zeros(0), {})
+        """the times of the last samples that it was measured on, which are often the same again"""
         self._slots = world.slots
         self._count = len(calls)
         self.failed = np.zeros(len(calls), dtype=bool)
@@ -127,17 +133,19 @@ class SignalCall:
                 if place >= self._slots
             }
             self._parts.append(_Part(np.array(rows), within, actors, options, objects))
-
-    @property
-    def looks_back(self) -> float:
-        """How many samples before the last it depends on."""
-        return drive_signal_kind(self._entry).looks_back
+        self._is_one = len(self._parts) == 1
+        """whether there is one part, of all rows in their order"""
 
     def values(self, samples: Samples) -> Floats:
         """(R,) the signal now. Raises RL470, RL474."""
+        is_recent = not math.isinf(self.looks_back)
+        if is_recent and self._is_one:
+            (part,) = self._parts
+            last: Floats = self._together(part, samples, int(self.looks_back))[-1]
+            return last
         out = np.empty(self._count)
         for part in self._parts:
-            if math.isinf(self.looks_back):
+            if not is_recent:
                 out[part.rows] = [self._alone(part, int(scene), samples) for scene in part.scenes]
             else:
                 out[part.rows] = self._together(part, samples, int(self.looks_back))[-1]
@@ -155,7 +163,7 @@ class SignalCall:
         """(R,) the same, but NaN for agents in whose scenes the kind has failed, now or before: see
         `failed` (R,). A failure in one scene does not affect the others."""
         out = np.full(self._count, math.nan)
-        parts, self._parts = self._parts, []
+        parts, self._parts, self._is_one = self._parts, [], False
         for part in parts:
             try:
                 out[part.rows] = self._together(part, samples, 0)[-1]
@@ -190,11 +198,11 @@ class SignalCall:
             for part in chosen
             if len(part.rows)
         ]
-        self._count, self.failed = len(rows), self.failed[rows]
+        self._count, self.failed, self._is_one = len(rows), self.failed[rows], False
 
     def _places(self, call: Mapping[str, Any], scene: Scene) -> dict[str, tuple[int, ...]]:
         """Where in the lists of a scene the things are that the options name."""
-        is_member = drive_signal_kind(self._entry).member
+        is_member = self._is_member
         out = {}
         for option, name in named_entities(self._entry, call.get("options", {})).items():
             actors = [*enumerate(scene.agents), *enumerate(scene.standing, self._slots)]
@@ -216,9 +224,11 @@ class SignalCall:
         named: dict[str, Any] = {
             key: tuple(now[place] for place in some) for key, some in part.places.items()
         }
-        if drive_signal_kind(self._entry).member:
+        if self._is_member:
             named = {key: some[0] for key, some in named.items()}
-        found = drive_signal_values(self._entry, {**part.options, **named}, Trace(time, {}))
+        if self._moment.time is not time:
+            self._moment = Trace(time, {})
+        found = drive_signal_values(self._entry, {**part.options, **named}, self._moment)
         shape = (len(time), len(part.rows))
         if found.shape == time.shape:
             return np.broadcast_to(found[:, None], shape)
@@ -231,7 +241,7 @@ class SignalCall:
     def _alone(self, part: _Part, scene: int, samples: Samples) -> float:
         """Of one scene, by all that has happened in it."""
         trace = samples.trace(scene)
-        is_member = drive_signal_kind(self._entry).member
+        is_member = self._is_member
         named: dict[str, Any] = {key: trace.named(str(part.options[key])) for key in part.places}
         if is_member:
             named = {key: some[0] for key, some in named.items()}

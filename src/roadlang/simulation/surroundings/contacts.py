@@ -123,6 +123,8 @@ class ContactDetector:
 
     def restart(self, agents: Integers, poses: Poses) -> None:
         """Some agents are back at the start; `poses`: of all, now."""
+        if self.is_idle:
+            return
         back = np.zeros(len(self._traveled), dtype=bool)
         back[agents] = True
         self._traveled[agents] = 0.0

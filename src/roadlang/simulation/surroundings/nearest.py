@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
@@ -19,8 +20,7 @@ def nearest(
     """(R, count) x, y, heading and speed of the nearest other agents of the agents `rows`, nearest
     first; NaN where a scene has no more. Who is on another level is not seen."""
     if world.slots == 1:
-        nobody = np.broadcast_to(np.float64(math.nan), (len(rows), count))
-        return nobody, nobody, nobody, nobody
+        return nobody(len(rows), count)
     out = np.full((4, len(rows), count), math.nan)
     shape = (len(world.scenes), world.slots)
     scene, place = rows // world.slots, rows % world.slots
@@ -41,3 +41,10 @@ def nearest(
         found[missing] = math.nan
         out[place_in, :, : first.shape[1]] = found
     return out[0], out[1], out[2], out[3]
+
+
+@lru_cache(maxsize=8)
+def nobody(rows: int, count: int) -> tuple[Floats, Floats, Floats, Floats]:
+    """What `nearest` gives of agents that are alone."""
+    column = np.broadcast_to(np.float64(math.nan), (rows, count))
+    return column, column, column, column

@@ -8,7 +8,14 @@ from dataclasses import dataclass, replace
 from . import operations as do
 from .tape import TapeProgram
 
-_LISTED: Mapping[int, int] = {do.FRAME: 5, do.MOVE: 10, do.RECORD: 0, do.FINITE: 0, do.BEND: 2}
+_LISTED: Mapping[int, int] = {
+    do.FRAME: 5,
+    do.MOVE: 10,
+    do.RECORD: 0,
+    do.FINITE: 0,
+    do.BEND: 2,
+    do.CELL: 6,
+}
 """Operations whose registers are in the lists of a program, and how many registers they give."""
 _ARITHMETIC = {*range(do.LESS), do.CALL_ONE, do.CALL_TWO}
 """Operations whose result may take the place of what they take."""

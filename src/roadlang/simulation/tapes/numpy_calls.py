@@ -149,6 +149,8 @@ def calls_of(
             _choose(one, memory, calls)
         elif operation == do.BEND:
             _bend(one, memory, lines, calls)
+        elif operation == do.CELL:
+            _cell(one, memory, lines, calls)
         elif others is not None:
             others(one, memory, calls)
         else:
@@ -188,13 +190,16 @@ def _choose(one: RegisterInstruction, memory: Registers, calls: list[Call]) -> N
 
 
 def cell_calls(
-    takes: Sequence[Any], memory: Registers, lines: TableRows, calls: list[Call], parts: int = 1
-) -> tuple[Integers, Floats]:
+    takes: Sequence[Any], memory: Registers, lines: TableRows, calls: list[Call], parts: int = 1,
+    rest: Any = None,
+) -> tuple[Integers, Floats]:  # fmt: skip
     """(N,) the cells of the table in which agents are, `parts` for each cell, and how far from
     where they begin; after calls that find it. `takes`: arc lengths, and of lines the last cell,
-    the origin, the spacing, and cells for each meter."""
+    the origin, the spacing, and cells for each meter. `rest`: the row for how far it is, if any is
+    given."""
     along, last, origin, spacing, per_meter = takes
-    rest, cell, at = memory.spare("rest"), memory.spare("cell"), memory.spare("at")
+    rest = memory.spare("rest") if rest is None else rest
+    cell, at = memory.spare("cell"), memory.spare("at")
     cells = memory.spare("cells")
     calls += [
         into(rest, np.subtract, along, origin),
@@ -235,4 +240,15 @@ def _bend(one: RegisterInstruction, memory: Registers, lines: TableRows, calls: 
         partial(np.copyto, curvature, there),
         into(heading, np.multiply, curvature, rest),
         into(heading, np.add, ahead, heading),
+    ]
+
+
+def _cell(one: RegisterInstruction, memory: Registers, lines: TableRows, calls: list[Call]) -> None:
+    takes = [memory.number(register, calls) for register in one.takes]
+    rest, *columns = (memory.for_number(register) for register in one.gives)
+    begins, _ = cell_calls(takes, memory, lines, calls, lines.table.shape[1], rest)
+    numbers = lines.table.reshape(-1)
+    calls += [
+        partial(numbers[place:].take, begins, out=column, mode="clip")
+        for place, column in enumerate(columns)
     ]

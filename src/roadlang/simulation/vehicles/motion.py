@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Booleans, Floats
-from ..lines.lines import Lines
+from ...geometry.arrays import Booleans, Floats, Integers
+from ..lines.lines import CELL, Lines
 from ..shallow_copies import shallow
 from .bodies import Bodies
+from .path_calls import PathRows
 from .vehicle_steps import MOST, VehicleSteps, columns_after
 
 
@@ -81,9 +82,9 @@ class Motion:
 MOTION_COLUMNS = tuple(field.name for field in fields(Motion))
 
 
-_PARTS, _FEW = 64, 1024
+_PARTS, _FEW, _SEVERAL = 64, 1024, 8
 """Tracks of some agents that are remembered, and of how many agents at most: with more of them the
-look-up takes no time beside all else."""
+look-up takes no time beside all else. Paths that are remembered."""
 
 
 @dataclass(frozen=True)
@@ -123,6 +124,11 @@ class Track:
         """(4, N) what the compiled motion has to know of the lines."""
         return np.array((self.last, self.origin, self.spacing, self.per_meter))
 
+    @cached_property
+    def _starts(self) -> Floats:
+        """`first` as numbers."""
+        return np.asarray(self.first, dtype=np.float64)
+
     def __getstate__(self) -> dict[str, Any]:
         """Without what is known by the identity or the memory of arrays, which copies do not
         share."""
@@ -137,6 +143,26 @@ class Track:
             known = self.__dict__["_steps"] = walks, dt, found
         steps: VehicleSteps = known[2]
         return steps
+
+    def paths(self, rows: Any, distances: tuple[float, ...]) -> PathRows | None:
+        """Those of some agents, with points at some distances. None when the very array that names
+        these agents is here for the first time: that may be the only one."""
+        known = self._paths.get(id(rows))
+        if known is None or known[1] != distances:
+            if len(self._paths) >= _SEVERAL:
+                self._paths.clear()
+            self._paths[id(rows)] = rows, distances, None
+            return None
+        if known[2] is None:
+            part = self.of_rows(rows)
+            found = PathRows(part.lines.table, part.first, part.places, distances)
+            known = self._paths[id(rows)] = rows, distances, found
+        return known[2]
+
+    @cached_property
+    def _paths(self) -> dict[int, tuple[Any, tuple[float, ...], PathRows | None]]:
+        """As `_parts`."""
+        return {}
 
     def wrap(self, motion: Motion) -> None:
         """On closed lines, arc length begins anew after a lap."""
@@ -182,8 +208,8 @@ class Track:
     def cell(self, along: Floats) -> tuple[Any, Floats]:
         """(N,) the cells at arc lengths, and the distance from where each begins."""
         advance = along - self.origin
-        cell = np.minimum(np.maximum(advance * self.per_meter, 0.0), self.last).astype(np.int64)
-        return self.first + cell, advance - cell * self.spacing
+        place = np.floor(np.minimum(np.maximum(advance * self.per_meter, 0.0), self.last))
+        return (self._starts + place).astype(np.int64), advance - place * self.spacing
 
     def bend(self, along: Floats) -> tuple[Floats, Floats]:
         """(N,) curvature and heading of the lines at arc lengths."""
@@ -191,8 +217,18 @@ class Track:
         curvature = self.lines.curvature[cell]
         return curvature, self.lines.heading[cell] + curvature * rest
 
+    def bend_of(self, rows: Integers, along: Floats) -> tuple[Floats, Floats]:
+        """(n,) the same of some agents, who are others each time: no `Track` is made for them."""
+        last, origin, spacing, per_meter = self.places.take(rows, axis=1)
+        advance = along - origin
+        place = np.floor(np.minimum(np.maximum(advance * per_meter, 0.0), last))
+        cell = (place + self._starts.take(rows)).astype(np.int64)
+        curvature, heading = self.lines.in_cells(cell, *_BEND)
+        return curvature, heading + curvature * (advance - place * spacing)
 
-_IN_MEMORY = ("_parts", "_steps")
+
+_BEND = CELL.index("curvature"), CELL.index("heading")
+_IN_MEMORY = ("_parts", "_steps", "_paths")
 
 
 Advance = Callable[[Motion, Bodies, Track, tuple[Floats, Floats], int, float], None]

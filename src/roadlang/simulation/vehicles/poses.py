@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ..lines.lines import CELL, on_arc
+from ..lines.lines import CELL, beside_chord, on_arc
 from ..tapes.traced import TracedColumn
 from . import compiled
 from .motion import Motion, Track
@@ -38,12 +39,26 @@ class Poses:
 
 def poses_of(motion: Motion, track: Track) -> Poses:
     """Where agents in motion are."""
-    x, y, _, _, width = line_frames(track, motion.along)
+    x, y, width = _places(track, motion.along)
     along = motion.line_heading
     heading = along + np.arctan2(motion.sine, motion.cosine)
     return Poses(
         x - np.sin(along) * motion.offset, y + np.cos(along) * motion.offset, heading, width
     )
+
+
+def _places(track: Track, along: Floats) -> Sequence[Floats]:
+    """x, y and width (N,) of `line_frames`."""
+    if compiled.is_loaded() or isinstance(along, TracedColumn):
+        x, y, _, _, width = line_frames(track, along)
+        return x, y, width
+    cell, rest = track.cell(along)
+    *columns, width = track.lines.in_cells(cell, *_PLACE)
+    x, y, _ = on_arc(columns, rest, track.spacing)
+    return x, y, width
+
+
+_PLACE = (*range(CELL.index("heading") + 1), CELL.index("width"))
 
 
 def line_frames(track: Track, along: Floats) -> Floats:
@@ -69,13 +84,7 @@ def points_beside(track: Track, along: Floats, left: Floats) -> tuple[Floats, Fl
     if compiled.is_loaded():
         return compiled.points_beside(track, along, left)
     cell, rest = track.cell(along)
-    x, y, slope_x, slope_y, curvature = track.lines.in_cells(cell, *range(5))
-    bend = curvature * rest
-    bulge = 0.5 * bend * (rest - track.spacing)
-    # Within a cell a line is an arc, whose tangent turns from before its chord to beyond it.
-    ahead = rest - left * (bend - 0.5 * curvature * track.spacing)
-    across = bulge + left
-    return x + slope_x * ahead - slope_y * across, y + slope_y * ahead + slope_x * across
+    return beside_chord(track.lines.in_cells(cell, *range(5)), rest, track.spacing, left)
 
 
 def line_widths(track: Track, along: Floats) -> Floats:

@@ -149,6 +149,12 @@ class Verges:
             edges[unknown] = self._looked_up(table, motion, rows[unknown])
         return edges
 
+    def look_up(self, table: RouteTable, motion: Motion) -> None:
+        """Find the edges that are the same all along roads, of all agents at once: of drives that
+        begin anew again and again, they would be found for one agent after another."""
+        rows = np.flatnonzero((np.isfinite(self.clear) | (self.clear < 0.0)) & ~self.has_route)
+        self._edges_at(table, motion, rows)
+
     def _looked_up(self, table: RouteTable, motion: Motion, rows: Integers) -> Floats:
         """The same, of all agents in a lane at once. What cannot change is kept."""
         place = table.place(rows, motion.along[rows])
