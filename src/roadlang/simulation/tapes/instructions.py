@@ -15,6 +15,8 @@ _LISTED: Mapping[int, int] = {
     do.FINITE: 0,
     do.BEND: 2,
     do.CELL: 6,
+    do.LIMITS: 0,
+    do.WATCH: 0,
 }
 """Operations whose registers are in the lists of a program, and how many registers they give."""
 _ARITHMETIC = {*range(do.LESS), do.CALL_ONE, do.CALL_TWO}

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats, Integers
 from ..vehicles.frame_calls import frame_calls
+from ..vehicles.free_steps import FEWEST, FreeSteps
 from ..vehicles.vehicle_steps import step_calls
 from . import operations as do
 from .instructions import RegisterInstruction, instructions_of
@@ -126,14 +127,17 @@ class NumpyTape:
         self, one: RegisterInstruction, takes: Sequence[Any], memory: Registers, calls: list[Call]
     ) -> None:
         state = [memory.for_number(register) for register in one.gives]
-        calls += [
+        found: list[Call] = [
             partial(np.copyto, row, before)
             for row, before in zip(state, takes, strict=False)
             if row is not before
         ]
         columns = [*state, *takes[len(state) :]]
         begin, each = step_calls(columns, self._walks, self._lines, self._dt)
-        calls += [*begin, *each * one.more]
+        found += [*begin, *each * one.more]
+        if self._walks is None and one.more >= FEWEST:
+            found = [FreeSteps(takes, state, found, self._lines, one.more, self._dt)]
+        calls += found
 
     def _record(self, rows: Sequence[Any]) -> None:
         agents = self._agents

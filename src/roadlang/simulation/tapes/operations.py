@@ -7,13 +7,13 @@ from collections.abc import Mapping
 (
     ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATIVE, ABSOLUTE, FLOOR, SQRT, LESS, LESS_EQUAL, AND, OR,
     NOT, WHERE, CALL_ONE, CALL_TWO, FRAME, VALUE_OF_CELL, MOVE, RECORD, FINITE, BEND,
-    CELL,
-) = range(23)  # fmt: skip
+    CELL, LIMITS, WATCH,
+) = range(25)  # fmt: skip
 """`CALL_ONE` and `CALL_TWO` call a function of numpy, of one and of two columns. `FRAME` looks up
 lines, `VALUE_OF_CELL` a column of their cells; `MOVE` is some steps of the vehicles; `RECORD` is a
 sample; `FINITE` ends the tape where a number is infinite or NaN. With numpy alone: `BEND` looks up
 curvatures and headings of lines, `CELL` how far into a cell of a line it is, and the first five
-columns of the cell."""
+columns of the cell; `LIMITS` and `WATCH` ask whether agents are far from any limit."""
 
 BY_NAME: Mapping[str, int] = {
     "add": ADD, "subtract": SUBTRACT, "multiply": MULTIPLY, "divide": DIVIDE,

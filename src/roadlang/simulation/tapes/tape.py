@@ -232,4 +232,4 @@ def _needed(instructions: Sequence[Instruction], gives: Sequence[int]) -> list[I
     return found[::-1]
 
 
-_EFFECTS = (operations.RECORD, operations.FINITE)
+_EFFECTS = (operations.RECORD, operations.FINITE, operations.LIMITS, operations.WATCH)

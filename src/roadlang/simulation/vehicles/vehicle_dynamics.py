@@ -16,6 +16,8 @@ import numpy as np
 
 GRAVITY = 9.81
 """m/s^2"""
+HALF = 0.5 * GRAVITY
+"""m/s^2: load of an axle of a car that does not accelerate"""
 FRONT_STIFFNESS = 12.0
 """cornering stiffness of the front axle for each newton of load, 1/rad: less than at the rear, so
 that the car understeers"""
@@ -46,13 +48,22 @@ def steered(tangent: Any, wanted: Any, lag: Any, rate: Any) -> Any:
     more than `rate` radians for each step.
     """
     most = rate * (1.0 + tangent * tangent)
-    return tangent + least(greatest((wanted - tangent) * lag, -most), most)
+    return tangent + least(greatest(approach(tangent, wanted, lag), -most), most)
+
+
+def approach(tangent: Any, wanted: Any, lag: Any) -> Any:
+    """What `steered` adds where the steering is not too slow for it."""
+    return (wanted - tangent) * lag
 
 
 def brush(slip: Any) -> Any:
     """Share of the grip that a tire uses, -1 to 1, at a slip of 1 where it begins to slide."""
-    part = least(greatest(slip, -1.0), 1.0)
-    return part * (3.0 - 3.0 * np.abs(part) + part * part)
+    return brush_share(least(greatest(slip, -1.0), 1.0))
+
+
+def brush_share(slip: Any) -> Any:
+    """The same of a slip within -1 and 1."""
+    return slip * (3.0 - 3.0 * np.abs(slip) + slip * slip)
 
 
 def demand(wanted: Any, speed: Any, power: Any, grip: Any, dt: float) -> Any:
@@ -81,22 +92,31 @@ def forces(vx: Any, vy: Any, yaw_rate: Any, tangent: Any, used: Any, load: Any, 
     of_both = used * used
     front_grip = friction * load[0] / greatest(np.sqrt(of_both + front * front), 1.0)
     rear_grip = friction * load[1] / greatest(np.sqrt(of_both + rear * rear), 1.0)
+    return axle_forces(tangent, used, (front, rear), (front_grip, rear_grip))
+
+
+def axle_forces(tangent: Any, used: Any, share: Any, grip: Any) -> Any:
+    """What `forces` gives. `share`, of the front and the rear axle: of the grip that they use to
+    the side; `grip`: what they have of it, m/s^2."""
     cosine = 1.0 / np.sqrt(1.0 + tangent * tangent)
-    along, left = used * front_grip, -front * front_grip
+    along, left = used * grip[0], -share[0] * grip[0]
     return (
         (along - left * tangent) * cosine,
         (left + along * tangent) * cosine,
-        used * rear_grip,
-        -rear * rear_grip,
+        used * grip[1],
+        -share[1] * grip[1],
     )
 
 
 def loads(acceleration: Any, transfer: Any) -> Any:
     """Load of the front and the rear axle for each kilogram of the car, m/s^2; the center of mass
     lies between them. `transfer`: its height over the wheelbase."""
-    half = 0.5 * GRAVITY
-    moved = least(greatest(transfer * acceleration, -half), half)
-    return half - moved, half + moved
+    return loads_after(least(greatest(transfer * acceleration, -HALF), HALF))
+
+
+def loads_after(moved: Any) -> Any:
+    """The same where so much of it moves from the front to the rear axle."""
+    return HALF - moved, HALF + moved
 
 
 def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any, dt: float) -> Any:
@@ -106,17 +126,27 @@ def accelerated(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any
     `motion`: the same before; `inertia`: square of the radius of gyration, m^2; `drag`: quadratic
     in 1/m and rolling resistance in m/s^2.
     """
-    vx, vy, yaw_rate = motion
-    front_along, front_left, rear_along, rear_left = force
-    rolling = least(drag[1], vx / dt)
-    along = front_along + rear_along - drag[0] * vx * vx - rolling
-    ahead = vx + (along + vy * yaw_rate) * dt
-    turning = yaw_rate + half_base * (front_left - rear_left) / inertia * dt
+    vx = motion[0]
+    drag = (drag[0], least(drag[1], vx / dt))
+    ahead, left, turning, along = pushed(motion, force, half_base, inertia, drag, dt)
     across = ahead <= 0.0
     return (
         greatest(greatest(ahead, (vx + along * dt) * across), 0.0),
-        vy + (front_left + rear_left - vx * yaw_rate) * dt,
+        left,
         turning * (ahead > 0.0),
+        along,
+    )
+
+
+def pushed(motion: Any, force: Any, half_base: Any, inertia: Any, drag: Any, dt: float) -> Any:
+    """The same of a car that goes on ahead and does not stop within the step."""
+    vx, vy, yaw_rate = motion
+    front_along, front_left, rear_along, rear_left = force
+    along = front_along + rear_along - drag[0] * vx * vx - drag[1]
+    return (
+        vx + (along + vy * yaw_rate) * dt,
+        vy + (front_left + rear_left - vx * yaw_rate) * dt,
+        yaw_rate + half_base * (front_left - rear_left) / inertia * dt,
         along,
     )
 
@@ -132,7 +162,18 @@ def displaced(along: Any, left: Any, cosine: Any, sine: Any, offset: Any, curvat
 
     `cosine`, `sine`: of the car's heading from that of the line.
     """
-    scale = greatest(1.0 - offset * curvature, LEAST_SCALE)
+    scale = greatest(bend_scale(offset, curvature), LEAST_SCALE)
+    return scaled(along, left, cosine, sine, scale)
+
+
+def bend_scale(offset: Any, curvature: Any) -> Any:
+    """How much shorter than the line a way beside it is, where it is no shorter than
+    `LEAST_SCALE`."""
+    return 1.0 - offset * curvature
+
+
+def scaled(along: Any, left: Any, cosine: Any, sine: Any, scale: Any) -> Any:
+    """What `displaced` gives, by how much shorter the way beside the line is."""
     return (along * cosine - left * sine) / scale, along * sine + left * cosine
 
 
