@@ -17,8 +17,9 @@ from ..surroundings.contacts import ContactDetector
 from ..vehicles import compiled
 from ..vehicles.motion import MOTION_COLUMNS
 from . import compiled_tapes
+from .carrying import RepeatedProgram
 from .numpy_tapes import NumpyTape
-from .tape import NotElementwiseError, TapeProgram
+from .tape import NotElementwiseError
 from .tracing import STATE, period, traced_steps
 
 AT_ONCE = 1.0
@@ -29,13 +30,13 @@ AT_ONCE = 1.0
 class Repetition:
     """What a world does in one period of its samples and decisions."""
 
-    program: TapeProgram
+    program: RepeatedProgram
     period: int
     """steps"""
     sampled: int
     is_over: bool = False
     """whether it did not come to its end once: then every step is made by itself"""
-    _numpy: NumpyTape | None = None
+    _numpy: tuple[NumpyTape, NumpyTape] | None = None
 
     @classmethod
     def of(
@@ -77,24 +78,33 @@ class Repetition:
     def _repeated(self, world: World, times: int) -> tuple[int, Floats, Floats]:
         columns = [getattr(world.motion, name) for name in MOTION_COLUMNS]
         state = np.stack([*columns, world.traveled, world.present])
-        track = world.track
-        lines = track.first, track.lines.table, world.bodies.walks.astype(np.float64)
         each = self.period // self.sampled
+        first, program = self.program.first, self.program.each
+        begin = np.empty((len(first.gives), len(world.present)))
+        out = np.empty((len(program.gives), len(world.present)))
         samples = np.empty((times * each, len(RECORDED) + 1, len(world.present)))
-        out = np.empty((len(STATE) + 2, len(world.present)))
         if world.advance is compiled.advance:
-            went_on = compiled_tapes.repeated()(
-                state, self.program.arguments, lines, times, world.dt, samples, out
-            )
+            track = world.track
+            lines = track.first, track.lines.table, world.bodies.walks.astype(np.float64)
+            loop = compiled_tapes.repeated()
+            loop(state, first.arguments, lines, 1, world.dt, samples[:0], begin)
+            went_on = loop(begin, program.arguments, lines, times, world.dt, samples, out)
         else:
-            went_on = self._bound(world).repeated(state, lines[2], times, samples, out)
+            walks = world.bodies.walks.astype(np.float64)
+            once, tape = self._bound(world)
+            once.repeated(state, walks, 1, samples[:0], begin)
+            went_on = tape.repeated(begin, walks, times, samples, out)
         return int(went_on), out, samples
 
-    def _bound(self, world: World) -> NumpyTape:
-        """The program for the agents of the world, without a compiled loop."""
+    def _bound(self, world: World) -> tuple[NumpyTape, NumpyTape]:
+        """The two parts of the program for the agents of the world, without a compiled loop."""
         if self._numpy is None:
             lines, walks = (world.track.lines.table, world.track.first), world.bodies.walks
-            self._numpy = NumpyTape(self.program, len(STATE), lines, bool(walks.any()), world.dt)
+            any_walks, first = bool(walks.any()), self.program.first
+            self._numpy = (
+                NumpyTape(first, len(STATE), lines, any_walks, world.dt),
+                NumpyTape(self.program.each, len(first.gives), lines, any_walks, world.dt),
+            )
         return self._numpy
 
     def _record(self, world: World, recorder: Recorder, samples: Floats) -> None:
@@ -109,7 +119,7 @@ def _go_on(world: World, columns: Floats, steps: int) -> None:
     """The world is as `columns` say, some steps on."""
     for name, column in zip(MOTION_COLUMNS, columns, strict=False):
         setattr(world.motion, name, column)
-    traveled, present, along, left = columns[len(MOTION_COLUMNS) :]
-    world.traveled, world.present, world.pace = traveled, present > 0.5, (along, left)
+    traveled, present = columns[len(MOTION_COLUMNS) : len(STATE)]
+    world.traveled, world.present, world.pace = traveled, present > 0.5, (columns[-2], columns[-1])
     world.any_left = bool((world.filled & ~world.present).any())
     world.tick += steps

@@ -87,6 +87,11 @@ class Tape:
             self._known[key] = found[0] if gives == 1 else found
         return self._known[key]
 
+    def known(self, operation: int, takes: Sequence[int], more: int) -> tuple[int, ...]:
+        """The values that such an instruction gives, if there is one already; else none."""
+        found = self._known.get((operation, tuple(takes), more), ())
+        return found if isinstance(found, tuple) else (found,)
+
     def function(self, called: np.ufunc) -> int:
         """The number of a function of numpy among those of the tape."""
         if called not in self.functions:
@@ -143,10 +148,16 @@ class TapeProgram:
         return replace(self, columns=columns, shift=self.shift[agents])
 
 
-def program_of(tape: Tape, gives: Sequence[int]) -> TapeProgram:
-    """`gives`: the values that it comes to."""
+def program_of(
+    tape: Tape, gives: Sequence[int], begins: Sequence[int] | None = None,
+    instructions: Sequence[Instruction] | None = None,
+) -> TapeProgram:  # fmt: skip
+    """`gives`: the values that it comes to; `begins`: those that it begins with, if they are not
+    the given ones; `instructions`: its own, if they are not all. Raises NotElementwiseError."""
     constants = *tape.columns, *tape.numbers
-    form = _form_of(tape.given, constants, tuple(tape.instructions), tuple(gives))
+    given = tuple(range(tape.given) if begins is None else begins)
+    own = tuple(tape.instructions if instructions is None else instructions)
+    form = _form_of(given, constants, own, tuple(gives))
     nothing = np.zeros(0)
     return TapeProgram(
         code=form.code,
@@ -174,14 +185,14 @@ class _Form:
 
 @lru_cache(maxsize=16)
 def _form_of(
-    given: int,
+    given: tuple[int, ...],
     constants: tuple[int, ...],
     instructions: tuple[Instruction, ...],
     gives: tuple[int, ...],
 ) -> _Form:
     """Kept, as batch after batch of one scenario does the same. A register is used again once its
     value is not needed any more, but never for a result of the instruction that needs it last."""
-    fixed = [*range(given), *constants]
+    fixed = [*given, *constants]
     register = {value: place for place, value in enumerate(fixed)}
     needed = _needed(instructions, gives)
     last = {value: len(needed) for value in gives}
@@ -189,7 +200,8 @@ def _form_of(
         for value in needed[place][1]:
             last.setdefault(value, place)
     free: list[int] = []
-    if any(value < given and value != place for place, value in enumerate(gives)):
+    begins = {value: place for place, value in enumerate(given)}
+    if any(begins.get(value, place) != place for place, value in enumerate(gives)):
         raise NotElementwiseError("a column becomes another that was given")
     count = len(fixed)
     code: list[tuple[int, ...]] = []

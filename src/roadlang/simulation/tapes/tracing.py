@@ -19,7 +19,8 @@ from ..vehicles.bodies import Bodies
 from ..vehicles.motion import MOTION_COLUMNS, Motion, Track
 from ..vehicles.poses import Poses
 from . import operations as do
-from .tape import NotElementwiseError, Tape, TapeProgram, program_of
+from .carrying import RepeatedProgram, repeated_program
+from .tape import NotElementwiseError, Tape
 from .traced import TracedColumn, value_of
 
 STATE = (*MOTION_COLUMNS, "traveled", "present")
@@ -56,7 +57,7 @@ def period(held: int, sampled: int) -> int:
 
 def traced_steps(
     world: World, drivers: DriverGroup, controller: Controller, held: int, sampled: int
-) -> TapeProgram:
+) -> RepeatedProgram:
     """One period of a world in which nobody meets anybody, from a step that has a decision and was
     sampled. Raises NotElementwiseError where its columns alone do not say what happens."""
     if math.lcm(held, sampled) > LONGEST * held or not _is_calm(world):
@@ -71,7 +72,7 @@ def traced_steps(
         if (start + held) % sampled == 0:
             _record(tape, one, one.poses)
     columns = [*(getattr(one.motion, name) for name in MOTION_COLUMNS), one.traveled, one.present]
-    return program_of(tape, [value_of(tape, column) for column in (*columns, *one.pace)])
+    return repeated_program(tape, [value_of(tape, column) for column in (*columns, *one.pace)])
 
 
 def _decided(tape: Tape, controller: Controller, view: View) -> tuple[Floats, Floats]:
