@@ -128,6 +128,15 @@ def test_a_ring_is_a_roundabout_and_who_enters_yields() -> None:
             assert sources[circling] in plan.ring
 
 
+@pytest.mark.parametrize(("longer", "is_ring"), [(1.0, True), (1.3, True), (1.7, False)])
+def test_a_ring_may_be_a_little_longer_than_wide(longer: float, is_ring: bool) -> None:
+    around = np.linspace(0.0, math.tau, 61).round(9)
+    line = np.stack([20.0 * longer * np.cos(around), 20.0 * np.sin(around)], axis=-1).round(9)
+    halves = [line[:31].tolist(), [*line[30:60].tolist(), line[0].tolist()]]
+    arms = [[line[0].tolist(), (120.0, 0.0)], [line[30].tolist(), (-120.0, 0.0)]]
+    assert bool(plan_of(network_of_polylines([*halves, *arms])).ring) == is_ring
+
+
 def test_a_square_block_is_no_roundabout() -> None:
     corners = [(0, 0), (30, 0), (30, 30), (0, 30)]
     lines = [[corners[i], corners[(i + 1) % 4]] for i in range(4)]

@@ -14,7 +14,9 @@ from roadlang.geometry.routes.lane_graph import LaneGraph, TravelLane, lane_grap
 from roadlang.geometry.routes.legs import ONWARD, PlannedRoute, RoutePlace
 from roadlang.geometry.routes.next_turns import NextTurn, ways_on
 from roadlang.geometry.routes.shortest import shortest_route
+from roadlang.geometry.routes.walking import straight_route
 from tests.geometry.junctions.crossings_of_roads import sections_of, star
+from tests.geometry.routes.test_routes import assert_drivable
 
 WEST, SOUTH, EAST, NORTH = "west", "south", "east", "north"
 ARM = 120.0
@@ -130,6 +132,19 @@ def test_after_its_last_turn_a_route_goes_straight_on() -> None:
     assert [graph.lanes[leg.lane].edge for leg in route.legs] == [1, 2, 3]
     assert sum(abs(leg.stop - leg.start) for leg in route.legs) < ONWARD
     assert route.legs[-1].stop == graph.end[route.legs[-1].lane]
+
+
+@pytest.mark.parametrize(
+    ("arms", "leaves_at"),
+    [((WEST, EAST, NORTH), EAST), ((WEST, SOUTH, EAST, NORTH), EAST), ((WEST, NORTH), NORTH)],
+)
+def test_straight_on_leaves_a_roundabout(arms: tuple[str, ...], leaves_at: str) -> None:
+    graph = roundabout(*arms)
+    route = straight_route(graph, toward(graph, WEST), ONWARD)
+    last = route.legs[-1]
+    assert last.stop == graph.end[last.lane]
+    assert arm_of(graph, RoutePlace(last.lane, last.stop)) == leaves_at
+    assert_drivable(graph, route)
 
 
 def test_turns_and_places_follow_each_other() -> None:

@@ -15,7 +15,8 @@ from .model import End
 HalfEdge: TypeAlias = tuple[int, End]
 """An edge, traveled from the named end."""
 
-_ROUND, _COMPACT = 0.08, 0.9
+_ROUND, _COMPACT = 0.11, 0.9
+"""A ring drawn by hand may be three tenths longer than wide."""
 _SMALLEST, _LARGEST = 6.0, 60.0
 _SAMPLES = 16
 
@@ -79,7 +80,7 @@ def _line(network: RoadNetwork, half: HalfEdge) -> Floats:
 
 
 def _is_circle(outline: Floats) -> bool:
-    """A circle fitted by least squares (Kasa 1976) leaves less than 8 % of its radius."""
+    """A circle fitted by least squares (Kasa 1976) leaves less than 11 % of its radius."""
     after = np.roll(outline, -1, axis=0)
     area = float(cross(outline, after).sum()) / 2.0
     perimeter = float(np.hypot(*(after - outline).T).sum())

@@ -80,18 +80,19 @@ def _steps(graph: LaneGraph, reached: _Reached) -> Iterator[tuple[_Reached, str 
             reached.cost + max(room, 0.0) + CHANGE_COST * exit_.changes + exit_.turn.length,
             entry,
         )
-        goes_on = exit_.turn.junction in graph.joints or _is_in_ring(graph, target)
+        goes_on = exit_.turn.junction in graph.joints or is_in_ring(graph, target)
         yield after, None if goes_on else _turn_out(graph, reached, exit_)
 
 
-def _is_in_ring(graph: LaneGraph, lane: int) -> bool:
+def is_in_ring(graph: LaneGraph, lane: int) -> bool:
+    """Whether a lane of the graph is that of a roundabout."""
     return graph.lanes[lane].edge in graph.ring
 
 
 def _entry(graph: LaneGraph, reached: _Reached, exit_: Exit) -> Entry:
-    if not _is_in_ring(graph, exit_.turn.target):
+    if not is_in_ring(graph, exit_.turn.target):
         return None
-    if _is_in_ring(graph, exit_.lane):
+    if is_in_ring(graph, exit_.lane):
         return reached.entry
     return graph.lanes[exit_.lane].edge, graph.heading(exit_.lane, graph.end[exit_.lane])
 

@@ -7,10 +7,12 @@ from dataclasses import dataclass, replace
 
 from .lane_graph import LaneGraph, Turn
 from .legs import Leg, PlannedRoute, RoutePlace
+from .next_turns import Way, is_in_ring, ways_on
 
 MeasureLane = Callable[[int, float, float], float]
 """Meters along a lane of the graph between two arc lengths of its edge, as the road is bent"""
 _MOST_PARTS = 1_000
+_STRAIGHTNESS = {"straight": 0, "right": 1, "left": 1, "u": 2}
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,14 +36,33 @@ class Reached:
 
 
 def straight_on(graph: LaneGraph, place: RoutePlace) -> Iterator[Leg]:
-    """From a place on, straight ahead at junctions where that is possible."""
-    lane, station = place.lane, place.station
+    """From a place on, straight ahead at junctions where that is possible, of which a roundabout
+    is one."""
     for _ in range(_MOST_PARTS):
-        turn = _straightest(graph.turns[lane])
-        yield Leg(lane, station, graph.end[lane], turn)
+        through = _through_roundabout(graph, place)
+        if through is not None:
+            yield from through.legs
+            place = through.end
+            continue
+        turn = _straightest(graph.turns[place.lane])
+        yield Leg(place.lane, place.station, graph.end[place.lane], turn)
         if turn is None:
             return
-        lane, station = turn.target, graph.begin[turn.target]
+        place = RoutePlace(turn.target, graph.begin[turn.target])
+
+
+def _through_roundabout(graph: LaneGraph, place: RoutePlace) -> Way | None:
+    """The straightest way through a roundabout that begins where the lane ends; None if there is
+    none, or none without a change of lane."""
+    ends_at_ring = any(is_in_ring(graph, turn.target) for turn in graph.turns[place.lane])
+    if not ends_at_ring or is_in_ring(graph, place.lane):
+        return None
+    ways = [
+        way
+        for way in ways_on(graph, place)
+        if way.legs[0].lane == place.lane and all(leg.turn is not None for leg in way.legs)
+    ]
+    return min(ways, key=lambda way: _STRAIGHTNESS[way.turn], default=None)
 
 
 def straight_route(graph: LaneGraph, place: RoutePlace, length: float) -> PlannedRoute:
@@ -133,8 +154,7 @@ def following_legs(graph: LaneGraph, place: RoutePlace, route: PlannedRoute) -> 
 
 
 def _straightest(turns: Sequence[Turn]) -> Turn | None:
-    order = {"straight": 0, "right": 1, "left": 1, "u": 2}
-    return min(turns, key=lambda turn: order[turn.turn], default=None)
+    return min(turns, key=lambda turn: _STRAIGHTNESS[turn.turn], default=None)
 
 
 def _straightest_source(sources: Sequence[tuple[int, Turn]]) -> tuple[int, Turn] | None:
