@@ -218,3 +218,12 @@ def test_the_compiled_motion_takes_over_and_changes_nothing(
 
     slow, fast = observations(fast=False), observations(fast=True)
     assert all((a == b).all() for a, b in zip(slow, fast, strict=True))
+
+
+def test_gymnasium_knows_the_seed() -> None:
+    env = vector(ALONE)
+    env.reset(seed=3)
+    assert env.np_random_seed == 3
+    drawn = env.np_random.random()
+    env.reset(seed=3)
+    assert env.np_random.random() == drawn

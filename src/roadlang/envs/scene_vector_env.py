@@ -155,6 +155,8 @@ class SceneVectorEnv(VectorEnv[Observed, Array, Array]):
             seeds = [seed_of(each) for each in seed]
         else:
             first = seed_of(seed)
+            if first is not None:
+                self._np_random, self._np_random_seed = seeding.np_random(first)
             seeds = [None if first is None else first + i for i in range(self.num_envs)]
         if len(seeds) != self.num_envs:
             raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
