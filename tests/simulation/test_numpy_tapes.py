@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.lines.line_nodes import Spacing, line_nodes
 from roadlang.simulation.lines.line_sources import LineSource
+from roadlang.simulation.lines.lines import Lines
 from roadlang.simulation.tapes import numpy_tapes
 from roadlang.simulation.tapes.numpy_tapes import NumpyTape
 from roadlang.simulation.tapes.registers import aligned, shared
@@ -125,7 +126,12 @@ def test_nodes_of_a_line_do_not_depend_on_the_lines_beside_it() -> None:
         x, y, heading, width = draw.uniform(-9.0, 9.0, (4, points))
         heading[0] = heading[-1] = -0.0
         sources.append(LineSource(s, x, y, heading, width if points > 9 else 7.0, closed))
-    together = line_nodes(sources, Spacing.of(sources, 12.0))
+    spacing = Spacing.of(sources, 12.0)
+    together = line_nodes(sources, spacing, spacing.nodes)
+    table = Lines.of(sources, 12.0).table.reshape(len(sources), spacing.nodes, -1)
+    parts = Lines.of(sources, 12.0, at_once=2).table
+    assert parts.tobytes() == table.tobytes()
     for row, source in enumerate(sources):
-        alone = line_nodes([source], Spacing.of([source], 12.0))[:, 0]
-        assert alone.tobytes() == together[:, row, : alone.shape[1]].tobytes()
+        own = Spacing.of([source], 12.0)
+        alone = line_nodes([source], own, own.nodes)[:, 0]
+        assert alone.tobytes() == together[:, row, : own.nodes].tobytes()

@@ -51,7 +51,7 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
             actor = scene.agents[place] if place < len(scene.agents) else None
             found.append(_slot(actor, scene, names, rows, (sources, routes)))
     pays = compiled.pays_for_lines(len(sources))
-    loops = (compiled.line_nodes, compiled.line_table) if pays else ()
+    loops = (compiled.line_nodes, compiled.line_table, compiled.LINES_AT_ONCE) if pays else ()
     lines = Lines.of(sources, FASTEST * margin, *loops)  # the same to the last bit
     table = RouteTable.of(routes, np.array([slot.route for slot in found], dtype=np.int64))
     over = {slot.line: (i // slots, routes[slot.route]) for i, slot in enumerate(found)}

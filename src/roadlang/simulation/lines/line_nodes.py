@@ -54,27 +54,20 @@ class Spacing:
         """(L,) the number of the last node."""
         return self.counts + 2 * self.pads
 
+    @property
+    def nodes(self) -> int:
+        """How many the line with the most has."""
+        return 1 + int(self.last.max())
 
-NodesOf = Callable[[Sequence[LineSource], Spacing], Floats]
+
+NodesOf = Callable[[Sequence[LineSource], Spacing, int], Floats]
 """Something that does what `line_nodes` does."""
 
 
-_AT_ONCE = 24
-"""Lines whose nodes are found together, so few that they fit into the caches."""
-
-
-def line_nodes(sources: Sequence[LineSource], spacing: Spacing) -> Floats:
-    """(4, L, M) x, y, heading and width of lines at their nodes. Beyond its ends an open line goes
-    straight on; what is left of a row is like its last node."""
-    out = np.empty((4, len(sources), 1 + int(spacing.last.max())))
-    for first in range(0, len(sources), _AT_ONCE):
-        rows = slice(first, first + _AT_ONCE)
-        _fill(out[:, rows], sources[rows], spacing.of_rows(rows))
-    return out
-
-
-def _fill(out: Floats, sources: Sequence[LineSource], spacing: Spacing) -> None:
-    """The nodes (4, L, M) of some lines."""
+def line_nodes(sources: Sequence[LineSource], spacing: Spacing, nodes: int) -> Floats:
+    """(4, L, M) x, y, heading and width of lines at their nodes, of which each row has `nodes`.
+    Beyond its ends an open line goes straight on; what is left of a row is like its last node."""
+    out = np.empty((4, len(sources), nodes))
     at = (np.arange(out.shape[2]) - spacing.pads[:, None]) * spacing.meters[:, None]
     laps = None
     if spacing.closed.any():
@@ -93,6 +86,7 @@ def _fill(out: Floats, sources: Sequence[LineSource], spacing: Spacing) -> None:
                 out[1, row, end] += step * math.sin(heading)
         if used + 1 < out.shape[2]:
             out[:, row, used + 1 :] = out[:, row, used : used + 1]
+    return out
 
 
 def _put_between(out: Floats, at: Floats, sources: Sequence[LineSource]) -> None:

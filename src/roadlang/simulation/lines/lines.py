@@ -15,8 +15,8 @@ from .line_sources import LineSource
 
 AROUND = 2.0
 """Meters to each side over which the curvature ahead is averaged, as drivers see it."""
-_AT_ONCE = 32
-"""Lines whose tables are filled together, so few that they fit into the caches."""
+_AT_ONCE = 24
+"""Lines whose nodes are found and tables filled together, so few that they fit into the caches."""
 
 
 CELL = ("x", "y", "slope_x", "slope_y", "curvature", "heading", "seen_curvature", "width")
@@ -76,15 +76,22 @@ class Lines:
         margin: float,
         nodes_of: NodesOf | None = None,
         table_of: TableOf | None = None,
+        at_once: int = _AT_ONCE,
     ) -> Lines:
         """Tables of lines; closed ones go on for `margin` meters at both ends. `nodes_of` and
-        `table_of`: what finds and fills them, if it is not `line_nodes` and `line_table`."""
+        `table_of`: what finds and fills them, if it is not `line_nodes` and `line_table`, for so
+        many lines together that their nodes fit into the caches."""
         spacing = Spacing.of(sources, margin)
-        nodes = (nodes_of or line_nodes)(sources, spacing)
+        count = spacing.nodes
+        table = np.empty((len(sources), count, len(CELL)))
+        for first in range(0, len(sources), at_once):
+            rows = slice(first, first + at_once)
+            part = spacing.of_rows(rows)
+            nodes = (nodes_of or line_nodes)(sources[rows], part, count)
+            (table_of or line_table)(nodes, part.meters, table[rows])
         return cls(
-            nodes.shape[2], -spacing.pads * spacing.meters, spacing.meters, spacing.last - 1,
-            spacing.length, spacing.closed, spacing.turn,
-            (table_of or line_table)(nodes, spacing.meters),
+            count, -spacing.pads * spacing.meters, spacing.meters, spacing.last - 1,
+            spacing.length, spacing.closed, spacing.turn, table.reshape(-1, len(CELL)),
         )  # fmt: skip
 
     @cached_property
@@ -129,19 +136,15 @@ class Lines:
         return values.reshape(-1, self.cells)
 
 
-TableOf = Callable[[Floats, Floats], Floats]
+TableOf = Callable[[Floats, Floats, Floats], None]
 """Something that does what `line_table` does."""
 
 
-def line_table(nodes: Floats, spacing: Floats) -> Floats:
-    """(L M, 8) of x, y, heading and width (4, L, M) at nodes that are `spacing` (L,) apart."""
-    out = np.empty((*nodes.shape[1:], len(CELL)))
-    around = cells_around(spacing)
-    for first in range(0, len(out), _AT_ONCE):
-        rows = slice(first, first + _AT_ONCE)
-        columns = _columns(nodes[:, rows], spacing[rows], around[rows])
-        out[rows] = columns.transpose(1, 2, 0)  # one write of each cell, and not one a column
-    return out.reshape(-1, len(CELL))
+def line_table(nodes: Floats, spacing: Floats, out: Floats) -> None:
+    """Fill `out` (L, M, 8) from x, y, heading and width (4, L, M) at nodes that are `spacing` (L,)
+    apart."""
+    columns = _columns(nodes, spacing, cells_around(spacing))
+    out[:] = columns.transpose(1, 2, 0)  # one write of each cell, and not one a column
 
 
 def _columns(nodes: Floats, spacing: Floats, around: Integers) -> Floats:
@@ -155,9 +158,13 @@ def _columns(nodes: Floats, spacing: Floats, around: Integers) -> Floats:
     np.multiply(y[:, 1:] - y[:, :-1], 1.0 / meters, out=slope_y)
     np.divide(heading[:, 1:] - heading[:, :-1], meters, out=curvature)
     columns[2:5, :, -1] = 0.0
-    for cells in np.unique(around):
+    alike = around.tolist()
+    if alike.count(alike[0]) == len(alike):
+        columns[6] = _averaged(heading, alike[0], meters)
+        return columns
+    for cells in {*alike}:
         rows = np.flatnonzero(around == cells)
-        columns[6, rows] = _averaged(heading[rows], int(cells), meters[rows])
+        columns[6, rows] = _averaged(heading[rows], cells, meters[rows])
     return columns
 
 

@@ -69,7 +69,7 @@ def looked_up(values: Floats, shift: Integers, track: Track, along: Floats) -> F
     return out
 
 
-def line_nodes(sources: Sequence[LineSource], spacing: Spacing) -> Floats:
+def line_nodes(sources: Sequence[LineSource], spacing: Spacing, nodes: int) -> Floats:
     """What `line_nodes.line_nodes` does, to the last bit."""
     begin = np.zeros(len(sources) + 1, dtype=np.int64)
     np.cumsum([len(one.s) for one in sources], out=begin[1:])
@@ -82,17 +82,15 @@ def line_nodes(sources: Sequence[LineSource], spacing: Spacing) -> Floats:
         points[4, begin[row] : begin[row + 1]] = one.width
     ends = points[3, np.concatenate([begin[:-1], begin[1:] - 1])].tolist()
     directions = np.array([*map(math.cos, ends), *map(math.sin, ends)]).reshape(2, 2, -1)
-    out = np.empty((4, len(sources), 1 + int(spacing.last.max())))
+    out = np.empty((4, len(sources), nodes))
     rows = (spacing.counts, spacing.pads, spacing.meters, spacing.length, spacing.turn)
     nodes_kernel()(begin, points, rows, spacing.closed, directions, out)
     return out
 
 
-def line_table(nodes: Floats, spacing: Floats) -> Floats:
+def line_table(nodes: Floats, spacing: Floats, out: Floats) -> None:
     """What `lines.line_table` does, to the last bit."""
-    out = np.empty((*nodes.shape[1:], len(lines.CELL)))
     table_kernel()(nodes, spacing, lines.cells_around(spacing), out)
-    return out.reshape(-1, len(lines.CELL))
 
 
 def planned(table: Floats, first: Integers, squares: tuple[Floats, Floats], cells: int) -> Floats:
@@ -125,6 +123,8 @@ DRIVES = 0.2
 LINES = 200
 """Lines whose tables numpy makes in about the time in which compiled loops for them are loaded,
 where numba is."""
+LINES_AT_ONCE = 96
+"""Lines whose nodes are found and tables filled together by compiled loops."""
 _is_loaded = [False]
 _lines = [0]
 _worked = [0.0]
