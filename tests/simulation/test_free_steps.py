@@ -90,7 +90,7 @@ def cruising() -> tuple[Floats, Floats]:
 NEAR = {
     "brakes": (1, -8.9), "engine": (1, 5.0), "steering": (0, 0.5),
 }  # fmt: skip
-STATES = {"slow": (2, 2.0), "slides": (3, 4.0), "at_the_center": (1, 79.0), "nothing": (2, np.nan)}
+STATES = {"slow": (2, 2.0), "slides": (3, 4.0), "nothing": (2, np.nan)}
 
 
 def test_one_near_a_limit_is_enough_to_ask_for_all_formulas() -> None:

@@ -19,6 +19,8 @@ from roadlang.simulation.tapes import numpy_tapes
 from roadlang.simulation.tapes.numpy_tapes import NumpyTape
 from roadlang.simulation.tapes.registers import aligned, shared
 from roadlang.simulation.tapes.repeating import Repetition
+from roadlang.simulation.tapes.tape import Tape, program_of
+from roadlang.simulation.tapes.traced import TracedColumn, value_of
 from roadlang.simulation.vehicles import compiled, motion
 from roadlang.simulation.vehicles.motion import advance
 
@@ -135,3 +137,16 @@ def test_nodes_of_a_line_do_not_depend_on_the_lines_beside_it() -> None:
         own = Spacing.of([source], 12.0)
         alone = line_nodes([source], own, own.nodes)[:, 0]
         assert alone.tobytes() == together[:, row, : own.nodes].tobytes()
+
+
+@pytest.mark.parametrize(
+    "angles", [[0.5, 6.0], [0.0, 1.0], [-0.0, 1.0], [-1.0, 2.0], [2.0, 7.0], [1.0, np.nan]]
+)
+def test_remainders_within_a_turn_are_not_computed_but_are_the_same(angles: list[float]) -> None:
+    tape = Tape(2, 1)
+    turned = TracedColumn(tape, 0) % (2.0 * np.pi)
+    program = program_of(tape, [value_of(tape, turned)])
+    state, samples, out = np.array([angles]), np.empty((0, 1, 2)), np.empty((1, 2))
+    lines = np.zeros((1, 8)), np.zeros(2, np.int64)
+    NumpyTape(program, 1, lines, False, 0.02).repeated(state, np.zeros(2), 1, samples, out)
+    assert out[0].tobytes() == (state[0] % (2.0 * np.pi)).tobytes()

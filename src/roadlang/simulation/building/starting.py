@@ -91,9 +91,10 @@ class LineOffsets:
             section = road.cross_section()
             return float(section.offset(lane, station)) if lane in section.ids else None
         key = (lane, road.lane_list, road.center_offset, road.center_marking)
-        if key not in self._known:
+        found = self._known.get(key)  # once: the hash of lanes takes as long as all else
+        if found is None:
             section = road.cross_section()
             if lane not in section.ids:
                 return None
-            self._known[key] = float(section.offset(lane, station))
-        return self._known[key]
+            found = self._known[key] = float(section.offset(lane, station))
+        return found

@@ -44,8 +44,9 @@ class LineSource:
 def road_line(road: SceneRoad, backward: bool) -> LineSource:
     """The center line of a road, in its direction or against it."""
     s, x, y, heading = (numbers_of(road, name) for name in ("stations", "x", "y", "heading"))
-    is_constant = road.width.count(road.width[0]) == len(road.width)
-    width: Floats | float = road.width[0] if is_constant else numbers_of(road, "width")
+    widths = numbers_of(road, "width")
+    is_constant = not np.count_nonzero(widths != widths[0])
+    width: Floats | float = float(widths[0]) if is_constant else widths
     s = s - s[0]
     if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
         last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])

@@ -84,8 +84,9 @@ class LaneReader:
             return _ALONE
         road = world.scenes[agent // world.slots].roads[world.road[agent]]
         key = road.lane_list, road.center_offset, road.speed_limit, road.speed_zones
-        if key in self._known:
-            return self._known[key]
+        number = self._known.get(key)
+        if number is not None:
+            return number
         lanes = LaneSection.of(road)
         self._lanes.append(lanes)
         if lanes.is_constant and road.lane_list:

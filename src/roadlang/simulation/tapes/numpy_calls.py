@@ -173,7 +173,20 @@ def _arithmetic(
     one: RegisterInstruction, function: np.ufunc, memory: Registers, calls: list[Call]
 ) -> None:
     takes = [memory.number(register, calls) for register in one.takes]
-    calls.append(into(memory.for_number(one.gives[0]), function, *takes))
+    out = memory.for_number(one.gives[0])
+    if function is np.remainder and not takes[1].ndim:
+        calls.append(partial(_remainder, takes[0], takes[1], out))
+    else:
+        calls.append(into(out, function, *takes))
+
+
+def _remainder(row: Floats, divisor: Any, out: Floats) -> None:
+    """The remainder of what is between 0 and the divisor is itself, and takes eight times as long
+    to find."""
+    if row.ndim and row[row.argmin()] > 0.0 and row[row.argmax()] < divisor:
+        np.copyto(out, row)
+    else:
+        np.remainder(row, divisor, out)
 
 
 def _choose(one: RegisterInstruction, memory: Registers, calls: list[Call]) -> None:

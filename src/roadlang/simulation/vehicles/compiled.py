@@ -246,7 +246,7 @@ def _register_formulas() -> None:
             dynamics.steered, dynamics.approach, dynamics.brush, dynamics.brush_share,
             dynamics.demand, dynamics.forces, dynamics.axle_forces, dynamics.loads,
             dynamics.loads_after, dynamics.accelerated, dynamics.pushed, dynamics.walked,
-            dynamics.displaced, dynamics.bend_scale, dynamics.scaled, dynamics.turned,
+            dynamics.displaced, dynamics.turned,
             dynamics.driven, dynamics.moved, lines.on_arc, kernels.place_on_line, kernels.drive,
             kernels.drive_abreast, kernels.turn_abreast, kernels.move_abreast,
         ),

@@ -31,8 +31,10 @@ FEWEST = 3
 """Steps for which it pays to ask."""
 LATER = 8
 """Times that nobody asks again whether limits are far, once one was near."""
-(SPEED, AHEAD, SLIP, APPROACH, MOVED_LOAD, SCALE) = range(6)
-"""What is watched."""
+SPEED, SLIP, APPROACH, MOVED_LOAD = range(4)
+"""What is watched: slips have no sign."""
+
+_TINY = 1e-12
 
 
 class NearLimitError(Exception):
@@ -63,6 +65,7 @@ def free_program(dt: float, steps: int) -> TapeProgram:
     tape.put(do.LIMITS, [value_of(tape, one) for one in (used, wanted[1], *car)], gives=0)
     watch(SPEED, state[2])
     watch(APPROACH, dynamics.approach(state[7], wanted[0], car[11]))
+    watch(MOVED_LOAD, car[7] * state[9])
     curve = bend(state[0])[0]
     for _ in range(steps):
         state, curve = _stepped((state, curve), car, (wanted[0], used), (bend, watch), dt)
@@ -78,30 +81,24 @@ def _stepped(
     lengths, and what is told of columns that are watched."""
     (bend, watch), (state, curve) = asking, before
     along, offset, vx, vy, yaw_rate, cosine, sine, tangent, line_heading, acceleration = state
-    half_base, friction, front_slope, rear_slope, _, _, _, transfer, inertia = car[:9]
+    half_base, friction, front_slope, rear_slope, slow, _, _, transfer, inertia = car[:9]
     tangent = tangent + dynamics.approach(tangent, wanted[0], car[11])
-    moved = transfer * acceleration
-    load = dynamics.loads_after(moved)
+    load = dynamics.loads_after(transfer * acceleration)
     swing = half_base * yaw_rate
     side = vy + swing
-    ahead = vx + side * tangent
+    ahead = dynamics.greatest(vx + side * tangent, slow)  # to watch it takes more time
     front = (side - vx * tangent) / ahead * front_slope
     rear = (vy - swing) / vx * rear_slope
-    for what, column in (
-        (MOVED_LOAD, moved), (AHEAD, ahead), (SLIP, np.abs(front)), (SLIP, np.abs(rear)),
-    ):  # fmt: skip
-        watch(what, column)
+    watch(SLIP, np.abs(front))
+    watch(SLIP, np.abs(rear))
     share = dynamics.brush_share(front), dynamics.brush_share(rear)
     grip = friction * load[0], friction * load[1]
     force = dynamics.axle_forces(tangent, wanted[1], share, grip)
     motion = (vx, vy, yaw_rate)
     after = dynamics.pushed(motion, force, half_base, inertia, (car[9], car[10]), dt)
     watch(SPEED, after[0])
-    scale = dynamics.bend_scale(offset, curve)
-    watch(SCALE, scale)
-    middle = 0.5 * (vx + after[0])
-    ds, dn = dynamics.scaled(middle, after[1], cosine, sine, scale)
-    along, offset = along + ds * dt, offset + dn * dt
+    place, speeds = (along, offset), (vx, after[0], after[1])
+    along, offset = dynamics.moved(place, speeds, (cosine, sine), curve, dt)
     curve, heading = bend(along)
     angle = after[2] * dt - (heading - line_heading)
     cosine, sine = dynamics.turned(cosine, sine, angle)
@@ -118,7 +115,7 @@ class FreeSteps:
         """`columns`: `COLUMNS`, before; `into`: (10,) rows for the motion after it, which
         `with_limits` fill too."""
         self._dt, self._with_limits = dt, with_limits
-        self._least, self._most = [0.0] * 6, [0.0] * 6
+        self._least, self._most = [0.0] * 4, [0.0] * 4
         self._wait = 0
         program = free_program(dt, steps)
         count = len(columns[0])
@@ -149,34 +146,33 @@ class FreeSteps:
         takes = [memory.number(register, calls) for register in one.takes]
         if one.operation == do.LIMITS:
             calls.append(partial(self._look, takes))
-        elif one.more in (SPEED, APPROACH, MOVED_LOAD):
-            calls.append(partial(self._watch_both, takes[0], one.more))
-        elif one.more == SLIP:
-            calls.append(partial(self._watch_most, takes[0], one.more))
         else:
-            calls.append(partial(self._watch_least, takes[0], one.more))
+            if one.more != SLIP:
+                calls.append(partial(self._watch_least, takes[0], one.more))
+            calls.append(partial(self._watch_most, takes[0], one.more))
 
     def _look(self, columns: Sequence[Any]) -> None:
         """Between which numbers columns must stay, of the share of grip that is used, what
         acceleration is wanted, and what agents are."""
         used, wanted, *car = columns
-        slow, power, rolling, lag, rate = (car[place] for place in (4, 5, 10, 11, 12))
+        slow, transfer, drag, rolling = (_most(car[place]) for place in (4, 7, 9, 10))
         brakes, engine = -_least(wanted), _most(wanted)
         squared = max(_most(used), -_least(used)) ** 2
-        least, most = self._least, self._most
-        least[SPEED] = max(
-            _most(slow), dynamics.LEAST_POWER_SPEED, max(brakes, _most(rolling)) * self._dt / NEARLY
-        )
-        most[SPEED] = NEARLY * _least(power) / engine if engine > 0.0 else math.inf
-        least[AHEAD] = _most(slow)
-        if not (squared < SHARE and _most(lag) <= 1.0):
+        # What air may add to the forces of the tires until the load of an axle is all moved.
+        air = NEARLY * dynamics.HALF / max(transfer, _TINY) - _most(car[6]) - rolling
+        if not (squared < SHARE and air > 0.0 and _most(car[11]) <= 1.0):
             raise NearLimitError
+        least, most = self._least, self._most
+        most[SPEED] = math.sqrt(air / max(drag, _TINY))
+        if engine > 0.0:
+            most[SPEED] = min(most[SPEED], NEARLY * _least(car[5]) / engine)
+        braked = max(brakes, rolling) * self._dt / NEARLY
+        least[SPEED] = max(slow, dynamics.LEAST_POWER_SPEED, braked)
         most[SLIP] = 1.0 - (1.0 - math.sqrt(SHARE - squared)) ** (1.0 / 3.0)
-        most[APPROACH] = NEARLY * _least(rate)
+        most[APPROACH] = NEARLY * _least(car[12])
         most[MOVED_LOAD] = NEARLY * dynamics.HALF
         for what in (APPROACH, MOVED_LOAD):
             least[what] = -most[what]
-        least[SCALE] = dynamics.LEAST_SCALE
 
     def _watch_least(self, row: Any, what: int) -> None:
         if not _least(row) >= self._least[what]:
@@ -186,17 +182,11 @@ class FreeSteps:
         if not _most(row) <= self._most[what]:
             raise NearLimitError
 
-    def _watch_both(self, row: Any, what: int) -> None:
-        self._watch_least(row, what)
-        self._watch_most(row, what)
-
 
 def _least(row: Any) -> float:
     """NaN where any is."""
-    found: float = row[row.argmin()] if row.ndim else row  # a quarter of the time of `min`
-    return found
+    return float(row[row.argmin()] if row.ndim else row)  # takes half the time of `min`
 
 
 def _most(row: Any) -> float:
-    found: float = row[row.argmax()] if row.ndim else row
-    return found
+    return float(row[row.argmax()] if row.ndim else row)

@@ -162,18 +162,7 @@ def displaced(along: Any, left: Any, cosine: Any, sine: Any, offset: Any, curvat
 
     `cosine`, `sine`: of the car's heading from that of the line.
     """
-    scale = greatest(bend_scale(offset, curvature), LEAST_SCALE)
-    return scaled(along, left, cosine, sine, scale)
-
-
-def bend_scale(offset: Any, curvature: Any) -> Any:
-    """How much shorter than the line a way beside it is, where it is no shorter than
-    `LEAST_SCALE`."""
-    return 1.0 - offset * curvature
-
-
-def scaled(along: Any, left: Any, cosine: Any, sine: Any, scale: Any) -> Any:
-    """What `displaced` gives, by how much shorter the way beside the line is."""
+    scale = greatest(1.0 - offset * curvature, LEAST_SCALE)
     return (along * cosine - left * sine) / scale, along * sine + left * cosine
 
 

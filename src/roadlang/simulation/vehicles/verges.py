@@ -59,7 +59,9 @@ class Verges:
         for agent in np.flatnonzero((road >= 0) & ~has_route).tolist():
             if roads[agent][road[agent]].center_offset:
                 clear[agent] = -np.inf
-        ground = [below(BESIDE, surface) for surface in surfaces]
+        kinds = {id(surface): surface for surface in surfaces}  # a few, which many roads have
+        beside_kinds = {kind: below(BESIDE, surface) for kind, surface in kinds.items()}
+        ground = [beside_kinds[id(surface)] for surface in surfaces]
         more = [
             beside.rolling - surface.rolling
             for beside, surface in zip(ground, surfaces, strict=True)
@@ -197,8 +199,8 @@ class Verges:
         """The edges of a road that is equally wide all along, else its lanes. Most roads that are
         driven together have the same lanes, as they are one road that was bent in many ways."""
         alike = road.lane_list, road.center_offset, lane
-        if road.lane_list and alike in self.known:
-            found: tuple[float, float] = self.known[alike]
+        found: tuple[float, float] | None = self.known.get(alike) if road.lane_list else None
+        if found is not None:
             return found
         section = LaneSection.of(road)
         if not section.is_constant:
