@@ -1,6 +1,6 @@
 """Many scenes side by side for Stable-Baselines3, whose vectors of environments are its own.
 
-Needs stable-baselines3 (`pip install stable-baselines3`), of any version 2.
+Needs stable-baselines3: `pip install "roadlang[sb3]"`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ try:
 except ImportError as error:
     raise ImportError(
         "roadlang.envs.stable_baselines needs the package stable-baselines3: "
-        "pip install stable-baselines3"
+        'pip install "roadlang[sb3]"'
     ) from error
 
 from .observed import Observed
