@@ -72,7 +72,7 @@ def test_a_search_tells_what_no_draw_can_satisfy_as_compile_does(
         assert run([command, str(tmp_path / "a.rl"), "-o", str(folder)]) == 3
         told.append([line for line in capsys.readouterr().err.splitlines() if line])
         assert not folder.exists()
-    assert "error[RL600]: no draw can satisfy always (deviation(bent, main) > 5m)" in told[0]
+    assert "error[RL600]: no draw can satisfy `always (deviation(bent, main) > 5m)`" in told[0]
     assert "  = help: `deviation(bent, main)` is 0m to 2m" in told[0]
     assert sum(line.startswith("warning[RL192]") for line in told[0]) == 1
     told[0].remove("1 error and 1 warning")  # which a search does not tell at the same time

@@ -180,8 +180,8 @@ def test_whoever_sees_the_marker_sees_all_files_of_its_set(
     marker, replace = tmp_path / MARKER, os.replace
     seen: list[bool] = []
 
-    def replace_and_look(source: Path, target: Path) -> None:
-        if target.parent == tmp_path and target != marker:
+    def replace_and_look(source: str | Path, target: str | Path) -> None:
+        if Path(target).parent == tmp_path and Path(target) != marker:
             seen.append(marker.exists())
         replace(source, target)
 

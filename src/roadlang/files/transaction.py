@@ -117,12 +117,12 @@ def _is_folder(path: Path) -> bool:
 def _refuse_non_files(folder: Path, names: Iterable[str]) -> None:
     """A folder or a device is not replaced, nor what a link to one stands for."""
     for name in names:
-        target = folder / name
-        if target.exists():
+        target = os.path.join(folder, name)
+        if os.path.exists(target):
             try:
                 refuse_others(os.stat(target))
             except UnreadableFile as fault:
-                raise OSError(errno.EINVAL, fault.reason, str(target)) from None
+                raise OSError(errno.EINVAL, fault.reason, target) from None
 
 
 def _gathered(
@@ -143,17 +143,17 @@ def _gathered(
     for number, name in enumerate([*deleted, *names]):
         new = f"new-{number}" if name in contents else None
         if new is not None:
-            _place(room / new, contents[name])
-        steps.append(_FileStep(name, new, _backup(folder / name, room, number)))
+            _place(os.path.join(room, new), contents[name])
+        steps.append(_FileStep(name, new, _backup(folder, name, room, number)))
     sync_of_many([room / step.new for step in steps if step.new is not None])
     return steps
 
 
-def _backup(target: Path, room: Path, number: int) -> str | None:
+def _backup(folder: Path, name: str, room: Path, number: int) -> str | None:
     """A second name for what is there now, or a copy where the file system has no such names."""
-    copy = room / f"old-{number}"
-    if not os.path.lexists(target):
+    if not os.path.lexists(os.path.join(folder, name)):
         return None
+    target, copy = folder / name, room / f"old-{number}"
     try:
         if target.is_symlink():
             os.symlink(os.readlink(target), copy)
@@ -174,8 +174,8 @@ def _put_in_place(folder: Path, room: Path, steps: list[_FileStep], marker: str 
             sync_folder(folder)
         if step.new is None:
             _remove(folder / step.name)
-        elif (room / step.new).exists():
-            os.replace(room / step.new, folder / step.name)
+        elif os.path.exists(new := os.path.join(room, step.new)):
+            os.replace(new, os.path.join(folder, step.name))
     sync_folder(folder)
 
 
@@ -195,7 +195,7 @@ def _remove(path: Path) -> None:
         path.unlink()
 
 
-def _place(path: Path, content: bytes | Path) -> None:
+def _place(path: str, content: bytes | Path) -> None:
     if isinstance(content, Path):
         shutil.move(content, path)
     else:

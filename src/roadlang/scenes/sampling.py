@@ -170,9 +170,11 @@ def _nothing(task: SceneSearch[Any], impossible: frozenset[int], wanted: int) ->
 
 
 def _shown(requirement: Requirement) -> str:
-    """Its formula; of a monitor, whose options tell less, its name as well."""
+    """Its formula; of a monitor, whose options tell less, its name as well; words as they are."""
     text = requirement.text
-    return f"`{requirement.name}` ({text})" if isinstance(requirement.test, PassCall) else text
+    if isinstance(requirement.test, PassCall):
+        return f"`{requirement.name}` ({text})"
+    return text if requirement.test is None else f"`{text}`"
 
 
 def _rejecting(table: Sequence[RejectionRow]) -> list[str]:

@@ -68,8 +68,9 @@ def displaced(before: RoadBatch, displacement: Floats) -> RoadBatch:
         curves = displace(base, before.stations, displacement)
     if displacement.ndim == 3:
         displacement = _along_normal(displacement, before)
-    if before.displacement.any():
-        displacement = before.displacement + displacement
+    moved = before.displacement
+    if moved[:1].any() or moved.any():  # mostly the first row tells
+        displacement = moved + displacement
     elif isinstance(curves, DisplacedBatch):
         displacement = curves.displacement  # one array: rows of it are then copied once
     return replace(before, curves=curves, displacement=displacement)

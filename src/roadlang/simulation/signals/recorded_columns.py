@@ -21,8 +21,6 @@ RECORDED = (
 PLACES = {name: place for place, name in enumerate(RECORDED)}
 """Where each of them is in an array of all."""
 _LANE_PLACES = {name: place for place, name in enumerate(LANE_COLUMNS)}
-_AT_ONCE = 16
-"""Agents whose samples become columns together, so few that they fit into the caches."""
 
 
 class RecordedPart:
@@ -34,31 +32,32 @@ class RecordedPart:
         self._samples = samples
         self._agents = agents
         self._lanes = lanes
+        self._known: dict[str, Floats] = {}
         self.count = len(samples)
         """how many times it has"""
 
     def column(self, agent: int, name: str) -> Floats:
         """(T,) of one of its N agents."""
-        is_of_lanes = name in _LANE_PLACES
-        columns = self._lane_columns if is_of_lanes else self._columns
-        values: Floats = columns[agent, (_LANE_PLACES if is_of_lanes else PLACES)[name]]
-        return values
+        if name in _LANE_PLACES:
+            values: Floats = self._lane_columns[agent, _LANE_PLACES[name]]
+            return values
+        of_agent: Floats = self._columns(name)[agent]
+        return of_agent
 
-    @cached_property
-    def _columns(self) -> Floats:
-        """(N, Q, T) with the quantities `RECORDED`."""
-        samples = np.stack(self._samples)
-        self._samples = ()
-        out = np.empty(samples.shape[::-1])
-        for first in range(0, len(out), _AT_ONCE):
-            some = slice(first, first + _AT_ONCE)
-            out[some] = samples[:, :, some].transpose(2, 1, 0)
-        return read_only(out)
+    def _columns(self, name: str) -> Floats:
+        """(N, T) one of the quantities `RECORDED`: most drives of a search are asked for few."""
+        if name not in self._known:
+            place = PLACES[name]
+            samples = np.stack([sample[place] for sample in self._samples])
+            self._known[name] = read_only(np.ascontiguousarray(samples.T))
+            if len(self._known) == len(RECORDED):
+                self._samples = ()
+        return self._known[name]
 
     @cached_property
     def _lane_columns(self) -> Floats:
         """(N, Q, T) with the quantities `LANE_COLUMNS`."""
-        known = {name: self._columns[:, place] for name, place in PLACES.items()}
+        known = {name: self._columns(name) for name in RECORDED}
         found = self._lanes.read(self._agents, known)
         return read_only(np.stack([found[name] for name in LANE_COLUMNS], axis=1))
 

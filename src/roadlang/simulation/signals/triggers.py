@@ -231,10 +231,14 @@ def _triggers(
 def conditions_by_form(conditions: Iterable[PlacedCondition]) -> list[list[PlacedCondition]]:
     """Conditions of one form together: scenes of one file differ in their numbers alone."""
     members: dict[Any, list[PlacedCondition]] = {}
+    texts: dict[Any, str] = {}
     for place, row, condition in conditions:
         if condition is not None:
-            kinds = {name: signal["kind"] for name, signal in condition.get("signals", {}).items()}
-            numbers = sorted(condition.get("numbers", {}))
-            form = json.dumps([condition["formula"], kinds, numbers], sort_keys=True)
-            members.setdefault((place, form), []).append((place, row, condition))
+            formula, numbers = condition["formula"], tuple(sorted(condition.get("numbers", {})))
+            signals = condition.get("signals", {}).items()
+            kinds = tuple((name, signal["kind"]) for name, signal in signals)
+            shared = id(formula), kinds, numbers  # scenes of one search have the same formula
+            if shared not in texts:
+                texts[shared] = json.dumps([formula, dict(kinds), numbers], sort_keys=True)
+            members.setdefault((place, texts[shared]), []).append((place, row, condition))
     return list(members.values())
