@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pickle
 from dataclasses import fields
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from roadlang.api import AgentTrace, Trace
 from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation.signals.recorded_columns import _rate
+from roadlang.simulation.signals.recorded_columns import RECORDED, RecordedPart, _rate
 
 BEND = """
 road main { draw with segments { pieces: [straight(20m), arc(20m, 90deg), straight(20m)] } }
@@ -82,3 +83,24 @@ def test_a_rate_is_of_the_samples_beside_and_nothing_of_one_alone(
 ) -> None:
     found = _rate(np.array(values), np.arange(len(values), dtype=np.float64) / 2.0)
     assert found.tolist() == pytest.approx(rate)
+
+
+class Unread:
+    """Samples of two agents that know which of their quantities were looked at."""
+
+    def __init__(self, seen: set[int]) -> None:
+        self.seen = seen
+
+    def __getitem__(self, place: int) -> np.ndarray:
+        self.seen.add(place)
+        return np.array([place, place + 0.5])
+
+
+def test_quantities_that_nobody_reads_are_not_made_columns() -> None:
+    """A search reads two or three of the sixteen of most drives."""
+    seen: set[int] = set()
+    samples: Any = [Unread(seen)] * 3
+    part = RecordedPart(samples, np.arange(2), lanes=None)  # type: ignore[arg-type]
+    speed = RECORDED.index("speed")
+    assert part.column(1, "speed").tolist() == [speed + 0.5] * 3
+    assert seen == {speed}
