@@ -12,11 +12,13 @@ from roadlang.api import Scene
 from roadlang.simulation import quiet_drives
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.controlling.driving import DriverGroup
+from roadlang.simulation.recording import later_samples
 from roadlang.simulation.state import along_routes, held_controls, settling
 from roadlang.simulation.surroundings import leader_loops, near_pairs
 from roadlang.simulation.surroundings.contacts import ContactDetector
 from roadlang.simulation.surroundings.leaders import Pairing, leaders
-from roadlang.simulation.traffic import looking, waiting
+from roadlang.simulation.traffic import looking, meeting_ways, oncoming, waiting
+from roadlang.simulation.traffic.wide_places import WidePlaces
 from roadlang.simulation.vehicles import compiled
 
 from .test_same_bytes import CROSSING, bytes_of, drives, records
@@ -25,6 +27,9 @@ LOOPS = [
     *((module, "_loop") for module in (looking, waiting, held_controls, settling, quiet_drives)),
     (leader_loops, "_windows"),
     (leader_loops, "_nearest"),
+    (meeting_ways, "_wide"),
+    (meeting_ways, "_ways"),
+    (meeting_ways, "_meetings"),
 ]
 CONTROLS = {
     "right_first": "",
@@ -122,6 +127,64 @@ def test_places_and_limits_along_routes_are_the_same(both: Any) -> None:
         )
         np.testing.assert_array_equal(fast, plain)
         assert len(np.unique(plain[0])) > 5
+
+
+BUSES = """
+image plan from \"\"\"
+.#......#.
+.########.
+.#......#.
+.########.
+..........
+\"\"\" { scale: 14m/px }
+network town from plan { lanes: 2 }
+agent buses is choice(bus, truck, car) on town at random {
+  count: 12, route_length: 400m, drive with traffic
+}
+"""
+
+
+def test_narrow_places_are_the_same(both: Any) -> None:
+    world = world_of(records(BUSES, 2), {}, 0.02, 0.1)
+    draw, wide, found = np.random.default_rng(5), WidePlaces.of(world), 0
+    for _ in range(30):
+        world.motion.along = draw.uniform(0.0, 1.0, len(world.present)) * world.length
+        world.followed.lateral.offset = draw.choice([0.0, 0.0, -0.5], len(world.present))
+        world.present = draw.uniform(size=len(world.present)) < 0.9
+        poses = world.poses
+        plain, fast = both(lambda poses=poses: meeting(oncoming._meeting(world, poses, wide)))
+        assert fast == plain
+        found += len(plain)
+    assert found > 10
+
+
+def meeting(found: Any) -> list[tuple[float, ...]]:
+    """Pairs of agents and where they meet; those that may meet nowhere are left out."""
+    if found is None:
+        return []
+    first, second, enter, leave = found
+    pairs = np.stack([np.tile(first, 2), np.tile(second, 2), *enter, *leave])
+    return sorted(map(tuple, pairs[:, np.isfinite(enter).all(axis=0)].T.tolist()))
+
+
+def test_samples_that_are_computed_later_are_the_same(
+    both: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenes, made = scenes_with("roads", 3), []
+    columns_now = later_samples.columns_now
+
+    def counted(world: Any, poses: Any) -> Any:
+        made.append(len(world.scenes))
+        return columns_now(world, poses)
+
+    monkeypatch.setattr(later_samples, "columns_now", counted)
+    plain, fast = both(lambda: [bytes_of(trace) for trace in drives(scenes, control_step=0.04)])
+    assert fast == plain
+    assert max(made) > 100, "many at once"
+    monkeypatch.setattr(later_samples, "AT_ONCE", 1)
+    assert (
+        both(lambda: [bytes_of(trace) for trace in drives(scenes, control_step=0.04)])[1] == plain
+    )
 
 
 def test_who_is_next_ahead_is_the_same(both: Any) -> None:

@@ -61,7 +61,7 @@ def drive_quietly(
         tick = (begun // counts.sampled + 1 + number) * counts.sampled
         _put(between, found.sampled[number], found.flagged[number], tick)
         between.followed.advance(found.sampled[number, _SPEED], (tick - begun) * world.dt)
-        recorder.record(between, between.poses)
+        recorder.record_later(between)
     _put(world, found.rows, found.flags, begun + found.done * counts.held)
     world.any_left = found.any_left
     world.followed.advance(found.rows[_SPEED], counts.held * world.dt)

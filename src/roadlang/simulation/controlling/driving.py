@@ -20,6 +20,7 @@ from ..observing.observing import View
 from ..observing.sensing import Sensing
 from ..observing.surroundings import Surroundings
 from ..signals.triggers import PlacedCall, Triggers
+from ..state.step_times import seconds_at
 from ..state.world import World
 from ..vehicles.line_steering import line_steering
 from ..vehicles.poses import Poses
@@ -86,7 +87,7 @@ class DriverGroup:
         if self._held is None or self.sensing is not None or not self._triggers.is_empty:
             return times
         while times < most and not any(
-            each.is_over(world.time_at(world.tick + times * held)) for each in self._lasting
+            each.is_over(seconds_at(world.tick + times * held, world.dt)) for each in self._lasting
         ):
             times += 1
         return times

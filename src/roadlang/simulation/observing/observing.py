@@ -172,7 +172,9 @@ class View:
         world, surroundings = self.world, self.surroundings
         right_of_way = surroundings.right_of_way(world)
         objects = partial(self.objects.ahead, slice(None))
-        stop, gap, speed = right_of_way.ahead(world, self._leaders(), rows, objects, temper)
+        stop, gap, speed = right_of_way.ahead(
+            world, self.poses, self._leaders(), rows, objects, temper
+        )
         if world.table.has_changes:
             changes = zipper(world)
             sooner = changes[0][rows] < gap

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,22 +12,16 @@ from ...ir.controller_failure import ControllerFailure
 from ...ir.road_heights import standing_trace
 from ...ir.scene import Scene
 from ...ir.trace import AgentTrace, Trace
-from ..signals.columns import COLUMNS
 from ..signals.lane_reader import LaneReader
 from ..signals.recorded_columns import RECORDED, RecordedAgent, RecordedPart
 from ..state.world import World
 from ..surroundings.contacts import Contact
 from ..vehicles.poses import Poses
+from .later_samples import LaterSamples, columns_now
 from .violations import ViolationWatch
 
 ENGINE = "the embedded engine"
-_RECORDED = tuple(COLUMNS[name] for name in RECORDED)
-
-
-def columns_now(world: World, poses: Poses) -> Iterator[Floats]:
-    """(N,) each of the quantities `RECORDED`."""
-    for column in _RECORDED:
-        yield column(world, poses)
+_NO_SAMPLE = np.zeros((len(RECORDED), 0))
 
 
 class Recorder:
@@ -40,6 +34,7 @@ class Recorder:
         self._slots = world.slots
         self._times: list[float] = []
         self._samples: list[Floats] = []
+        self._later = LaterSamples()
         self._parts: dict[int, list[tuple[RecordedPart, int]]] = {
             row: [] for row in range(len(scenes))
         }
@@ -58,6 +53,18 @@ class Recorder:
         for place, column in enumerate(columns_now(world, poses)):
             sample[place] = column
         self.add(world.time, sample, world.finished)
+
+    def record_later(self, world: World) -> None:
+        """The same as `record`, of a copy of the world whose motion and columns are not changed any
+        more: for many times together, where nobody looks at samples before the end."""
+        looks = self._watch is not None and not self._watch.is_idle
+        if looks or world.followed.guided:
+            self.record(world, world.poses)
+            return
+        self._later.add(len(self._samples), world)
+        self.add(world.time, _NO_SAMPLE, world.finished)
+        if self._later.is_full:
+            self._later.fill(self._samples)
 
     def add(self, time: float, sample: Floats, finished: Booleans) -> None:
         """The same: `sample` (Q, N) with the quantities `RECORDED`; `finished` (S,): scenes in
@@ -112,6 +119,7 @@ class Recorder:
         """The scenes that went on until now do not all go on."""
         if not self._samples:
             return
+        self._later.fill(self._samples)
         agents = (self._rows[:, None] * self._slots + np.arange(self._slots)).ravel()
         part = RecordedPart(self._samples, agents, self._lanes)
         self._samples = []

@@ -39,14 +39,15 @@ class ViolationWatch:
         self._pending = PendingSamples(world)
         if math.isfinite(patience):
             self._watch(world, signals)
-        self._is_idle = not self._watched
+        self.is_idle = not self._watched
+        """whether no sample is looked at"""
 
     def done(self, time: float, sample: Floats) -> Booleans | None:
         """(S,) scenes that have violated everything for long enough; None where there are none.
 
         To be called at every sample, in order. `sample`: (Q, N) with the quantities `RECORDED`.
         """
-        if self._is_idle:
+        if self.is_idle:
             return None
         self._pending.add(time, sample)
         if self._is_over(time - self._pending.times[0]):

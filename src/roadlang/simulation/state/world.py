@@ -27,6 +27,7 @@ from .arrivals import ARRIVED, all_arrived
 from .held_controls import held_controls
 from .line_heights import LineHeights
 from .settling import can_settle, settle
+from .step_times import seconds_at
 
 
 @dataclass
@@ -93,12 +94,8 @@ class World:
 
     @property
     def time(self) -> float:
-        """Seconds since the start, as one would write them: 0.3, not 0.30000000000000004."""
-        return self.time_at(self.tick)
-
-    def time_at(self, tick: int) -> float:
-        """The same at a step."""
-        return round(tick * self.dt, 9)
+        """Seconds since the start."""
+        return seconds_at(self.tick, self.dt)
 
     @property
     def age(self) -> Floats:

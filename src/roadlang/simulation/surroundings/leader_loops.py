@@ -17,7 +17,7 @@ from ..vehicles import compiled, kernels
 from ..vehicles.poses import Poses
 from . import corridors, near_pairs
 from .corridors import AHEAD, CIRCLES, MARGIN, SAMPLE_SPACING
-from .near_pairs import loop_over_pairs_near, view_at
+from .near_pairs import MOST_VIEW, loop_over_pairs_near, view_at
 
 ROUNDING = 1e-6
 """Meters by which what is surely not in a corridor is farther away."""
@@ -52,52 +52,50 @@ def search(world: World, poses: Poses, pairs: Booleans, radius: Floats, gaps: Fl
     track, bodies, count = world.track, world.bodies, len(world.present)
     speed, offset = world.motion.speed, world.followed.lateral.offset
     found, agents = np.empty((3, pairs.size), dtype=np.int64), np.empty(count, dtype=np.int64)
-    kept, frames, swept = _windows()(
+    frames = np.empty((5, samples_in(MOST_VIEW), count))  # numba takes long to return an array
+    kept, most, columns = _windows()(
         pairs, radius, (poses.x, poses.y, speed, world.present),
         (world.motion.along, track.first, track.places, track.lines.table, offset),
         (world.sweeps.table, world.sweeps.left, world.sweeps.right),
-        (bodies.length, bodies.width), found, agents,
+        (bodies.length, bodies.width), (found, agents, frames),
     )  # fmt: skip
-    met, least, places = np.empty((3, kept)), np.empty(count), np.empty((2, count), dtype=np.int64)
-    if kept:
-        turned = poses.heading, frames[2]
-        directions = [(np.cos(heading), np.sin(heading)) for heading in turned]
-    else:
-        directions = [(least, least), (frames[0], frames[0])]
+    heading, met = frames[2, :most, :columns], np.empty((3, kept))
+    least, places = np.empty(count), np.empty((2, count), dtype=np.int64)
+    toward = (np.cos(poses.heading), np.sin(poses.heading)) if kept else (least, least)
     _nearest()(
-        (found, agents), (frames, directions[1], swept), (poses.x, poses.y, directions[0]),
+        (found, agents), (frames, (np.cos(heading), np.sin(heading))), (poses.x, poses.y, toward),
         (bodies.length, bodies.width, speed, offset), gaps, (met, least, places),
     )  # fmt: skip
-    heading = np.arctan2(met[2], met[1])
-    return Met(found[0, :kept], found[1, :kept], heading, least, places[0], places[1])
+    there = np.arctan2(met[2], met[1])
+    return Met(found[0, :kept], found[1, :kept], there, least, places[0], places[1])
 
 
 def loop_over_windows(
-    pairs: Any, radius: Any, there: Any, lines_: Any, sweeps: Any, sizes: Any, found: Any,
-    agents: Any,
+    pairs: Any, radius: Any, there: Any, lines_: Any, sweeps: Any, sizes: Any, out: Any
 ) -> Any:  # fmt: skip
-    """Fill `found`, (3, at least P), with agents, targets and columns of pairs of which the second
-    may be in the corridor of the first, and `agents`, (at least I,), with who is the first of any.
-    P; (3, M, I) x, y and heading of the reference lines that these have ahead; and (2, M, I) what
-    they cover there beyond their widths. numba compiles it; Python never runs it."""
-    x, y, speed, _ = there
+    """Fill `out`: (3, at least P) agents, targets and columns of pairs of which the second may be
+    in the corridor of the first; (at least I,) who is the first of any; and (5, at least M, at
+    least I) x, y and heading of the reference lines that these have ahead, and what they cover
+    there to their left and right beyond their widths. P, M and I. numba compiles it; Python never
+    runs it."""
+    (x, y, speed, _), (found, agents, frames) = there, out
     (table, left, right), (length, width) = sweeps, sizes
     count, groups = loop_over_pairs_near(pairs, radius, there, found, agents)
     most = 0
     for i in range(groups):
         most = max(most, samples_in(view_at(speed[agents[i]])))
-    frames, swept = np.zeros((3, most, groups)), np.zeros((2, most, groups))
     kept, columns, known = 0, 0, -1
     for p in range(count):
         agent, target = found[0, p], found[1, p]
         samples = samples_in(view_at(speed[agent]))
         if agent != known:  # as many columns as agents that keep a pair: others are written over
             known, taken, widest = agent, False, 0.0
+            frames[:, :most, columns] = 0.0
             for m in range(samples):
                 cell = sampled(m, agent, lines_, frames, columns)
-                swept[0, m, columns] = left[table[agent], cell]
-                swept[1, m, columns] = right[table[agent], cell]
-                widest = max(widest, swept[0, m, columns], swept[1, m, columns])
+                frames[3, m, columns] = left[table[agent], cell]
+                frames[4, m, columns] = right[table[agent], cell]
+                widest = max(widest, frames[3, m, columns], frames[4, m, columns])
         bar = 0.5 * length[target] - 0.5 * width[target]
         reach = (bar if bar > 0.0 else 0.0) + corridor(width, agent, target) + SAMPLE_SPACING
         reach = reach + widest + abs(lines_[4][agent]) + ROUNDING
@@ -111,7 +109,7 @@ def loop_over_windows(
                 columns += 1
             found[0, kept], found[1, kept], found[2, kept] = agent, target, columns - 1
             kept += 1
-    return kept, frames[:, :, :columns].copy(), swept[:, :, :columns].copy()
+    return kept, most, columns
 
 
 def sampled(m: Any, agent: Any, lines_: Any, frames: Any, column: Any) -> Any:
@@ -144,16 +142,18 @@ def loop_over_nearest(
     """Fill in the gaps (S, A, A) of pairs, and `out`, the last members of `Met`: (3, P) gaps and
     cosines and sines of lines, (N,) gaps and (2, N) columns and pairs. numba compiles it; Python
     never runs it."""
-    (found, who), (frames, (cosine, sine), swept) = pairs, windows
+    (found, who), (frames, (cosine, sine)) = pairs, windows
     agent, target, column = found[0], found[1], found[2]
     (length, width, speed, offset), (met, least, places) = agents, out
-    count, columns, slots = met.shape[1], frames.shape[2], gaps.shape[2]
-    view, s = np.empty(columns), np.arange(frames.shape[1]) * SAMPLE_SPACING
+    count, slots, (most, columns) = met.shape[1], gaps.shape[2], cosine.shape
+    view, s = np.empty(columns), np.arange(most) * SAMPLE_SPACING
+    lines_ = np.empty((4, most, columns))
     for i in range(columns):
         view[i], aside = view_at(speed[who[i]]), offset[who[i]]
-        for m in range(frames.shape[1]):
-            frames[0, m, i] -= sine[m, i] * aside
-            frames[1, m, i] += cosine[m, i] * aside
+        for m in range(most):
+            lines_[0, m, i] = frames[0, m, i] - sine[m, i] * aside
+            lines_[1, m, i] = frames[1, m, i] + cosine[m, i] * aside
+            lines_[2, m, i], lines_[3, m, i] = frames[3, m, i], frames[4, m, i]
     halves = np.empty((2, count))
     for p in range(count):
         halves[0, p] = corridor(width, agent[p], target[p])
@@ -162,7 +162,7 @@ def loop_over_nearest(
         x, y, (toward_x, toward_y) = outlines
         kernels.gaps_in_corridors(
             (column[:count], target[:count], halves[0], halves[1]),
-            (frames[0], frames[1], cosine, sine), (swept[0], swept[1]), (s, view),
+            (lines_[0], lines_[1], cosine, sine), (lines_[2], lines_[3]), (s, view),
             (x, y, toward_x, toward_y, 0.5 * length, 0.5 * width),
             (CIRCLES, SAMPLE_SPACING, AHEAD), met,
         )  # fmt: skip

@@ -12,6 +12,7 @@ from ..controlling.driving import DriverGroup
 from ..recording.recording import Recorder
 from ..signals.recorded_columns import RECORDED
 from ..state.arrivals import all_arrived
+from ..state.step_times import seconds_at
 from ..state.world import World
 from ..surroundings.contacts import ContactDetector
 from ..vehicles import compiled
@@ -109,7 +110,7 @@ class Repetition:
 
     def _record(self, world: World, recorder: Recorder, samples: Floats) -> None:
         for number, sample in enumerate(samples[:-1], 1):
-            time = round((world.tick + number * self.sampled) * world.dt, 9)
+            time = seconds_at(world.tick + number * self.sampled, world.dt)
             at_end = sample[-1] > 0.5
             finished = all_arrived(at_end, world.has_road, world.filled, world.slots)
             recorder.add(time, sample[:-1], finished)

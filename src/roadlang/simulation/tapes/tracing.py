@@ -12,7 +12,7 @@ from ...geometry.arrays import Floats
 from ...plugins.kinds import Controller
 from ..controlling.driving import DriverGroup
 from ..observing.observing import View
-from ..recording.recording import columns_now
+from ..recording.later_samples import columns_now
 from ..shallow_copies import shallow
 from ..state.world import World
 from ..vehicles.bodies import Bodies

@@ -14,7 +14,9 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..surroundings.leaders import Leaders
+from ..vehicles.poses import Poses
 from .approaches import braking_to_stop, seconds_for
+from .meeting_ways import is_plain, meeting_places
 from .narrow_places import narrow_places
 from .sampled_ways import SPACING, SampledWays
 from .wide_places import VIEW, WidePlaces
@@ -47,6 +49,7 @@ class Oncoming:
     def ahead(
         self,
         world: World,
+        poses: Poses,
         stop: Floats,
         leaders: Leaders,
         on_junction: Booleans,
@@ -62,15 +65,12 @@ class Oncoming:
         self._first[due] = False
         if not self._wide.holds(world.sweeps):
             self._wide = WidePlaces.of(world)
-        pairs = None if world.sweeps.is_empty else _pairs(world, self._wide)
-        if pairs is None:
-            return out
-        found = narrow_places(*pairs)
+        found = None if world.sweeps.is_empty else _meeting(world, poses, self._wide)
         if found is None:
             return out
-        enter, leave = found
-        meets = np.isfinite(enter).all(axis=0) & np.tile(np.isin(pairs[0].agents[pairs[1]], due), 2)
-        rows = np.stack([np.tile(pairs[0].agents[place], 2)[meets] for place in pairs[1:]])
+        first, second, enter, leave = found
+        meets = np.isfinite(enter).all(axis=0) & np.tile(np.isin(first, due), 2)
+        rows = np.stack([np.tile(agents, 2)[meets] for agents in (first, second)])
         enter, leave = enter[:, meets], leave[:, meets]
         inside = (enter <= -SPACING) & (leave > 0.0)
         free = _free(world, rows, stop, leaders) > enter
@@ -122,7 +122,24 @@ def _cannot_pass(world: World, rows: Integers, leaders: Leaders) -> Booleans:
     return np.asarray(stands[rows] & ~stands[rows[::-1]] & ~np.isfinite(gap[::-1]))
 
 
-def _pairs(world: World, wide: WidePlaces) -> tuple[SampledWays, Integers, Integers] | None:
+def _meeting(
+    world: World, poses: Poses, wide: WidePlaces
+) -> tuple[Integers, Integers, Floats, Floats] | None:
+    """(P,) and (P,) the agents of pairs, and what `narrow_places` gives of them; None where there
+    is no such place."""
+    if is_plain(world):
+        return meeting_places(world, poses, wide)
+    pairs = _pairs(world, poses, wide)
+    found = None if pairs is None else narrow_places(*pairs)
+    if pairs is None or found is None:
+        return None
+    ways, first, second = pairs
+    return ways.agents[first], ways.agents[second], *found
+
+
+def _pairs(
+    world: World, poses: Poses, wide: WidePlaces
+) -> tuple[SampledWays, Integers, Integers] | None:
     """The lines of agents, and the places among these of pairs that may meet where the first, or
     both, cover more than their width; None for nobody."""
     moves = world.present & world.has_road & ~world.bodies.walks
@@ -140,7 +157,7 @@ def _pairs(world: World, wide: WidePlaces) -> tuple[SampledWays, Integers, Integ
     first, second = np.repeat(in_bend.nonzero()[0], world.slots), others
     once = (first < second) | ~in_bend[second]
     keep = moves[second] & (first != second) & once
-    keep &= _near(world, lines.take(np.flatnonzero(bends)), keep)
+    keep &= _near(world, poses, lines.take(np.flatnonzero(bends)), keep)
     if not np.count_nonzero(keep):
         return None
     first, second = first[keep], second[keep]
@@ -149,13 +166,12 @@ def _pairs(world: World, wide: WidePlaces) -> tuple[SampledWays, Integers, Integ
     return ways, np.searchsorted(agents, first), np.searchsorted(agents, second)
 
 
-def _near(world: World, lines: SampledWays, keep: Booleans) -> Booleans:
+def _near(world: World, poses: Poses, lines: SampledWays, keep: Booleans) -> Booleans:
     """(P,) of the pairs of `lines` and all others of their scenes: who can come to the bends."""
     low, high = (
         np.stack([edge(np.where(lines.is_wide, c, fill), axis=0) for c in (lines.x, lines.y)])
         for edge, fill in ((np.min, math.inf), (np.max, -math.inf))
     )
-    poses = world.poses
     others = (lines.agents // world.slots)[:, None] * world.slots + np.arange(world.slots)
     place = np.stack([poses.x[others], poses.y[others]])
     away = np.maximum(low[:, :, None] - place, place - high[:, :, None])

@@ -119,6 +119,7 @@ class RightOfWayGrants:
     def ahead(
         self,
         world: World,
+        poses: Poses,
         leaders: Leaders,
         rows: Integers,
         objects: Callable[[], Floats],
@@ -135,7 +136,7 @@ class RightOfWayGrants:
             return never, never.copy(), np.zeros(len(rows))
         if temper is not None:
             self._temper[0, rows], self._temper[1, rows] = temper
-        self._look(world, leaders, rows, objects)
+        self._look(world, poses, leaders, rows, objects)
         waits, traveled = self._waits, world.traveled
         leader = waits.leader[rows]
         gap = waits.distance[rows] + traveled[leader] - traveled[rows]
@@ -144,8 +145,9 @@ class RightOfWayGrants:
         return waits.stop[rows] - traveled[rows], np.where(follows, gap, math.inf), speed
 
     def _look(
-        self, world: World, leaders: Leaders, rows: Integers, objects: Callable[[], Floats]
-    ) -> None:
+        self, world: World, poses: Poses, leaders: Leaders, rows: Integers,
+        objects: Callable[[], Floats],
+    ) -> None:  # fmt: skip
         """Bring the scenes of some agents up to date, where that is due. Who has asked since the
         last time obeys; at first everybody is taken to."""
         alone = len(self._looked) == 1
@@ -158,13 +160,15 @@ class RightOfWayGrants:
             self._has_asked[agents] |= new
             self._asking[agents] = False
             self._looked[scenes_to_update] = world.time
-            self._update(world, leaders, agents, objects())
+            self._update(world, poses, leaders, agents, objects())
         self._asking[rows] = True
 
-    def _update(self, world: World, leaders: Leaders, rows: Integers, objects: Floats) -> None:
+    def _update(
+        self, world: World, poses: Poses, leaders: Leaders, rows: Integers, objects: Floats
+    ) -> None:
         may_cross: Booleans = np.asarray(np.isfinite(self._grants.order).any(axis=1))
         stop = np.minimum(self._waits.stop - world.traveled, objects)
-        oncoming = self._oncoming.ahead(world, stop, leaders, may_cross, rows)
+        oncoming = self._oncoming.ahead(world, poses, stop, leaders, may_cross, rows)
         if not self._crossings.junctions:
             self._waits.stop[rows] = (world.traveled + oncoming)[rows]
             return

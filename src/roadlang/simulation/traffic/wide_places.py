@@ -20,7 +20,7 @@ LEAST_SWEPT = 0.2
 no more than their lane."""
 MARGIN = 0.3
 """Meters between two that pass each other."""
-_ROUNDING = 0.01
+ROUNDING = 0.01
 """Meters by which a place may be off."""
 
 
@@ -63,7 +63,7 @@ class WidePlaces:
     def may_be_ahead(self, world: World) -> Booleans:
         """(N,) who may come to such a place in its view, or be in one. False is certain."""
         track, table = world.track, world.sweeps.table
-        along, around = world.motion.along, 0.5 * world.bodies.length + _ROUNDING
+        along, around = world.motion.along, 0.5 * world.bodies.length + ROUNDING
         first = track.cell(along - around)[0] - track.first
         last = track.cell(along + around + VIEW)[0] - track.first + 1
         found: Booleans = self.counts[table, last] > self.counts[table, first]
