@@ -35,14 +35,22 @@ def test_a_row_of_a_table_has_draws_coordinates_of_passes_and_the_moment_of_a_fa
         "evaluation": 3, "random": False, "end": 90.0, "main/perturb 1:0": 0.2, "a": 1.0,
         "violated": "",
     }  # fmt: skip
-    assert row_of(safe, ["end", "main/perturb 1:0"]) == row
+    assert row_of(safe, ["end", "main/perturb 1:0"], {"end"}) == row
     moment = Moment("a", 1.5, "ego", 2.0, 3.0, station=4.0, partner="lead")
     where = {"time": 1.5, "agent": "ego", "x": 2.0, "y": 3.0, "station": 4.0, "partner": "lead"}
     fails = replace(safe, violated=("a", "b"), moment=moment)
     more = {f"violation {name}": value for name, value in where.items()}
-    assert row_of(fails, ["end", "main/perturb 1:0"]) == {**row, "violated": "a b", **more}
-    nowhere = row_of(replace(fails, moment=None), ["end", "main/perturb 1:0"])
+    assert row_of(fails, ["end", "main/perturb 1:0"], {"end"}) == {**row, "violated": "a b", **more}
+    nowhere = row_of(replace(fails, moment=None), ["end", "main/perturb 1:0"], {"end"})
     assert nowhere == {**row, "violated": "a b", **dict.fromkeys(more)}
+
+
+def test_a_row_leaves_out_draws_that_were_not_made() -> None:
+    outcome = replace(driven(3, a=1.0), point=(0.1, 0.2, 0.3), draws={"cars/kind[1]": "van"})
+    row = row_of(outcome, ["cars/kind[1]", "cars/kind[2]", "cars/drive 1:0"], {"cars/kind"})
+    assert row["cars/kind[1]"] == "van"
+    assert "cars/kind[2]" not in row
+    assert row["cars/drive 1:0"] == 0.3
 
 
 def invalid(index: int, violation: float) -> Outcome:

@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Iterable, Sequence
 from typing import Any
 
+from ..evaluate.draw_names import draw_place
 from ..ir.controller_failure import failure_columns
 from .outcome import Outcome
 
 
-def row_of(outcome: Outcome, axes: Sequence[str]) -> dict[str, Any]:
+def places_of(outcomes: Iterable[Outcome]) -> frozenset[str]:
+    """Where the scenes of a search draw values."""
+    return frozenset(draw_place(name) for outcome in outcomes for name in outcome.draws)
+
+
+def row_of(outcome: Outcome, axes: Sequence[str], places: Container[str]) -> dict[str, Any]:
     """Evaluation, params, draws, coordinates of what a pass draws for itself, robustness, and the
     moment at which a violated expectation begins to be violated; then the first controller that
-    failed, where any did. `axes` names the coordinates."""
-    passes = {k: v for k, v in zip(axes, outcome.point, strict=True) if k not in outcome.draws}
+    failed, where any did. `axes` names the coordinates.
+
+    `places`: of the draws, by `places_of` all outcomes of the search. A draw that is not among
+    those of the outcome was not made, such as that of a fifth copy where there are four: its
+    coordinate says nothing.
+    """
+    named = zip(axes, outcome.point, strict=True)
+    passes = {name: at for name, at in named if draw_place(name) not in places}
     row: dict[str, Any] = {"evaluation": outcome.index, "random": outcome.is_random}
     row |= {**outcome.draws, **passes, **outcome.expectations}
     row["violated"] = " ".join(outcome.violated)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
 
 from ..falsification.outcome import Outcome
-from ..falsification.outcome_rows import row_of
+from ..falsification.outcome_rows import places_of, row_of
 from ..falsification.statistics import best_so_far, coverage, failure_rate
 from ..ir.results_record import ResultsRecord
 from ..plugins.registry import Registry
@@ -61,7 +61,8 @@ def read_search(folder: Path, record: ResultsRecord, registry: Registry) -> Resu
     failures, axes = index.failures, index.axes
     outcomes = _outcomes(folder, evaluations)
     driven = [outcome for outcome in outcomes if outcome.is_valid]
-    rows = [_row(outcome, axes) for outcome in driven]
+    places = places_of(outcomes)
+    rows = [_row(outcome, axes, places) for outcome in driven]
     drives = [*_failures(folder, failures, registry), *_safe(folder, registry)]
     rate = failure_rate(outcomes)
     return Results(
@@ -84,9 +85,9 @@ def _outcomes(folder: Path, evaluations: int) -> Sequence[Outcome]:
     return [latest[number] for number in sorted(latest)]
 
 
-def _row(outcome: Outcome, axes: Sequence[str]) -> ResultRow:
+def _row(outcome: Outcome, axes: Sequence[str], places: Container[str]) -> ResultRow:
     draws = tuple(dict.fromkeys([*outcome.draws, *axes]))
-    values = row_of(outcome, axes)
+    values = row_of(outcome, axes, places)
     named = tuple(name for name in draws if name in values)
     return ResultRow(outcome.index, outcome.is_failure, values, outcome.expectations, named)
 

@@ -18,7 +18,7 @@ from ..falsification.evaluator import Evaluator, Proposal, Task
 from ..falsification.grading import Grading
 from ..falsification.journal import Journal, NoJournal, SearchJournal
 from ..falsification.outcome import Outcome
-from ..falsification.outcome_rows import row_of
+from ..falsification.outcome_rows import places_of, row_of
 from ..falsification.plan import Plan
 from ..falsification.search_key import search_key
 from ..falsification.search_loop import SearchResult, search_failures
@@ -243,7 +243,9 @@ class Falsification:
         """A row for each driven candidate: evaluation, params, draws, coordinates of what a pass
         draws for itself, robustness, and the moment that decides a violated expectation."""
         axes = self.evaluator.task.axes
-        return [row_of(found, axes) for found in (self.driven if outcomes is None else outcomes)]
+        places = places_of(self.outcomes)
+        chosen = self.driven if outcomes is None else outcomes
+        return [row_of(found, axes, places) for found in chosen]
 
     def to_dict(self) -> dict[str, list[Any]]:
         """`rows` as columns for `pandas.DataFrame`."""
