@@ -1,4 +1,5 @@
-"""Strokes of crayon and chalk: the grain of the paper shows through them as many small holes."""
+"""Strokes of crayon and chalk: the grain of the paper shows through them, as many small holes and
+as gaps in their edges, and cuts them into pieces."""
 
 from __future__ import annotations
 
@@ -8,52 +9,68 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-_HOLE, _MANY, _OFTEN = 60, 12, 600
-"""Holes have fewer pixels; strokes with at least so many of them, and one in so many pixels, have
-grain. Letters have few, and what lies between streets is larger."""
+from .masks import without_holes
+from .skeleton import skeleton
+
 _REACH = 4
-"""Grain is closed, and burrs are removed, up to so many pixels to each side."""
+"""Grain is sought by closing so many pixels to each side."""
+_SMOOTH = 0.25
+"""Grain is closed, and burrs are removed, up to this share of the width to each side."""
+_MANY, _OFTEN, _FILLED = 12, 600, 0.3
+"""Strokes with at least so many holes and gaps, and one in so many pixels, have grain, if these are
+at most this share of it: letters are paper for the most part."""
+_THICK, _LONG = 2.0 * _REACH, 0.3
+"""Only strokes of at least so many pixels have grain, and so long ones, in shorter sides of the
+picture: words do not."""
 
 
 def without_grain(marked: Booleans) -> Booleans:
-    """The strokes (h, w), with the holes and burrs of those that have grain closed; itself if none
-    has."""
-    grainy = _grainy(marked)
+    """The strokes (h, w), with the holes, gaps and burrs of those that have grain closed; itself if
+    none has."""
+    closed = cv2.morphologyEx(marked.view(np.uint8), cv2.MORPH_CLOSE, _disk(_REACH))
+    grainy = _grainy(marked, closed)
     if grainy is None:
         return marked
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * _REACH + 1,) * 2)
+    width = _width(grainy)
+    kernel = _disk(max(_REACH, round(_SMOOTH * width)))
     solid = cv2.morphologyEx(grainy.view(np.uint8), cv2.MORPH_CLOSE, kernel)
+    solid = without_holes(solid > 0, width**2).view(np.uint8)
     opened = cv2.morphologyEx(solid, cv2.MORPH_OPEN, kernel)
     # Where the stroke is thinner than that, it stays.
     thin = (solid > 0) & (cv2.dilate(opened, kernel) == 0)
     return np.asarray((marked & ~grainy) | (opened > 0) | thin)
 
 
-def _grainy(marked: Booleans) -> Booleans | None:
-    """Those of the strokes (h, w) that have grain, None without any."""
-    _, holes, stats, _ = cv2.connectedComponentsWithStats((~marked).view(np.uint8), connectivity=4)
-    small = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] < _HOLE)
-    small = small[small > 0]
-    if len(small) < _MANY:
+def _disk(radius: int) -> NDArray[np.uint8]:
+    size = (2 * radius + 1,) * 2
+    return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, size), np.uint8)
+
+
+def _grainy(marked: Booleans, closed: NDArray[np.uint8]) -> Booleans | None:
+    """Those of the strokes, closed (h, w), that have grain, None without any."""
+    gaps = (closed > 0) & ~marked
+    number, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
+    holes, parts = cv2.connectedComponents(gaps.view(np.uint8), connectivity=4)
+    if holes <= _MANY:
         return None
-    number, parts = cv2.connectedComponents(marked.view(np.uint8), connectivity=8)
-    owners = parts.ravel()[_before(small, holes, stats)]
-    found = np.bincount(owners, minlength=number)
-    areas = np.bincount(parts.ravel(), minlength=number)
-    grainy = (found >= _MANY) & (found * _OFTEN >= areas)
+    first = np.unique(parts, return_index=True)[1][1:]  # one pixel of each
+    found = np.bincount(labels.ravel()[first], minlength=number)
+    areas = stats[:, cv2.CC_STAT_AREA]
+    filled = np.bincount(labels[gaps], minlength=number)
+    grainy = (found >= _MANY) & (found * _OFTEN >= areas) & (filled <= _FILLED * areas)
     grainy[0] = False
-    return np.asarray(grainy[parts]) if grainy.any() else None
+    for index in np.flatnonzero(grainy):
+        grainy[index] = _is_stroke(labels == index, min(marked.shape))
+    return np.asarray(grainy[labels]) if grainy.any() else None
 
 
-def _before(
-    keys: NDArray[np.intp], holes: NDArray[np.int32], stats: NDArray[np.int32]
-) -> NDArray[np.intp]:
-    """The pixel, as an index of the flat picture, above the first one of each of some holes; at the
-    border of the picture, that pixel itself."""
-    tops, lefts = stats[keys, cv2.CC_STAT_TOP], stats[keys, cv2.CC_STAT_LEFT]
-    widths = stats[keys, cv2.CC_STAT_WIDTH]
-    columns = [
-        left + int(np.argmax(holes[top, left : left + width] == key))
-        for key, top, left, width in zip(keys, tops, lefts, widths, strict=True)
-    ]
-    return np.asarray(np.maximum(tops - 1, 0) * holes.shape[1] + columns, np.intp)
+def _is_stroke(part: Booleans, side: int) -> bool:
+    """Whether a part (h, w) is a thick, long stroke in a picture of this shorter side."""
+    width = _width(part)
+    return width >= _THICK and float(part.sum()) >= _LONG * side * width
+
+
+def _width(part: Booleans) -> float:
+    """How thick strokes (h, w) usually are, pixels."""
+    inner = cv2.distanceTransform(part.view(np.uint8), cv2.DIST_L2, 5)
+    return 2 * float(np.median(inner[skeleton(part)])) - 1

@@ -23,6 +23,9 @@ from .tones import Image, Layer, thinned
 
 _SMALL, _BROADEST = 300, 12
 """The light is estimated at this size in pixels; ink is thinner than one in so many sides."""
+_BROADER, _SHADED = 3, 0.5
+"""Strokes that cross, or a thick one, may be so many times as broad if they are darker than this
+share of the sheet around them: no shadow is."""
 _DARKEST, _COLORED = 60, 0.35
 """A sheet is lighter than this gray and less colored than this share of its brightness."""
 _TINT, _ONE = 0.12, 0.75
@@ -134,6 +137,10 @@ def _light(image: Image, within: Booleans | None) -> Layer:
     side = 2 * (min(size) // (2 * _BROADEST)) + 1
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
     closed = cv2.morphologyEx(small, cv2.MORPH_CLOSE, kernel)
+    broad = np.ones((_BROADER * side,) * 2, np.uint8)
+    around = cv2.morphologyEx(small, cv2.MORPH_CLOSE, broad)
+    inked = closed.max(axis=2) < _SHADED * around.max(axis=2)
+    closed[inked] = around[inked]
     return np.asarray(cv2.GaussianBlur(closed.astype(np.float32), (0, 0), side / 4))
 
 
@@ -157,7 +164,7 @@ def _strokes(sheet: Sheet) -> Booleans:
     if not len(seen):
         return np.zeros(ink.shape, bool)
     dark = float(np.quantile(seen, 1 - _TOP))
-    marked = hysteresis(ink, max(least, _STRONG * dark), max(least, _WEAK * dark))
+    marked = without_grain(hysteresis(ink, max(least, _STRONG * dark), max(least, _WEAK * dark)))
     count, parts = cv2.connectedComponents(marked.astype(np.uint8), connectivity=8)
     lengths = np.bincount(parts[skeleton(marked)], minlength=count)
     side = min(marked.shape)
@@ -165,4 +172,4 @@ def _strokes(sheet: Sheet) -> Booleans:
     long[0] = False
     if lengths[long].sum() < _LITTLE * side:
         return np.zeros(marked.shape, bool)
-    return without_grain(np.asarray(long[parts]))
+    return np.asarray(long[parts])

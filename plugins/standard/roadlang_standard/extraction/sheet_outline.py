@@ -50,14 +50,13 @@ def sheet_outline(image: Image) -> Booleans | None:
 
 
 def _outlined(gray: Image) -> tuple[float, np.ndarray] | None:
-    """The outline that fits a part lighter than around it best, as `_at_level`; None without."""
+    """The outline that best fits a part lighter than the desk around it, as `_at_level`; None
+    without. Where the outline is a pixel aside, what is beside it is not the desk yet."""
     low, high = (float(np.quantile(gray, share)) for share in (0.02, 0.98))
     levels = np.unique(np.floor(np.linspace(low, high, _LEVELS + 2)[1:-1]))  # grays are whole
     found = [each for each in (_at_level(gray, level) for level in levels) if each is not None]
-    best = max(found, key=lambda each: each[0], default=None)
-    if best is None or best[0] < _FILLED or not _on_darker_desk(gray, best[1]):
-        return None
-    return best
+    fitting = sorted((each for each in found if each[0] >= _FILLED), key=lambda each: -each[0])
+    return next((each for each in fitting if _on_darker_desk(gray, each[1])), None)
 
 
 def _at_level(gray: Image, level: float) -> tuple[float, np.ndarray] | None:
