@@ -12,6 +12,7 @@ from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.edges import normals
 from roadlang_standard.extraction.even_ground import has_even_ground
+from roadlang_standard.extraction.grain import without_grain
 from roadlang_standard.extraction.open_edges import with_closed_ends
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.ruling import without_ruling
@@ -171,3 +172,42 @@ def test_a_crayon_that_leaves_grain_is_one_stroke() -> None:
     crayon = drawn(sheet(), wave(), pen=18)
     crayon[grain < -1.1 * grain.std()] = sheet()[0, 0]
     assert_one_road_along(photographed(cv2.GaussianBlur(crayon, (0, 0), 0.8)), wave())
+
+
+def test_thick_strokes_are_ink_where_they_cross_too() -> None:
+    """The crossing is broader than what the light is seen beside, and on a slant."""
+    across = np.column_stack([np.full(200, 240.0), np.linspace(30, 330, 200)])
+    image = drawn(drawn(sheet(), wave(), 30), across, 30)
+    found = roads_on_paper(photographed(image))
+    assert found is not None
+    assert len(found.roads) == 4
+    assert found.mask[150:210, 238:242].mean() > 0.9
+
+
+def test_grain_that_cuts_a_stroke_is_closed() -> None:
+    grain = cv2.GaussianBlur(np.random.default_rng(4).normal(0, 1, (360, 480)), (0, 0), 1.5)
+    crayon = drawn(sheet(), wave(), pen=16)
+    crayon[grain < -0.7 * grain.std()] = sheet()[0, 0]
+    found = roads_on_paper(photographed(cv2.GaussianBlur(crayon, (0, 0), 0.8)))
+    assert found is not None
+    (road,) = found.roads
+    assert road.confidence > 0.95
+    assert np.quantile(distances(wave()[8:-8], road.points), 0.95) < 3
+
+
+def test_words_are_not_closed_as_grain_is() -> None:
+    words = sheet()
+    for row in range(60, 340, 40):
+        cv2.putText(words, "lanes and words", (20, row), 3, 1.2, (60, 40, 40), 4, cv2.LINE_AA)
+    ink = np.asarray(words.min(axis=2) < 128)
+    assert without_grain(ink) is ink
+
+
+def test_the_outline_of_a_sheet_is_the_one_beside_which_the_desk_is_seen() -> None:
+    """At darker levels the outline is a pixel aside, where the picture is too narrow for a desk."""
+    desk = np.full((360, 480, 3), (90, 105, 125), np.uint8)
+    cv2.rectangle(desk, (4, 4), (475, 355), (225, 230, 232), -1)
+    outline = sheet_outline(cv2.GaussianBlur(desk, (0, 0), 0.8))
+    assert outline is not None
+    assert not outline[:4].any()
+    assert outline[20:340, 20:460].all()

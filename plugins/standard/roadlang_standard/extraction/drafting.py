@@ -18,6 +18,7 @@ from .fair_fitting import Fit
 from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
 from .graph import Graph, Line
+from .graph_cleanup import contract
 from .junction_points import Passing, extended, meeting_point
 from .sampled import sampled
 from .smoothing import resample, stations
@@ -50,6 +51,9 @@ class Draft:
     """pixels by which the surface is blurred: widths are taken to add to it in squares"""
     covered: NDArray[np.bool_] | None = None
     """where something covers the picture (h, w)"""
+    twins: float = 0.0
+    """junctions that a road joins are one if the roads that meet there meet within so many
+    widths: where bent roads cross at a slant, thinning makes two of their crossing"""
 
     @property
     def waves(self) -> float:
@@ -73,6 +77,8 @@ class Draft:
 def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: str) -> FoundNetwork:
     """Draw every line; `surface` and `score` are (h, w) in 0..1: road surface, and evidence."""
     placed, curves = _drawn(graph, surface, options)
+    if contract(graph, options.twins * options.width, placed):
+        placed, curves = _drawn(graph, surface, options)
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)

@@ -18,10 +18,13 @@ _SMOOTH = 0.25
 """Grain is closed, and burrs are removed, up to this share of the width to each side."""
 _MANY, _OFTEN, _FILLED = 12, 600, 0.3
 """Strokes with at least so many holes and gaps, and one in so many pixels, have grain, if these are
-at most this share of it: letters are paper for the most part."""
-_THICK, _LONG = 2.0 * _REACH, 0.3
+at most this share of it."""
+_THICK, _LONG = 2.0 * _REACH, 0.6
 """Only strokes of at least so many pixels have grain, and so long ones, in shorter sides of the
-picture: words do not."""
+picture: most words do not."""
+_BROAD, _UNEVEN = 0.9, 1.33
+"""Grain leaves ink of all widths: this share of it is thinner than so many times the usual one.
+Letters are written with an even pen."""
 
 
 def without_grain(marked: Booleans) -> Booleans:
@@ -60,7 +63,8 @@ def _grainy(marked: Booleans, closed: NDArray[np.uint8]) -> Booleans | None:
     grainy = (found >= _MANY) & (found * _OFTEN >= areas) & (filled <= _FILLED * areas)
     grainy[0] = False
     for index in np.flatnonzero(grainy):
-        grainy[index] = _is_stroke(labels == index, min(marked.shape))
+        part = labels == index
+        grainy[index] = _is_stroke(part, min(marked.shape)) and _is_uneven(marked & part)
     return np.asarray(grainy[labels]) if grainy.any() else None
 
 
@@ -70,7 +74,12 @@ def _is_stroke(part: Booleans, side: int) -> bool:
     return width >= _THICK and float(part.sum()) >= _LONG * side * width
 
 
-def _width(part: Booleans) -> float:
-    """How thick strokes (h, w) usually are, pixels."""
+def _is_uneven(ink: Booleans) -> bool:
+    """Whether ink (h, w) is of all widths."""
+    return _width(ink, _BROAD) + 1 >= _UNEVEN * (_width(ink) + 1)
+
+
+def _width(part: Booleans, share: float = 0.5) -> float:
+    """The width that such a share of strokes (h, w) is thinner than, pixels: the usual one."""
     inner = cv2.distanceTransform(part.view(np.uint8), cv2.DIST_L2, 5)
-    return 2 * float(np.median(inner[skeleton(part)])) - 1
+    return 2 * float(np.quantile(inner[skeleton(part)], share)) - 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Container
+from collections.abc import Collection, Container, Mapping
 
 import numpy as np
 
@@ -14,22 +14,33 @@ from .graph import Graph, Line
 _ROUNDS = 12
 
 
-def contract(graph: Graph, distance: float) -> None:
-    """Make one node of junctions joined by a line shorter than `distance` pixels, in place.
+def contract(graph: Graph, distance: float, places: Mapping[int, Floats] | None = None) -> bool:
+    """Make one node of junctions joined by a line shorter than `distance` pixels, in place, or
+    whose `places`, if given, are nearer to each other than that; whether there were any.
 
     Shortest lines first, each node once a round, so that the cost stays that of a few passes.
     """
+    changed = False
     for _ in range(_ROUNDS):
         degree = graph.degree()
         short = [
-            (line.length, index)
+            (_apart_by(line, places), index)
             for index, line in enumerate(graph.lines)
             if not line.closed and degree[line.start] > 2 and degree[line.end] > 2
         ]
         bridges = _apart(graph, [item for item in short if item[0] < distance])
         if not bridges:
-            return
+            break
         contract_lines(graph, bridges)
+        changed = True
+    return changed
+
+
+def _apart_by(line: Line, places: Mapping[int, Floats] | None) -> float:
+    """Pixels between the ends of a line, along it or else between their places."""
+    if places is None:
+        return line.length
+    return float(np.hypot(*(places[line.end] - places[line.start])))
 
 
 def _apart(graph: Graph, lines: list[tuple[float, int]]) -> list[Line]:

@@ -20,6 +20,7 @@ from .graph_cleanup import contract, drop_crumbs, drop_loops, extend_to_border, 
 from .linking import link
 from .mask_parts import small_parts
 from .oblique import join_oblique_crossings
+from .overpasses import join_overpasses
 from .skeleton import skeleton
 from .square_stubs import add_square_stubs
 from .thin_strokes import drop_thin_strokes
@@ -30,6 +31,8 @@ _WAVES, _ALL_WAVES = 2.0, 0.5
 """Shortest wavelengths of center lines, in widths: of smooth curves, and of lines as traced."""
 _FINE = 4.0
 """A usual width of lines, pixels, of which a blurred mask keeps little."""
+_TWINS = 0.5
+"""Junctions nearer than so many widths are one."""
 _FULL, _OFTEN = 0.03, 40
 """Share of a picture that a skeleton of noise fills at least, and pixels of it to each end."""
 _LEFT_OUT = "what is short and drawn thinner than the roads, such as names and arrows, was left out"
@@ -91,6 +94,7 @@ def roads_of_surface(
         width,
         fair=spline,
         covered=None if cover is None else cover.mask,
+        twins=_TWINS if cover is None else 0.0,
     )
     score = cv2.GaussianBlur(_seen(mask, typical).astype(np.float32), (0, 0), 0.8)
     drafted = draft(graph, surface, score, settings, method)
@@ -116,6 +120,8 @@ def _tidy(
     join(graph)
     if cover is not None:
         _bridge(graph, cover, typical, shortest)
+    else:
+        join_overpasses(graph, typical, mask.shape)
     join_oblique_crossings(graph, typical)
     drop_crumbs(graph, min(2 * typical, 0.5 * max(mask.shape)))
     typical = width_within(graph, inner)

@@ -12,6 +12,9 @@ _LONG, _SHORT = 0.6, 0.4
 """Shorter sides of the picture: connected roads are longer, names and arrows shorter."""
 _THIN = 0.55
 """Names, arrows and frames are drawn with less than this share of the widest road's width."""
+_HANGING, _AT_END = 0.2, 0.25
+"""Arrows that touch a road have less than this share of the widest one's width, measured where they
+are thinner than on the rest of their length but for this share: not on the road."""
 _AT_BORDER = 4.0
 """Pixels from the border at which what is drawn leaves the picture."""
 _RIM = 0.04
@@ -29,11 +32,12 @@ def drop_thin_strokes(graph: Graph, inner: NDArray[np.float32]) -> int:
     _drop_frame(graph, inner)
     parts = [(part, sum(line.length for line in part)) for part in components(graph)]
     roads = [_width(part, inner) for part, length in parts if length >= _LONG * side]
-    if len(parts) < 2 or not roads:
+    if not roads:
         return 0
+    touching = _drop_touching(graph, inner)
     doomed = [
         part
-        for part, length in parts
+        for part, length in (parts if len(parts) > 1 else ())
         if length < _SHORT * side
         and _width(part, inner) < _THIN * max(roads)
         and not _leaves(part, inner.shape)
@@ -41,7 +45,29 @@ def drop_thin_strokes(graph: Graph, inner: NDArray[np.float32]) -> int:
     gone = {id(line) for part in doomed for line in part}
     graph.lines = [line for line in graph.lines if id(line) not in gone]
     graph.drop_lonely()
-    return len(doomed)
+    return len(doomed) + touching
+
+
+def _drop_touching(graph: Graph, inner: NDArray[np.float32]) -> int:
+    """Forget short strokes, far thinner than the widest road, that touch roads in one place, in
+    place; how many."""
+    widths = [_width(graph.lines[index : index + 1], inner) for index in range(len(graph.lines))]
+    most = _HANGING * max(widths)
+    thin = [line for line in graph.lines if _width([line], inner, _AT_END) < most]
+    chosen = {id(line) for line in thin}
+    others = [line for line in graph.lines if id(line) not in chosen]
+    on_roads = {node for line in others for node in (line.start, line.end)}
+    gone: set[int] = set()
+    strokes = components(Graph(graph.nodes, thin))
+    for stroke in strokes:
+        touched = {node for line in stroke for node in (line.start, line.end)} & on_roads
+        short = sum(line.length for line in stroke) < _SHORT * min(inner.shape)
+        if len(touched) == 1 and short and not _leaves(stroke, inner.shape):
+            gone |= {id(line) for line in stroke}
+    if gone:
+        graph.lines = [line for line in graph.lines if id(line) not in gone]
+        join(graph)
+    return len(gone)
 
 
 def _drop_frame(graph: Graph, inner: NDArray[np.float32]) -> None:
@@ -69,9 +95,9 @@ def _leaves(part: list[Line], shape: tuple[int, ...]) -> bool:
     return any(at_border(end, shape, _AT_BORDER) for end in ends)
 
 
-def _width(lines: list[Line], inner: NDArray[np.float32]) -> float:
-    """The usual width of lines, pixels."""
+def _width(lines: list[Line], inner: NDArray[np.float32], share: float = 0.5) -> float:
+    """The width that such a share of lines is thinner than, pixels: the usual one."""
     points = np.concatenate([line.points for line in lines])
     last = (inner.shape[1] - 1, inner.shape[0] - 1)
     columns, rows = np.clip(np.round(points).astype(int), 0, last).T
-    return 2 * float(np.median(inner[rows, columns])) - 1
+    return 2 * float(np.quantile(inner[rows, columns], share)) - 1
