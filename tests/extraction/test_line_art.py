@@ -1,34 +1,40 @@
 """Line art is no sure road: its lines end on one another, within the picture, or vary in width."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 import pytest
 
 from roadlang_standard.extraction.drawing import roads_of_drawing
-from roadlang_standard.extraction.found_network import FoundRoad
+from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.line_art import sure_by_junctions, sure_by_widths
 from roadlang_standard.extraction.masks import Cover, roads_of_surface
 
+_Stroke = tuple[tuple[int, int], tuple[int, int]]
 
-def _drawn(lines, shape=(600, 900), width=6, circles=()):
-    image = np.full((*shape, 3), 255, np.uint8)
+
+def _drawn(lines: list[_Stroke], circles: Sequence[tuple[int, int]] = ()) -> np.ndarray:
+    image = np.full((600, 900, 3), 255, np.uint8)
     for start, end in lines:
-        cv2.line(image, start, end, (40, 40, 40), width, cv2.LINE_AA)
+        cv2.line(image, start, end, (40, 40, 40), 6, cv2.LINE_AA)
     for center in circles:
-        cv2.circle(image, center, 36, (40, 40, 40), width, cv2.LINE_AA)
+        cv2.circle(image, center, 36, (40, 40, 40), 6, cv2.LINE_AA)
     return image
 
 
-def _surest(found):
+def _surest(found: FoundNetwork) -> float:
     return max(road.confidence for road in found.roads)
 
 
-def _side_streets(count, main=((40, 300), (860, 300))):
+def _side_streets(count: int) -> list[_Stroke]:
     sides = [(90 + 80 * k, 60 if k % 2 else 540) for k in range(count)]
-    return [main, *(((x, 300), (x, y)) for x, y in sides)]
+    return [((40, 300), (860, 300)), *(((x, 300), (x, y)) for x, y in sides)]
 
 
-def test_a_family_tree_is_no_sure_road():
+def test_a_family_tree_is_no_sure_road() -> None:
     people = [(150, 300), (350, 300), (550, 300), (750, 300), (250, 500), (450, 500)]
     lines = [((150, 180), (750, 180)), ((450, 60), (450, 180)), ((350, 400), (550, 400))]
     lines += [((x, 180), (x, 264)) for x in (150, 350, 550, 750)]
@@ -39,13 +45,13 @@ def test_a_family_tree_is_no_sure_road():
 
 
 @pytest.mark.parametrize("count", [3, 6])
-def test_side_streets_on_a_sheet_with_margins_are_sure(count):
+def test_side_streets_on_a_sheet_with_margins_are_sure(count: int) -> None:
     found = roads_of_drawing(_drawn(_side_streets(count)))
     assert len(found.roads) >= 2 * count
     assert _surest(found) > 0.95
 
 
-def test_many_side_streets_are_sure_where_they_leave_the_picture_or_cross():
+def test_many_side_streets_are_sure_where_they_leave_the_picture_or_cross() -> None:
     inside = roads_of_drawing(_drawn(_side_streets(10)))
     leaving = [(a, (b[0], -5 if b[1] < 300 else 605)) for a, b in _side_streets(10)[1:]]
     beyond = roads_of_drawing(_drawn([((-5, 300), (905, 300)), *leaving]))
@@ -56,11 +62,11 @@ def test_many_side_streets_are_sure_where_they_leave_the_picture_or_cross():
     assert _surest(crossing) > 0.95
 
 
-def _road(start, end, points, widths):
+def _road(start: int, end: int, points: list[tuple[int, int]], widths: list[float]) -> FoundRoad:
     return FoundRoad(start, end, np.array(points, float), np.array(widths, float))
 
 
-def test_barbs_on_a_line_count_as_lines_that_end_on_it():
+def test_barbs_on_a_line_count_as_lines_that_end_on_it() -> None:
     shape = (400, 1000)
     count = 6
     places = [(100 + 100 * k, 200) for k in range(count + 2)]
@@ -76,8 +82,8 @@ def test_barbs_on_a_line_count_as_lines_that_end_on_it():
     assert sure_by_junctions([*line, *barbs[10]], shape) < 0.5
 
 
-def test_many_roads_of_uneven_width_are_cracks_and_a_few_are_strokes_of_a_pen():
-    def roads(count, widths):
+def test_many_roads_of_uneven_width_are_cracks_and_a_few_are_strokes_of_a_pen() -> None:
+    def roads(count: int, widths: list[float]) -> list[FoundRoad]:
         return [_road(2 * k, 2 * k + 1, [(0, 9 * k), (99, 9 * k)], widths) for k in range(count)]
 
     assert sure_by_widths(roads(12, [4, 4.4])) == 1.0
@@ -85,7 +91,7 @@ def test_many_roads_of_uneven_width_are_cracks_and_a_few_are_strokes_of_a_pen():
     assert sure_by_widths(roads(4, [3, 5])) == 1.0
 
 
-def test_streets_whose_color_is_stated_are_sure_however_they_meet():
+def test_streets_whose_color_is_stated_are_sure_however_they_meet() -> None:
     surface = np.zeros((600, 900), np.float32)
     for start, end in _side_streets(10):
         cv2.line(surface, start, end, 1.0, 12)
@@ -93,10 +99,36 @@ def test_streets_whose_color_is_stated_are_sure_however_they_meet():
     assert _surest(roads_of_surface(surface, "filled road")) < 0.7
 
 
-def test_the_bar_of_a_window_is_no_sure_road_of_a_map_either():
+def test_the_bar_of_a_window_is_no_sure_road_of_a_map_either() -> None:
     surface = np.zeros((600, 900), np.float32)
     surface[:30] = 1.0
     cover = Cover(np.zeros(surface.shape, bool), np.zeros(surface.shape, np.float32), 30.0)
     assert _surest(roads_of_surface(surface, "map", cover=cover)) < 0.5
     surface[:, 400:430] = 1.0
+    assert _surest(roads_of_surface(surface, "map", cover=cover)) > 0.9
+
+
+def test_figures_that_lie_about_are_no_sure_roads_and_a_few_are() -> None:
+    rings = [(150, 150), (450, 150), (150, 450), (450, 450)]
+
+    def drawn(count: int) -> np.ndarray:
+        image = np.full((600, 900, 3), 255, np.uint8)
+        for center in rings[:count]:
+            cv2.circle(image, center, 90, (40, 40, 40), 7, cv2.LINE_AA)
+        cv2.ellipse(image, (700, 300), (60, 150), 0, 0, 360, (40, 40, 40), 7, cv2.LINE_AA)
+        return image
+
+    assert _surest(roads_of_drawing(drawn(3))) < 0.5
+    assert _surest(roads_of_drawing(drawn(2))) > 0.9
+
+
+def test_a_map_that_hardly_a_road_leaves_was_drawn() -> None:
+    """A house that stands on the ground."""
+    surface = np.zeros((600, 900), np.float32)
+    cv2.rectangle(surface, (250, 250), (650, 496), 1.0, 7)
+    cv2.rectangle(surface, (350, 100), (550, 250), 1.0, 7)
+    cv2.line(surface, (0, 500), (899, 500), 1.0, 7)
+    cover = Cover(np.zeros(surface.shape, bool), np.zeros(surface.shape, np.float32), 7.0)
+    assert _surest(roads_of_surface(surface, "map", cover=cover)) < 0.5
+    cv2.line(surface, (450, 0), (450, 100), 1.0, 7)
     assert _surest(roads_of_surface(surface, "map", cover=cover)) > 0.9

@@ -33,6 +33,11 @@ _GROUND = 0.6
 _ROWS, _EVEN = 3, 0.02
 """So many lines that run all upright or level, each alone, and with both ends within the picture,
 are rows, columns or fields; such a line goes at most this share of its length across."""
+_SCATTERED, _LONG_PART = 4, 0.3
+"""So many parts that neither hang together nor leave the picture, each so long in shorter sides,
+are figures; roads lead somewhere."""
+_OPEN = 2
+"""A map is left by more roads than so many."""
 _ALONG, _TOUCHING = 0.7, 1.5
 """A bar touches the border, but for so many pixels, on this share of its length."""
 _STATED = ("legend", "free space")
@@ -44,19 +49,22 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
     ground; and, if they were `drawn` and not rendered as a map, what is a box, a row or a curve of
     a chart, or leaves its surface unexplained.
 
-    A map goes on beyond the picture: what no road leaves was drawn. `measured`: whether the widths
-    of the roads are those that were seen.
+    A map goes on beyond the picture: what hardly any road leaves was drawn. `measured`: whether the
+    widths of the roads are those that were seen.
     """
     side = min(found.mask.shape)
     factors: dict[int, float] = {}
     parts = connected_parts(found.roads)
     mostly = _share_in_long(parts, _LONG * side) if len(parts) >= _MANY else 1.0
     bars = [all(_is_bar(road, found.mask.shape) for road in part) for part in parts]
-    leaving = [any(ends_at_rim(road, found.mask.shape).any() for road in part) for part in parts]
-    drawn = drawn or not any(leaving)
+    exits = [sum(int(ends_at_rim(x, found.mask.shape).sum()) for x in part) for part in parts]
+    leaving = [count > 0 for count in exits]
+    drawn = drawn or sum(exits) <= _OPEN
     network = _sure_as_network(found, drawn)
     surface = ExplainedSurface.of(found.mask, found.roads, measured)
-    rows = _rows(parts, leaving) if drawn else [False] * len(parts)
+    inside = [drawn and not leaves for leaves in leaving]
+    rows = _rows(parts, inside)
+    figures = _scattered(parts, inside, side) if found.method not in _STATED else rows
     shares = [surface.shares(part) for part in parts]
     nothing, sure = _EXPLAINED_EDGED if found.method == EDGE_LINES else _EXPLAINED
     boxes = [drawn and are_boxes(part, side) for part in parts]
@@ -69,7 +77,7 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
         factor = _slender(part) * (_extended(part, side) if alone else 1.0)
         factor *= min(1.0, mostly / _MOSTLY) * network
         is_none = bars[index] and (drawn or all(bars))
-        is_none |= rows[index] or boxes[index] or is_ground or rim > _GROUND
+        is_none |= rows[index] or figures[index] or boxes[index] or is_ground or rim > _GROUND
         if drawn:
             factor *= float(np.clip((explained - nothing) / (sure - nothing), 0.0, 1.0))
             is_none |= are_framed(part, frames, side)
@@ -88,11 +96,21 @@ def _sure_as_network(found: FoundNetwork, drawn: bool) -> float:
     return min(by_junctions, sure_by_widths(found.roads)) if drawn else by_junctions
 
 
-def _rows(parts: list[list[FoundRoad]], leaving: list[bool]) -> list[bool]:
-    """Which parts are rows, columns or fields, as of a table or a form."""
-    level = [0 if leaves else _level(part) for part, leaves in zip(parts, leaving, strict=True)]
+def _rows(parts: list[list[FoundRoad]], inside: list[bool]) -> list[bool]:
+    """Which parts are rows, columns or fields, as of a table or a form, of those that end `inside`
+    the picture."""
+    level = [_level(part) if ends else 0 for part, ends in zip(parts, inside, strict=True)]
     many = [way for way in (1, 2) if level.count(way) >= _ROWS]
     return [way in many for way in level]
+
+
+def _scattered(parts: list[list[FoundRoad]], inside: list[bool], side: int) -> list[bool]:
+    """Which parts are figures that lie about the picture, each alone, of those as in `_rows`."""
+    alone = [
+        ends and sum(road.length for road in part) >= _LONG_PART * side
+        for part, ends in zip(parts, inside, strict=True)
+    ]
+    return alone if sum(alone) >= _SCATTERED else [False] * len(parts)
 
 
 def _level(part: list[FoundRoad]) -> int:

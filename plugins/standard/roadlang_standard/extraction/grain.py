@@ -35,9 +35,10 @@ def without_grain(marked: Booleans) -> Booleans:
     if grainy is None:
         return marked
     width = _width(grainy)
-    kernel = _disk(max(_REACH, round(_SMOOTH * width)))
-    solid = cv2.morphologyEx(grainy.view(np.uint8), cv2.MORPH_CLOSE, kernel)
+    reach = round(_SMOOTH * width)
+    solid = cv2.morphologyEx(grainy.view(np.uint8), cv2.MORPH_CLOSE, _disk(max(_REACH, reach)))
     solid = without_holes(solid > 0, width**2).view(np.uint8)
+    kernel = _disk(reach)
     opened = cv2.morphologyEx(solid, cv2.MORPH_OPEN, kernel)
     # Where the stroke is thinner than that, it stays.
     thin = (solid > 0) & (cv2.dilate(opened, kernel) == 0)

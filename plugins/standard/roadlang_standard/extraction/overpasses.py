@@ -52,9 +52,9 @@ def join_overpasses(graph: Graph, width: float, shape: tuple[int, ...]) -> None:
         a, b = ends[i], ends[j]
         if not {i, j} & used and any(_crosses(x.points, a.place, b.place) for x in graph.lines):
             used |= {i, j}
-            nodes = [_cut(graph, end) for end in (a, b)]
+            start, end = _cut(graph, a), _cut(graph, b)
             count = max(2, round(float(np.hypot(*(b.place - a.place)))))
-            graph.lines.append(Line(*nodes, np.linspace(a.place, b.place, count), 1.0))
+            graph.lines.append(Line(start, end, np.linspace(a.place, b.place, count), 1.0))
     if used:
         join(graph)
 
@@ -97,7 +97,7 @@ def _crosses(points: Floats, start: Floats, end: Floats) -> bool:
     off = points - start
     along, aside = off @ ahead, off[:, 0] * ahead[1] - off[:, 1] * ahead[0]
     first = np.flatnonzero((aside[:-1] < 0) != (aside[1:] < 0))
-    for index in first:
+    for index in first.tolist():
         share = aside[index] / (aside[index] - aside[index + 1])
         place = along[index] + share * (along[index + 1] - along[index])
         low, high = max(0, index - 4), min(len(points) - 1, index + 5)
