@@ -182,14 +182,20 @@ def move(
     rows, first = np.empty((35, ABREAST)), np.empty(ABREAST, np.int64)
     for begin in range(0, wide, ABREAST):
         used = min(ABREAST, wide - begin)
-        for j in range(ABREAST):  # what is beyond the last agent is like it
+        for k in range(29):  # one row after another: several numbers are copied at once
+            row = lists[a + k]
+            for j in range(used):
+                rows[k, j] = r[row, begin + j]
+            for j in range(used, ABREAST):  # what is beyond the last agent is like it
+                rows[k, j] = rows[k, used - 1]
+        for j in range(ABREAST):
             i = begin + min(j, used - 1)
             first[j], rows[34, j] = starts[i], walking[i]
-            for k in range(29):
-                rows[k, j] = r[lists[a + k], i]
+        for j in range(ABREAST):
             rows[30, j], rows[31, j] = kernels.place_on_line(
                 rows[0, j], rows[25, j], rows[26, j], rows[28, j]
             )
+        for j in range(ABREAST):
             rows[29, j] = table[first[j] + int(rows[31, j]), 4]
         kernels.move_abreast(rows, first, table, steps, dt)
         for k in range(10):
