@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -111,9 +111,9 @@ class ObservationVector:
             place += len(points)
         if self.agents:
             place += self._fill_others(seen, axes, out[place:])
-        within = out[:place]
-        np.maximum(within, self.low[:place, None], out=within)
-        np.minimum(within, self.high[:place, None], out=within)
+        within, (low, high) = out[:place], _bounds(self.low.tobytes(), self.high.tobytes(), count)
+        np.maximum(within, low[:place], out=within)
+        np.minimum(within, high[:place], out=within)
         found = np.zeros(out.shape[::-1], dtype=np.float32)
         found[:, :place] = within.T
         return found
@@ -137,6 +137,16 @@ class ObservationVector:
         for place, column in enumerate(numbers):
             out[:, place] = np.where(near, column, 0.0)
         return len(rows)
+
+
+@lru_cache(maxsize=2)
+def _bounds(
+    lows: bytes, highs: bytes, count: int
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """(F, N) the bounds of the numbers of N agents, of those of one: the lesser and the greater of
+    two are found faster than with one bound for all."""
+    low, high = (np.frombuffer(each, dtype=np.float32)[:, None] for each in (lows, highs))
+    return np.tile(low, count), np.tile(high, count)
 
 
 def _path(

@@ -81,6 +81,20 @@ class _Part:
         return replace(self, rows=self.rows[index], scenes=self.scenes[index], objects=objects)
 
 
+@dataclass(frozen=True)
+class _Measured:
+    """What a signal was measured of the last time, which is often the same again."""
+
+    part: _Part
+    samples: AnySamples
+    trace: Trace
+    options: Mapping[str, Any]
+
+    def is_of(self, part: _Part, samples: AnySamples, time: Floats) -> bool:
+        """Whether these are the very same."""
+        return self.part is part and self.samples is samples and self.trace.time is time
+
+
 def _standing(scene: Scene, place: int) -> AgentTrace:
     return standing_trace(scene, scene.standing[place], np.zeros(1))
 
@@ -107,8 +121,7 @@ class SignalCall:
         self._is_member = found_kind.member
         self.looks_back = float(found_kind.looks_back)
         """how many samples before the last it depends on"""
-        self._moment = Trace(np.zeros(0), {})
-        """the times of the last samples that it was measured on, which are often the same again"""
+        self._known: _Measured | None = None
         self._slots = world.slots
         self._count = len(calls)
         self.failed = np.zeros(len(calls), dtype=bool)
@@ -214,7 +227,24 @@ class SignalCall:
 
     def _together(self, part: _Part, samples: AnySamples, depth: int) -> Floats:
         """(K, R) of rows at once."""
-        time = samples.time(depth)
+        time, known = samples.time(depth), self._known
+        if known is None or not known.is_of(part, samples, time):
+            options = self._options(part, samples, depth, time)
+            known = self._known = _Measured(part, samples, Trace(time, {}), options)
+        found = drive_signal_values(self._entry, known.options, known.trace)
+        shape = (len(time), len(part.rows))
+        if found.shape == time.shape:
+            return np.broadcast_to(found[:, None], shape)
+        if found.shape != shape:
+            raise wrong_result(
+                self._entry, None, f"gave values of shape {found.shape}, not {shape}"
+            )
+        return found
+
+    def _options(
+        self, part: _Part, samples: AnySamples, depth: int, time: Floats
+    ) -> dict[str, Any]:
+        """The options of the kind, of which some are agents and objects."""
         now = {
             place: ObjectsNow(part.objects[place], time)
             if place >= self._slots
@@ -226,17 +256,7 @@ class SignalCall:
         }
         if self._is_member:
             named = {key: some[0] for key, some in named.items()}
-        if self._moment.time is not time:
-            self._moment = Trace(time, {})
-        found = drive_signal_values(self._entry, {**part.options, **named}, self._moment)
-        shape = (len(time), len(part.rows))
-        if found.shape == time.shape:
-            return np.broadcast_to(found[:, None], shape)
-        if found.shape != shape:
-            raise wrong_result(
-                self._entry, None, f"gave values of shape {found.shape}, not {shape}"
-            )
-        return found
+        return {**part.options, **named}
 
     def _alone(self, part: _Part, scene: int, samples: Samples) -> float:
         """Of one scene, by all that has happened in it."""

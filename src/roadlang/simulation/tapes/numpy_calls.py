@@ -99,6 +99,17 @@ class Registers:
             self._spare[name] = _row_of(name, self.count)
         return self._spare[name]
 
+    def as_row(self, number: Any) -> Any:
+        """(N,) of a number that may be one for all: the lesser and the greater of two are found
+        faster of rows."""
+        if number.ndim:
+            return number
+        name = f"row of {number!r}"
+        if name not in self._spare:
+            self._spare[name] = aligned(1, self.count)[0]
+            self._spare[name][:] = number
+        return self._spare[name]
+
     def _row(self, register: int) -> Floats:
         if register not in self.numbers:
             self.numbers[register] = aligned(1, self.count)[0]
@@ -161,7 +172,8 @@ def calls_of(
 def into(out: Any, function: np.ufunc, *takes: Any) -> Call:
     """The call that puts what a function gives into a row."""
     if function in _WITH_NAMES:
-        return partial(function, *takes, out=out)
+        one, other = takes
+        return lambda: function(one, other, out=out)  # less time than `partial` with a name
     return partial(function, *takes, out)  # takes less time than with the name
 
 
@@ -173,6 +185,8 @@ def _arithmetic(
     one: RegisterInstruction, function: np.ufunc, memory: Registers, calls: list[Call]
 ) -> None:
     takes = [memory.number(register, calls) for register in one.takes]
+    if function in _WITH_NAMES:
+        takes = [memory.as_row(number) for number in takes]
     out = memory.for_number(one.gives[0])
     if function is np.remainder and not takes[1].ndim:
         calls.append(partial(_remainder, takes[0], takes[1], out))
@@ -217,7 +231,7 @@ def cell_calls(
     calls += [
         into(rest, np.subtract, along, origin),
         into(cell, np.multiply, rest, per_meter),
-        into(cell, np.maximum, cell, _ZERO),
+        into(cell, np.maximum, cell, memory.as_row(_ZERO)),
         into(cell, np.minimum, cell, last),
         into(cell, np.floor, cell),
         into(at, np.add, cell, lines.first),
