@@ -381,4 +381,9 @@ HABITS = [
     (EGO.replace("drive", "route: main, drive"), "RL206", "the road that it is on", None),
     (EGO.replace("drive", "offset: left 3m, drive"), "RL001", "`side: left, offset: 3m`", None),
     (EGO.replace("drive", "offset: 3m right, drive"), "RL001", "`offset: -3m` to the right", None),
+    (EGO + LEAD + "expect e: always (not ego collides lead)", "RL001", "ego.contacts == 0", None),
+    (EGO + LEAD + "expect e: always not (ego hits with lead)", "RL001", "gap(ego, lead)", None),
+    ("param paved = choice(asphalt, 9m)", "RL101", '`"asphalt"`', None),
+    ("param wet = choice(9m, wet)", "RL104", '`"wet"`', None),
+    (EGO + "agent c is car at right_of(ego)", "RL225", "`beside(ego, right)`", None),
 ]

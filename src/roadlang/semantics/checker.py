@@ -25,6 +25,7 @@ from ..stl.evaluate.interval_arithmetic import UNKNOWN, Bounds
 from ..syntax.tree import nodes as ast
 from .context import Context
 from .names.program import Program
+from .quoted_words import word_help
 from .suggestions import suggestion
 from .types.expression_types import TypedExpression, unknown
 
@@ -127,7 +128,8 @@ class Checker:
             self._definitions[name] = unknown(place)
         labels = [Label(place, "") for place in places[1:]]
         cycle = " -> ".join(f"`{name}`" for name in [*names, first])
-        self.report(Code.CIRCULAR_DEFINITION, places[0], labels=labels, cycle=cycle)
+        help = word_help(self.program.declarations[first], first)
+        self.report(Code.CIRCULAR_DEFINITION, places[0], labels=labels, cycle=cycle, help=help)
 
     def use(self, name: str, context: Context) -> None:
         """Note that the context's declaration refers to `name`."""

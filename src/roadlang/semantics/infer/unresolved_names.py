@@ -6,6 +6,7 @@ from ...diagnostics import Code, KnownNames, nearest
 from ...syntax.tree import nodes as ast
 from ..checker import Checker
 from ..context import Context
+from ..quoted_words import word_help
 from ..suggestions import meant_name
 from ..types.expression_types import TypedExpression, unknown
 from .habits import is_side_as_lane, monitor_help, name_help
@@ -53,6 +54,8 @@ def _report_unknown(
     about = (
         () if meant else _about_functions(checker, name.text) or _declared_names(checker, context)
     )
+    if not meant:
+        about = (*about, *word_help(checker.program.declarations.get(context.user), name.text))
     if "image" in context.roles and not meant:
         about = (*about, f'`image {name.text} from "FILE"` declares a picture')
     return checker.report(Code.UNKNOWN_NAME, name.span, name=name.text, help=about, meant=meant)

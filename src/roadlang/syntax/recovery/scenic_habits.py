@@ -17,6 +17,9 @@ _IN_TURN = (
     "`drive with brake { when: time > 5s }` takes over at 5 s, `{ while: time < 5s }` ends at 5 s"
 )
 
+_TOUCHES = ("collides", "intersects", "touches", "hits")
+_NO_CONTACT = "write `{0}.contacts == 0` if nothing may be touched, or `gap({0}, lead) > 0m`"
+
 
 def controllers_in_turn(place: ErrorPosition) -> Mistake | None:
     """`then drive with brake`, `drive with K until time > 5s`, `drive with K for 5s`."""
@@ -67,9 +70,13 @@ def _following(place: ErrorPosition) -> str:
 
 
 def scenic_operator(place: ErrorPosition) -> Mistake | None:
-    """`ego can see lead`, `distance from ego to lead`, `distance to lead`."""
+    """`ego can see lead`, `ego collides with lead`, `distance from ego to lead`."""
     if place.word() == "can" and place.word(1) == "see":
         return unexpected(place, _SIGHT, hopeless=True)
+    if place.word() in _TOUCHES and place.kind(-1) == "NAME" and "NAME" in (
+        place.kind(1), place.kind(2),
+    ):  # fmt: skip
+        return unexpected(place, _NO_CONTACT.format(place.word(-1)), hopeless=True)
     is_measured = place.first_kind in ("REQUIRE", "EXPECT") and place.word() in ("from", "to")
     if not is_measured or place.kind(-1) != "NAME" or place.kind(1) != "NAME":
         return None

@@ -11,6 +11,12 @@ _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1a\x7f\ufffd\ud800-\udfff]")
 _SURROGATES = re.compile(r"[\ud800-\udfff]+")
 _MARKUP = re.compile(r"\s*<(?=[?!A-Za-z])")
 _FEW = 8
+_HEAD = 2000
+_OPENSCENARIO = (
+    "this is OpenSCENARIO, which roadlang writes (`emit openscenario`) but does not read: read its "
+    'map (`network town from "FILE.xodr"`) and write its entities as agents, its events as '
+    "`drive with KIND { when: ... }`"
+)
 
 
 def binary(source: Source) -> Diagnostic | None:
@@ -29,14 +35,20 @@ def markup(source: Source) -> Diagnostic | None:
     first = _MARKUP.match(source.text)
     if first is None:
         return None
-    name = source.path.replace("\\", "/").rpartition("/")[2]
+    if "<OpenSCENARIO" in source.text[:_HEAD]:
+        help = _OPENSCENARIO
+    else:
+        name = source.path.replace("\\", "/").rpartition("/")[2]
+        help = (
+            f'this is XML: a scene file reads a map by `network town from "{name}"`, and '
+            "`roadlang convert` writes it in another format"
+        )
     return diagnose(
         Code.UNEXPECTED_TOKEN,
         source.span(first.end() - 1, first.end()),
         expected="a statement",
         found="`<`",
-        help=f'this is XML: a scene file reads a map by `network town from "{name}"`, and '
-        "`roadlang convert` writes it in another format",
+        help=help,
     )
 
 
