@@ -137,5 +137,5 @@ def test_what_they_share_is_not_set_one_by_one(SceneVecEnv: Any) -> None:
 
 @pytest.mark.skipif(find_spec("stable_baselines3") is not None, reason="it is there")
 def test_without_stable_baselines_it_is_said_how_to_get_it() -> None:
-    with pytest.raises(ImportError, match="roadlang.sb3."):
+    with pytest.raises(ImportError, match=r"roadlang\[sb3\]"):
         import_module("roadlang.envs.stable_baselines")

@@ -14,6 +14,7 @@ from roadlang.geometry import Booleans
 from .dashed_roads import with_dashes_joined
 from .found_network import EDGE_LINES, FoundNetwork
 from .long_lines import long_lines
+from .loose_strokes import are_loose
 from .mask_parts import parts_of, window_around
 from .masks import roads_of_surface, without_specks
 from .objects_on_roads import with_objects
@@ -198,8 +199,9 @@ def _edged(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> bool:
     """Whether the ink is mostly the edge of the ribbons: not so between two filled roads."""
     if pen > 0.6 * max(ribbon.width for ribbon in ribbons):
         return False
-    near = cv2.distanceTransform(1 - _union(ribbons, ink.shape), cv2.DIST_L2, 5) <= pen + 2
-    return bool(near[ink].mean() > 0.5)
+    union = _union(ribbons, ink.shape)
+    near = cv2.distanceTransform(1 - union, cv2.DIST_L2, 5) <= pen + 2
+    return bool(near[ink].mean() > 0.5) and not are_loose(ink, union, pen)
 
 
 def _union(ribbons: list[RoadRegion], shape: tuple[int, ...]) -> NDArray[np.uint8]:
