@@ -15,7 +15,7 @@ from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.lines.line_nodes import Spacing, line_nodes
 from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.lines.lines import Lines
-from roadlang.simulation.tapes import numpy_tapes
+from roadlang.simulation.tapes import numpy_tapes, repeating
 from roadlang.simulation.tapes.numpy_tapes import NumpyTape
 from roadlang.simulation.tapes.registers import aligned, shared
 from roadlang.simulation.tapes.repeating import Repetition
@@ -85,6 +85,8 @@ def test_repeated_steps_are_those_that_are_made_one_by_one(
     (alone,) = drives(scenes[3:4], duration=20.0, **options)
     assert bytes_of(alone) == together[3]
     monkeypatch.setattr(numpy_tapes, "WIDE", 2)
+    assert [bytes_of(trace) for trace in drives(scenes, duration=20.0, **options)] == together
+    monkeypatch.setattr(repeating, "LARGE", 2**16)  # samples of several seconds in one array
     assert [bytes_of(trace) for trace in drives(scenes, duration=20.0, **options)] == together
     monkeypatch.setattr(Repetition, "of", lambda *_: None)
     assert [bytes_of(trace) for trace in drives(scenes, duration=20.0, **options)] == together

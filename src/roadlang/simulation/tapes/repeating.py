@@ -3,7 +3,7 @@ compiled loop, or by the same calls of numpy for each."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from .tracing import STATE, period, traced_steps
 
 AT_ONCE = 1.0
 """Seconds that are driven before it is asked which scenes are over."""
+LARGE = 2**24
+"""Bytes of samples for which numpy is asked together, if they are many: of 4 MiB and more it has
+them in large pages, which are written in a third of the time."""
 
 
 @dataclass
@@ -38,6 +41,8 @@ class Repetition:
     is_over: bool = False
     """whether it did not come to its end once: then every step is made by itself"""
     _numpy: tuple[NumpyTape, NumpyTape] | None = None
+    _free: Floats = field(default_factory=lambda: np.empty((0, 0, 0)))
+    """room for samples"""
 
     @classmethod
     def of(
@@ -83,7 +88,7 @@ class Repetition:
         first, program = self.program.first, self.program.each
         begin = np.empty((len(first.gives), len(world.present)))
         out = np.empty((len(program.gives), len(world.present)))
-        samples = np.empty((times * each, len(RECORDED) + 1, len(world.present)))
+        samples = self._room(times * each, len(world.present))
         if world.advance is compiled.advance:
             track = world.track
             lines = track.first, track.lines.table, world.bodies.walks.astype(np.float64)
@@ -96,6 +101,17 @@ class Repetition:
             once.repeated(state, walks, 1, samples[:0], begin)
             went_on = tape.repeated(begin, walks, times, samples, out)
         return int(went_on), out, samples
+
+    def _room(self, count: int, agents: int) -> Floats:
+        """(count, Q, N) for samples."""
+        quantities = len(RECORDED) + 1
+        each = 8 * quantities * agents
+        if count * each < LARGE // 8:
+            return np.empty((count, quantities, agents))
+        if len(self._free) < count or self._free.shape[2] != agents:
+            self._free = np.empty((max(count, LARGE // each), quantities, agents))
+        found, self._free = self._free[:count], self._free[count:]
+        return found
 
     def _bound(self, world: World) -> tuple[NumpyTape, NumpyTape]:
         """The two parts of the program for the agents of the world, without a compiled loop."""
