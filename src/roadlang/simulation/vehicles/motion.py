@@ -146,13 +146,15 @@ class Track:
 
     def paths(self, rows: Any, distances: tuple[float, ...]) -> PathRows | None:
         """Those of some agents, with points at some distances. None when the very array that names
-        these agents is here for the first time: that may be the only one."""
+        these agents is here for the first time: that may be the only one. All agents have a slice
+        for a name, and theirs are made at once."""
         known = self._paths.get(id(rows))
         if known is None or known[1] != distances:
             if len(self._paths) >= _SEVERAL:
                 self._paths.clear()
-            self._paths[id(rows)] = rows, distances, None
-            return None
+            known = self._paths[id(rows)] = rows, distances, None
+            if not isinstance(rows, slice):
+                return None
         if known[2] is None:
             part = self.of_rows(rows)
             found = PathRows(part.lines.table, part.first, part.places, distances)
