@@ -27,6 +27,11 @@ from .surroundings.contacts import ContactDetector
 from .surroundings.quiet_steps import are_apart, loop_over_places
 from .vehicles import compiled, kernels
 
+STEPS = 15_000
+"""Steps of one agent by this process from which on the loop is used: about a minute of 20 agents.
+It takes ten seconds to compile, once after an installation."""
+_stepped = [0]
+
 
 @dataclass(frozen=True)
 class StepCounts:
@@ -49,6 +54,9 @@ def drive_quietly(
     known = contacts.can_be_quiet()
     goes_by_road = decision.heading is None and decision.pose is None
     if known is None or not (goes_by_road and can_settle(world) and world.verges.patches.is_empty):
+        return False
+    _stepped[0] += len(world.present)
+    if _stepped[0] <= STEPS:
         return False
     times = 1 if world.followed.lateral.moves else times
     found = _driven(world, decision, known, counts, times)
@@ -133,21 +141,19 @@ def loop_over_steps(
 ) -> Any:  # fmt: skip
     """How many times the decision has held, how many samples were taken, and whether anybody has
     left; fill `out`, the members of `_Driven`. numba compiles it; Python never runs it."""
-    (motion, traveled, at_end, present), halted = begun, wishes[2]
+    halted, count = wishes[2], wanted[1].shape[0]
     any_left, tick, held, sampled, times, dt = clock
     rows, flags, samples, sample_flags, found, ways = out
-    count = traveled.shape[0]
     then, flags_then, control = np.empty_like(rows), np.empty_like(flags), np.empty((2, count))
     there = np.empty((2, count))
-    for k in range(MOTION):
-        rows[k, :] = motion[k]
-    rows[MOTION + 2, :], flags[0, :], flags[2, :] = traveled, at_end, present
-    found[:, :] = contact[0]
+    begin(begun, rows, flags)
+    fill(found, contact[0])
     done, taken = 0, 0
     while done < times:
         at, new = tick + done * held, taken
         if done > 0 and at % sampled == 0:
-            samples[new], sample_flags[new] = rows, flags
+            fill(samples[new], rows)
+            fill(sample_flags[new], flags)
             new += 1
         if loop_over_controls(
             (wishes[0][0], wanted[3]), wishes[0][1], (rows[1], rows[6], wishes[1]),
@@ -167,7 +173,9 @@ def loop_over_steps(
         if way < 0.0:
             break
         ways[done], any_left, taken = way, has_left, new
-        rows[:, :], flags[:, :], found[:, :] = then, flags_then, there
+        fill(rows, then)
+        fill(flags, flags_then)
+        fill(found, there)
         done += 1
     return done, taken, any_left
 
@@ -202,6 +210,22 @@ def move(
         taken += 1
 
 
+def begin(begun: Any, rows: Any, flags: Any) -> None:
+    """Agents are as they are at the beginning."""
+    motion, traveled, at_end, present = begun
+    for i in range(rows.shape[1]):
+        for k in range(MOTION):
+            rows[k, i] = motion[k][i]
+        rows[MOTION + 2, i], flags[0, i], flags[2, i] = traveled[i], at_end[i], present[i]
+
+
+def fill(into: Any, values: Any) -> None:
+    """Fill an array of two axes with another; numba compiles this in less time than a slice."""
+    for k in range(into.shape[0]):
+        for i in range(into.shape[1]):
+            into[k, i] = values[k, i]
+
+
 def columns(rows: Any) -> Any:
     """Those of a motion."""
     return (
@@ -211,7 +235,16 @@ def columns(rows: Any) -> Any:
 
 @cache
 def _loop() -> Any:
-    loops = loop_over_controls, loop_over_moved, loop_over_places, are_apart, columns, move
+    loops = (
+        loop_over_controls,
+        loop_over_moved,
+        loop_over_places,
+        are_apart,
+        columns,
+        move,
+        fill,
+        begin,
+    )
     compiled.register((), (*loops, loop_over_steps))
     said = sys.modules[__name__], arrivals, held_controls, settling, quiet_steps
     return compiled.compile_loop(loop_over_steps, *said)

@@ -62,8 +62,19 @@ def _held(group: Group, chosen: Integers, view: View) -> ControlBatch:
         return group.last_decided(chosen)
     now = _decided_now(group, chosen[again], view)
     group.hold(chosen[again], now, time)
+    if len(again) == len(chosen) and _is_plain(now):
+        return now
     failures = {int(again[place]): reason for place, reason in (now.failures or {}).items()}
     return replace(group.last_decided(chosen), failures=failures)
+
+
+def _is_plain(decided: ControlBatch) -> bool:
+    """Whether it has no columns other than steering and acceleration."""
+    others = (
+        decided.heading, decided.line_offset, decided.line_time, decided.acceleration_limit,
+        decided.pose, decided.failures,
+    )  # fmt: skip
+    return all(one is None for one in others)
 
 
 def _decided_now(

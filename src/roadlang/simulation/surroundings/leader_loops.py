@@ -18,6 +18,7 @@ from ..vehicles.poses import Poses
 from . import corridors, near_pairs
 from .corridors import AHEAD, CIRCLES, MARGIN, SAMPLE_SPACING
 from .near_pairs import MOST_VIEW, loop_over_pairs_near, view_at
+from .outlines import Outlines
 
 ROUNDING = 1e-6
 """Meters by which what is surely not in a corridor is farther away."""
@@ -61,9 +62,9 @@ def search(world: World, poses: Poses, pairs: Booleans, radius: Floats, gaps: Fl
     )  # fmt: skip
     heading, met = frames[2, :most, :columns], np.empty((3, kept))
     least, places = np.empty(count), np.empty((2, count), dtype=np.int64)
-    toward = (np.cos(poses.heading), np.sin(poses.heading)) if kept else (least, least)
+    outlines = Outlines.moving(world, poses).columns if kept else (least,) * 6
     _nearest()(
-        (found, agents), (frames, (np.cos(heading), np.sin(heading))), (poses.x, poses.y, toward),
+        (found, agents), (frames, (np.cos(heading), np.sin(heading))), outlines,
         (bodies.length, bodies.width, speed, offset), gaps, (met, least, places),
     )  # fmt: skip
     there = np.arctan2(met[2], met[1])
@@ -90,7 +91,9 @@ def loop_over_windows(
         samples = samples_in(view_at(speed[agent]))
         if agent != known:  # as many columns as agents that keep a pair: others are written over
             known, taken, widest = agent, False, 0.0
-            frames[:, :most, columns] = 0.0
+            for k in range(5):
+                for m in range(samples, most):
+                    frames[k, m, columns] = 0.0
             for m in range(samples):
                 cell = sampled(m, agent, lines_, frames, columns)
                 frames[3, m, columns] = left[table[agent], cell]
@@ -146,7 +149,9 @@ def loop_over_nearest(
     agent, target, column = found[0], found[1], found[2]
     (length, width, speed, offset), (met, least, places) = agents, out
     count, slots, (most, columns) = met.shape[1], gaps.shape[2], cosine.shape
-    view, s = np.empty(columns), np.arange(most) * SAMPLE_SPACING
+    view, s = np.empty(columns), np.empty(most)
+    for m in range(most):
+        s[m] = m * SAMPLE_SPACING
     lines_ = np.empty((4, most, columns))
     for i in range(columns):
         view[i], aside = view_at(speed[who[i]]), offset[who[i]]
@@ -159,11 +164,11 @@ def loop_over_nearest(
         halves[0, p] = corridor(width, agent[p], target[p])
         halves[1, p] = 0.5 * length[agent[p]]
     if count:
-        x, y, (toward_x, toward_y) = outlines
+        x, y, toward_x, toward_y, half_length, half_width = outlines
         kernels.gaps_in_corridors(
             (column[:count], target[:count], halves[0], halves[1]),
             (lines_[0], lines_[1], cosine, sine), (lines_[2], lines_[3]), (s, view),
-            (x, y, toward_x, toward_y, 0.5 * length, 0.5 * width),
+            (x, y, toward_x, toward_y, half_length, half_width),
             (CIRCLES, SAMPLE_SPACING, AHEAD), met,
         )  # fmt: skip
     for p in range(count):

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
-from .sorted_groups import sorted_groups
+from .due_scenes import due_scenes
 
 INTERVAL = 0.1
 """Seconds from one look at a scene to the next."""
@@ -62,13 +62,10 @@ class Stranded:
         """Bring the scenes of some agents up to date; whether that changes who is stranded. Who
         `obeys` (N,) right of way says itself where it stops. `reasons`: of others that have stood
         for long."""
-        alone = len(self._looked) == 1
-        scenes = np.zeros(1, np.int64) if alone else sorted_groups(rows // world.slots)[0]
-        due = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
-        if not len(due):
+        scenes, agents = due_scenes(world, rows, self._looked, INTERVAL)
+        if not len(scenes):
             return False
-        self._looked[due] = world.time
-        agents = (due[:, None] * world.slots + np.arange(world.slots)).ravel()
+        self._looked[scenes] = world.time
         may = ((world.halted | ~obeys) & world.present & ~world.bodies.walks)[agents]
         if not np.count_nonzero(may):
             changes = bool(self.agents[agents].any())

@@ -135,7 +135,7 @@ def loop_over_pairs(
     (cosine, sine), samples, count = turned, ways.shape[1], ways.shape[2]
     ends, bends = np.empty((count, 4)), np.zeros(count, np.bool_)
     for k in range(count):
-        ends[k, :2], ends[k, 2:] = np.inf, -np.inf
+        ends[k, 0], ends[k, 1], ends[k, 2], ends[k, 3] = np.inf, np.inf, -np.inf, -np.inf
         for m in range(samples):
             ways[1, m, k] -= sine[m, k] * offset[agents[k]]
             ways[2, m, k] += cosine[m, k] * offset[agents[k]]

@@ -25,10 +25,13 @@ def let_go(crowd: Crowd, asking: Asking, last_grant: Floats) -> Booleans:
         return coming
     agents = asking.comes.nonzero()[0]
     coming[agents, asking.slot[agents]] = True
+    may = _may(crowd, asking)
+    if not np.count_nonzero(may):
+        return coming
     meetings = crowd.entrants.meetings(coming | crowd.held)
     comes = meetings.is_there & meetings.of_crossings(coming)
     wants = comes & meetings.of_agents(asking.asks)
-    could = _could(crowd, asking, meetings, wants)
+    could = _could(crowd, asking, meetings, wants, may)
     if not np.count_nonzero(could):
         return coming
     able = _able(crowd, asking, meetings, wants, could)
@@ -70,12 +73,20 @@ def _passes(
     return passes | (free & wave[:, None]), wave
 
 
-def _could(crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans) -> Booleans:
-    """(G, P) who may go, but for others on the junction."""
-    near, grants, entrants = crowd.near, crowd.grants, crowd.entrants
-    stopped = grants.has_stopped | ~entrants.must_stop
-    may = asking.asks & asking.of_crossings(near.may_go & stopped) & asking.is_first
-    may &= ~_ring_is_full(crowd, asking)
+def _may(crowd: Crowd, asking: Asking) -> Booleans:
+    """(N,) who may go, but for others on the junction and beyond it."""
+    stopped = crowd.grants.has_stopped | ~crowd.entrants.must_stop
+    may = asking.asks & asking.of_crossings(crowd.near.may_go & stopped) & asking.is_first
+    if np.count_nonzero(may) and len(crowd.entrants.places.rings.capacity):
+        may &= ~_ring_is_full(crowd, asking)
+    return np.asarray(may)
+
+
+def _could(
+    crowd: Crowd, asking: Asking, meetings: Meetings, wants: Booleans, may: Booleans
+) -> Booleans:
+    """(G, P) who `may` go, but for others on the junction."""
+    grants, entrants = crowd.grants, crowd.entrants
     may_go = rules.let_go(meetings, grants)
     used = rules.space_for_others(meetings, may_go, entrants.length)
     free = meetings.of_agents(asking.room - entrants.length) - used
@@ -105,8 +116,6 @@ def _ring_is_full(crowd: Crowd, asking: Asking) -> Booleans:
     """(N,) whether the connection asked for leads into a ring that has no more room."""
     entrants = crowd.entrants
     rings, number = entrants.places.rings, entrants.ways.number
-    if not len(rings.capacity):
-        return np.zeros(len(number), dtype=bool)
     entered = (crowd.held | crowd.near.is_over) & ~entrants.ways.none
     last = np.where(entered, np.arange(entered.shape[1]), -1).max(axis=1)
     on = np.where(last >= 0, rings.onward[number[entrants.each, last]], -1)

@@ -16,8 +16,8 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..state.world import World
 from ..surroundings.crossed_junctions import crossings_of
+from ..surroundings.due_scenes import due_scenes
 from ..surroundings.leaders import Leaders
-from ..surroundings.sorted_groups import sorted_groups
 from ..vehicles.poses import Poses
 from .approaches import Approaches
 from .crowd import Crowd
@@ -150,16 +150,12 @@ class RightOfWayGrants:
     ) -> None:  # fmt: skip
         """Bring the scenes of some agents up to date, where that is due. Who has asked since the
         last time obeys; at first everybody is taken to."""
-        alone = len(self._looked) == 1
-        scenes = np.zeros(1, np.int64) if alone else sorted_groups(rows // world.slots)[0]
-        scenes_to_update = scenes[world.time - self._looked[scenes] > INTERVAL - 1e-6]
-        if len(scenes_to_update):
-            agents = (scenes_to_update[:, None] * world.slots + np.arange(world.slots)).ravel()
-            self._has_asked[agents] = self._asking[agents]
-            new = np.isinf(self._looked[scenes_to_update]).repeat(world.slots)
-            self._has_asked[agents] |= new
+        scenes, agents = due_scenes(world, rows, self._looked, INTERVAL)
+        if len(scenes):
+            new = np.isinf(self._looked[scenes]).repeat(world.slots)
+            self._has_asked[agents] = self._asking[agents] | new
             self._asking[agents] = False
-            self._looked[scenes_to_update] = world.time
+            self._looked[scenes] = world.time
             self._update(world, poses, leaders, agents, objects())
         self._asking[rows] = True
 
