@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import map_tiles
+from roadlang_standard.extraction import map_roads
 from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_halos import without_halos
 from roadlang_standard.extraction.map_tiles import roads_of_map
@@ -125,7 +125,7 @@ def test_what_names_hide_of_the_width_of_streets_is_known_with_their_smoothed_ed
     for start, end in STREETS:
         cv2.line(image, start, end, (255, 255, 255), 14, cv2.LINE_AA)
     calls: list[list[MapTone]] = []
-    monkeypatch.setattr(map_tiles, "road_tones", _first_only(calls))
+    monkeypatch.setattr(map_roads, "road_tones", _first_only(calls))
     found = roads_of_map(image)
     assert len(calls) == 2
     assert found is not None

@@ -4,31 +4,29 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .map_tones import MapTone, map_tone
+from .tones import Image
 
-_HALO = 0.6
+_HALO = 0.9
 """A part of the roads of which more is about letters is an outline of letters, ..."""
 _ON_STREET, _EXTENT = 0.2, 40
 """unless streets that reach over so many pixels are so much of what is around the word."""
-_STEADY, _RIBBONS = 0.4, 0.9
-"""Names may be among the shapes of a tone that keeps its width on more of its surface than the
-first, and has less of it in ribbons than the second."""
+_GRAY, _CLEAR = np.array([0.114, 0.587, 0.299]), 60.0
+"""Ink is off the land by more gray levels."""
 
 
-def without_names(tones: list[MapTone], names: Booleans) -> list[MapTone]:
-    """The tones of a map without their parts about names (h, w), which are in the color of some
-    streets, or outlined in it: a map of few streets may have more of them."""
-    land = max(tones, key=lambda tone: float(tone.mask.sum()))
-    return [tone if tone is land else _without_names(tone, names) for tone in tones]
-
-
-def _without_names(tone: MapTone, names: Booleans) -> MapTone:
-    if tone.steady < _STEADY or tone.ribbons > _RIBBONS:
-        return tone
-    return map_tone(tone.color, without_halos(tone.mask, names))
+def are_written_alike(
+    image: Image, letters: Booleans, land: NDArray[np.float64], road: NDArray[np.float64]
+) -> bool:
+    """Whether most `letters` (h, w) of a map (h, w, 3) are as far to the dark or to the light of
+    its land as its roads are: outlines of letters are on the other side."""
+    gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)[letters].astype(np.float64) - float(land @ _GRAY)
+    clear = gray[np.abs(gray) > _CLEAR]
+    away = float((road - land) @ _GRAY)
+    return abs(away) > _CLEAR and clear.size > 0 and np.sign(clear.sum()) == np.sign(away)
 
 
 def without_halos(mask: Booleans, letters: Booleans) -> Booleans:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -12,26 +12,24 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
-from .map_halos import without_halos, without_names
+from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
-from .map_lines import THIN, holes, parts_touching, short_parts, with_line_colors, without_outlines
+from .map_lines import THIN, holes, parts_touching, short_parts
 from .map_or_drawing import FEW, LETTERED, are_named, is_drawing
+from .map_roads import MapRoads, chosen_roads
 from .map_tones import (
-    EXACT,
     LOSSY,
     MapTone,
     Tolerance,
     color_masks,
     flat_colors,
-    map_tones,
     tolerance_of,
     with_contrast,
     without_jpeg_noise,
 )
-from .map_water import masks_without_water, without_water
+from .map_water import masks_without_water
 from .masks import Cover, roads_of_surface, without_holes, without_specks
-from .road_tones import MOST_SPREAD, road_tones
-from .shared_colors import with_streets_alone
+from .road_tones import MOST_SPREAD
 from .skeleton import skeleton
 from .street_names import streets_below_names
 from .tones import Image, Layer
@@ -63,21 +61,6 @@ _ON_LETTERS = 0.6
 """A tone that lies so much about letters is their outline."""
 
 
-@dataclass(frozen=True)
-class _Roads:
-    """The colors of roads on a map without letters; all its tones, in which water and houses may
-    have the color of streets; and its tones without these."""
-
-    all_tones: list[MapTone]
-    tones: list[MapTone]
-    roads: list[MapTone]
-
-    def width(self, of: Callable[[MapTone], float]) -> float:
-        """Usual width of the roads, pixels, given that of each tone."""
-        lengths = np.array([tone.steady_length for tone in self.roads])
-        return float(lengths @ [of(tone) for tone in self.roads] / lengths.sum())
-
-
 def roads_of_map(
     image: Image, width: float | None = None, is_plan: Callable[[], bool] = lambda: False
 ) -> FoundNetwork | None:
@@ -87,16 +70,9 @@ def roads_of_map(
     `is_plan`, which is asked before what takes longest.
     """
     tolerance = tolerance_of(image)
-    if tolerance is not LOSSY:
-        raised = with_contrast(image)
-        return _roads_of_map(raised, tolerance, width, is_plan if raised is image else None)
-    image = without_jpeg_noise(image)
-    found = _roads_of_map(image, tolerance, width, is_plan)
-    if found is not None:
-        return found
-    # Contrast makes more of JPEG's noise, too: it is raised where there are no roads else.
-    raised = with_contrast(image)
-    return None if raised is image else _roads_of_map(raised, tolerance, width, None)
+    plain = without_jpeg_noise(image) if tolerance is LOSSY else image
+    raised = with_contrast(plain, tolerance)
+    return _roads_of_map(raised, tolerance, width, is_plan if raised is plain else None)
 
 
 def _roads_of_map(
@@ -104,18 +80,18 @@ def _roads_of_map(
 ) -> FoundNetwork | None:
     # Faint maps come without `is_plan`: nobody draws with so little contrast.
     names = letters_of_map(image, LARGER)  # on roads they leave no even strips of their color
-    plain = image if tolerance is LOSSY else without_letters(image, names)
+    plain = without_letters(image, names)
     colors = flat_colors(plain, tolerance)
-    lettered = float(names.mean()) if tolerance is LOSSY else _differing(plain, image)
+    lettered = _differing(plain, image)
     if len(colors) < _COLORS or (len(colors) == _COLORS and lettered < LETTERED):
         return None
-    chosen, thin = _chosen(plain, colors, names if tolerance is LOSSY else None)
+    chosen, thin = chosen_roads(plain, colors, tolerance)
     if not chosen.roads:
         return None
     usual = chosen.width(lambda tone: tone.width)
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
     letters = names if typical <= LARGER else letters_of_map(image, typical)
-    shown = [tone.color for tone in chosen.tones] if thin else colors
+    shown = [tone.color for tone in chosen.tones]
     if is_plan is not None and _is_drawn(chosen, letters, len(shown), is_plan):
         return None
     is_plain = plain is image and not thin
@@ -131,7 +107,7 @@ def _roads_of_map(
         others += water
         letters = _opened(letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS)
     widest = max(_wide(tone) for tone in chosen.roads)
-    if tolerance is LOSSY:
+    if not are_written_alike(image, letters, chosen.land.color, chosen.roads[0].color):
         mask = without_halos(mask, letters)
     surface, hidden = _uncovered(mask, others, letters, (usual, typical, widest))
     cover = Cover(letters, hidden, widest, drawn=len(shown) <= FEW and not thin)
@@ -140,7 +116,9 @@ def _roads_of_map(
     return replace(found, mask=surface)
 
 
-def _is_drawn(chosen: _Roads, letters: Booleans, colors: int, is_plan: Callable[[], bool]) -> bool:
+def _is_drawn(
+    chosen: MapRoads, letters: Booleans, colors: int, is_plan: Callable[[], bool]
+) -> bool:
     """Whether it is rather a drawing, or a plan with dimensions; `is_plan` takes longest."""
     drawn = is_drawing(chosen.all_tones, chosen.roads, letters, colors)
     return drawn or (is_plan() and not are_named(chosen.roads, letters))
@@ -159,37 +137,8 @@ def _differing(one: Image, other: Image) -> float:
     return float(np.count_nonzero(blue | green | red) / blue.size)
 
 
-def _chosen(
-    plain: Image, colors: list[NDArray[np.float64]], names: Booleans | None
-) -> tuple[_Roads, bool]:
-    """The roads of a map (h, w, 3), and whether its tones have smoothed edges.
-
-    A lossless map comes without letters, one stored as JPEG with its `names` (h, w).
-    """
-    fine = None if names is not None else _fine_roads(plain, with_line_colors(plain, colors))
-    if fine is not None and fine.width(lambda tone: tone.width) < THIN:
-        return fine, True
-    all_tones = map_tones(plain, colors, EXACT if names is None else LOSSY)
-    tones = without_water(all_tones)
-    shapes = tones if names is None else without_names(tones, names)
-    chosen = _Roads(all_tones, tones, road_tones(with_streets_alone(shapes), min(plain.shape[:2])))
-    # Names on streets leave less of them even than what is known of their edges.
-    if fine is not None and not chosen.roads:
-        return fine, True
-    return chosen, False
-
-
-def _fine_roads(plain: Image, colors: list[NDArray[np.float64]]) -> _Roads | None:
-    """The roads of a lossless map (h, w, 3) without letters, with their smoothed edges."""
-    all_tones = map_tones(plain, colors, smooth=True)
-    tones = without_water(all_tones)
-    streets = without_outlines(with_streets_alone(tones))
-    found = _Roads(all_tones, tones, road_tones(streets, min(plain.shape[:2])))
-    return found if found.roads else None
-
-
 def _masks(
-    seen: list[Booleans], chosen: _Roads, letters: Booleans, thin: bool
+    seen: list[Booleans], chosen: MapRoads, letters: Booleans, thin: bool
 ) -> tuple[Booleans, list[Booleans]]:
     """Where (h, w) the roads are, and where each of the other colors is, as `seen` (h, w).
 

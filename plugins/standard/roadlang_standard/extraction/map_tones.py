@@ -30,6 +30,13 @@ contrast is not raised by more than the last factor."""
 _BROAD, _MARKED_THIN = 11, 0.75
 """So is one where that holds, in the second share, of what holds no square of so many pixels: a
 river or woods of full contrast leave the streets as faint as they are."""
+_FAINT_LOSSY, _THIN_LOSSY = 50, 30
+"""JPEG's noise gets more contrast, too: it is raised only where all that differs, and all of it
+that is thin, is off a gray land by no more gray levels in the share of the second: the colors of
+parks would part into several."""
+_ROUNDS, _NEAR, _NOISE, _REACH = 2, 7, 10.0, 2.0
+"""A JPEG is smoothed so often, by neighbors in squares of so many pixels that differ by about so
+many gray levels and are about so many pixels away: edges of streets differ by more."""
 _GRAY = 0.02
 """Channels that differ by less, of 1, have no hue."""
 _SHAPED, _GRAIN = 0.2, 4.0
@@ -48,9 +55,11 @@ class Tolerance:
     """Colors that differ by no more are one tone."""
     near: int
     """A pixel of a tone may be off it by this."""
+    is_lossy: bool = False
+    """Whether JPEG left noise."""
 
 
-EXACT, LOSSY = Tolerance(6, 6, 8), Tolerance(12, 8, 16)
+EXACT, LOSSY = Tolerance(6, 6, 8), Tolerance(6, 8, 16, is_lossy=True)
 """For lossless files, and for JPEG, whose blue is off most at the edges of roads."""
 
 
@@ -143,25 +152,40 @@ def tolerance_of(image: Image) -> Tolerance:
 
 
 def without_jpeg_noise(image: Image) -> Image:
-    """A map (h, w, 3) with its chroma smoothed: JPEG has it at half the resolution, quantized
-    coarsely."""
+    """A map (h, w, 3) stored as JPEG, with flat areas again: its chroma is smoothed, which JPEG has
+    at half the resolution, quantized coarsely, and then all that differs by no more than noise."""
     light, red, blue = cv2.split(cv2.cvtColor(image, cv2.COLOR_BGR2YCrCb))
     even = cv2.merge([light, cv2.medianBlur(red, 5), cv2.medianBlur(blue, 5)])
-    return np.asarray(cv2.cvtColor(even, cv2.COLOR_YCrCb2BGR))
+    smooth = cv2.cvtColor(even, cv2.COLOR_YCrCb2BGR)
+    for _ in range(_ROUNDS):
+        smooth = cv2.bilateralFilter(smooth, _NEAR, _NOISE, _REACH)
+    return np.asarray(smooth)
 
 
-def with_contrast(image: Image) -> Image:
+def with_contrast(image: Image, tolerance: Tolerance = EXACT) -> Image:
     """A map (h, w, 3), with more contrast about its land where it has little: lines that differ
-    from it by ten gray levels have no edges of a mixed color else, and JPEG's noise hides them."""
+    from it by ten gray levels have no edges of a mixed color else.
+
+    JPEG's noise gets more, too: there, all of the map is to be faint.
+    """
     land = flat_colors(image)[:1]
     if not land:
         return image
     away = away_from(image, land[0])
     differing = (away > _SAME_TONE).astype(np.uint8)
     broad = cv2.morphologyEx(differing, cv2.MORPH_OPEN, np.ones((_BROAD, _BROAD), np.uint8))
-    marked = (away[differing > 0], _MARKED), (away[differing > broad], _MARKED_THIN)
-    differs = min(float(np.quantile(seen, share)) if seen.size else 255.0 for seen, share in marked)
-    if differs > _FAINT:
+    thin = away[differing > broad]
+    if not thin.size:
+        return image
+    whole, most, usual = (
+        float(np.quantile(seen, share))
+        for seen, share in ((away[differing > 0], _MARKED), (thin, _MARKED), (thin, _MARKED_THIN))
+    )
+    differs = min(whole, usual)
+    is_faint = differs <= _FAINT
+    if tolerance.is_lossy:
+        is_faint = whole <= _FAINT_LOSSY and most <= _THIN_LOSSY and is_faint and is_gray(land[0])
+    if not is_faint:
         return image
     stretch = min(_MOST_STRETCH, _CLEAR / differs)
     return np.clip(land[0] + (image - land[0]) * stretch, 0, 255).round().astype(np.uint8)
@@ -216,7 +240,7 @@ def map_tones(
     With `smooth`, thin lines have the pixels that a renderer smoothed.
     """
     tones = _tones_of(image, colors, tolerance.near, smooth)
-    if tolerance is not LOSSY:
+    if not tolerance.is_lossy or smooth:
         return tones
     shaped = [tone.color for tone in tones if tone.ribbons >= _SHAPED or tone.width > _GRAIN]
     if 0 < len(shaped) < len(tones):

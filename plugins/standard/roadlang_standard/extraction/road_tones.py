@@ -10,8 +10,9 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .map_tones import EXACT, MapTone
-from .tone_shape import THINNEST
+from .map_tones import EXACT, MapTone, map_tone
+from .masks import without_specks
+from .tone_shape import SPECK, THINNEST
 
 _STEADY, _SURE, _ALSO_STEADY = 0.35, 0.45, 0.25
 """Least share of its surface that keeps its width, of the tone with most road; what makes any tone
@@ -36,6 +37,8 @@ _LEAST = 0.5
 _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 230 / 360
 """Water is of these hues where it is also wide, or bluish up to the other one where it differs from
 the land in the other direction than roads do, darker or lighter."""
+_RIVER_STEADY = 0.75
+"""Or bluish and wide, where it keeps its width on less of its surface than motorways do."""
 _TINTED = 250 / 360
 """Where streets are gray, water of up to this hue may be nearly gray, as main roads are not."""
 _GREEN_HUES = 75 / 360, 160 / 360
@@ -59,6 +62,11 @@ _HAIR = 1.2
 _TOUCHING, _CUT = 0.4, 0.15
 """Least share of a tone that lies in parts which touch other roads; of wide and even ones, which
 names cut."""
+_ALONE_STEADY, _ALONE_EVEN, _ALONE_WIDE = 0.6, 0.75, 0.5
+"""Least share of its surface and of its length that keeps its width, and least width as a share of
+that of the main roads, of what is a road wherever it is, ..."""
+_FEW = 3
+"""if there are more colors than so many: else they are drawn roads and lettering."""
 _EDGE, _EDGES = 4, 0.4
 """Tones touch across edge lines of so many pixels, or of this share of a road's width."""
 
@@ -71,7 +79,8 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         for tone in tones
         if tone is not land and tone.width <= _WIDEST * side and _is_steady(tone)
     ]
-    ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons, land)]
+    several = len(tones) > _FEW
+    ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons, land, several)]
     sure = [tone for tone in ribbons if tone.steady >= _STEADY]
     # Hair lines are even, such as tracks in a yard: streets are longer in all where they are wider.
     longest = max((tone.steady_length for tone in sure if tone.width > _HAIR), default=0.0)
@@ -94,7 +103,7 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
         and not _is_area(tone, _AREA * max(main.width, tone.width))
         and not _is_water(tone, main, land)
     ]
-    taken = _joined(main, others)
+    taken = _joined(main, others, [one for one in others if several and _is_road_alone(one, main)])
     # A river between a few streets may be longer and more even than they are.
     if _has_water_hue(main) and sum(tone.steady_length for tone in taken) >= _LEAST * side:
         return taken
@@ -136,10 +145,10 @@ def _is_warm(tone: MapTone) -> bool:
     )
 
 
-def _is_casing(tone: MapTone, ribbons: list[MapTone], land: MapTone) -> bool:
+def _is_casing(tone: MapTone, ribbons: list[MapTone], land: MapTone, several: bool) -> bool:
     """Whether a tone is thin lines along the edges of wider roads: streets meet them at ends."""
     return any(
-        _lies_along(tone, other)
+        _lies_along(tone, other, several)
         or (
             _lines(tone, other)
             and not _is_between(tone, other, land)
@@ -150,10 +159,15 @@ def _is_casing(tone: MapTone, ribbons: list[MapTone], land: MapTone) -> bool:
     )
 
 
-def _lies_along(tone: MapTone, other: MapTone) -> bool:
+def _lies_along(tone: MapTone, other: MapTone, several: bool) -> bool:
     if tone.width > _CASING:
         return False
-    return bool(_grown(other.mask, _EDGE)[tone.mask].mean() > _BESIDE)
+    beside = _grown(other.mask, _EDGE)
+    if beside[tone.mask].mean() <= _BESIDE or not several:
+        return bool(beside[tone.mask].mean() > _BESIDE)
+    # Main roads may be outlined in the color of the streets.
+    rest = map_tone(tone.color, tone.mask & ~beside)
+    return rest.ribbons * rest.length < _MANY * other.steady_length
 
 
 def _lines(tone: MapTone, other: MapTone) -> bool:
@@ -162,7 +176,7 @@ def _lines(tone: MapTone, other: MapTone) -> bool:
     if other.steady_length < _MANY * tone.steady_length:
         return False
     edge = _grown(other.mask, 1) & ~other.mask
-    return bool(_grown(tone.mask, 2)[edge].mean() > _LINED)
+    return bool(_grown(without_specks(tone.mask, SPECK), 2)[edge].mean() > _LINED)
 
 
 def _is_between(tone: MapTone, other: MapTone, land: MapTone) -> bool:
@@ -199,8 +213,14 @@ def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
     wide = tone.width > _WIDE * main.width
     if wide and (_has_water_hue(tone) or (main.is_gray and _is_tinted_blue(tone))):
         return True
+    if wide and _is_bluish(tone) and tone.steady < _RIVER_STEADY:
+        return True
     directions = [float(np.sign(one.color.mean() - land.color.mean())) for one in (tone, main)]
-    return _WATER_HUES[0] <= _hue(tone) <= _BLUISH and directions[0] != directions[1]
+    return _is_bluish(tone) and directions[0] != directions[1]
+
+
+def _is_bluish(tone: MapTone) -> bool:
+    return not tone.is_gray and _WATER_HUES[0] <= _hue(tone) <= _BLUISH
 
 
 def _has_water_hue(tone: MapTone) -> bool:
@@ -225,12 +245,14 @@ def _hue(tone: MapTone) -> float:
     return colorsys.rgb_to_hsv(red, green, blue)[0]
 
 
-def _joined(main: MapTone, others: list[MapTone]) -> list[MapTone]:
-    """Those of the others that touch roads already taken: one after the other."""
-    taken: list[MapTone] = []
+def _joined(main: MapTone, others: list[MapTone], apart: list[MapTone]) -> list[MapTone]:
+    """Roads `apart`, and those of the others that touch roads already taken: one after another."""
+    others = [tone for tone in others if all(tone is not one for one in apart)]
+    taken: list[MapTone] = [*apart]
     size = 2 * max(_EDGE, round(_EDGES * main.width)) + 1
     kernel = np.ones((size, size), np.uint8)
-    reach = cv2.dilate(main.mask.astype(np.uint8), kernel) > 0
+    roads = np.logical_or.reduce([main.mask, *(tone.mask for tone in apart)])
+    reach = cv2.dilate(roads.astype(np.uint8), kernel) > 0
     left = sorted(others, key=lambda tone: -tone.length)
     found = True
     while found:
@@ -248,6 +270,21 @@ def _joined(main: MapTone, others: list[MapTone]) -> list[MapTone]:
                 taken.append(replace(tone, mask=mask))
                 reach |= cv2.dilate(mask.astype(np.uint8), kernel) > 0
     return taken
+
+
+def _is_road_alone(tone: MapTone, main: MapTone) -> bool:
+    """Whether a tone is so even, wide and long that it needs to touch no other road: two classes of
+    roads may meet beyond the picture's edge."""
+    return (
+        tone.steady >= _ALONE_STEADY
+        and tone.even >= _ALONE_EVEN
+        and tone.ribbons >= _PLAIN_RIBBONS
+        and tone.width > _CASING
+        and tone.width >= _ALONE_WIDE * main.width
+        and tone.steady_length >= _LEAST * min(tone.mask.shape)
+        and not _is_green(tone)
+        and not (_is_bluish(tone) or _is_tinted_blue(tone))
+    )
 
 
 def _is_main(tone: MapTone, main: MapTone) -> bool:

@@ -26,7 +26,7 @@ _THIN_LONG = 80.0
 not."""
 _LONG = 5.0
 """A ribbon is longer than so many widths."""
-_SPECK = 8
+SPECK = 8
 """Parts and holes of fewer pixels are not looked at."""
 
 
@@ -81,8 +81,8 @@ class ToneSurface:
 
 
 def _shape(mask: Booleans) -> ToneShape:
-    window = window_around(mask, _SPECK)
-    clean = without_specks(np.ascontiguousarray(mask[window]), _SPECK)
+    window = window_around(mask, SPECK)
+    clean = without_specks(np.ascontiguousarray(mask[window]), SPECK)
     inner = cv2.distanceTransform(clean.view(np.uint8), cv2.DIST_L2, 5)
     thin = skeleton(clean)
     parts = _parts(clean, inner, thin)
