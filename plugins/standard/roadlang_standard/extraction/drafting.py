@@ -24,6 +24,8 @@ from .sampled import sampled
 from .smoothing import resample, stations
 
 Layer = NDArray[np.float32]
+_SAME = 1e-6
+"""Junctions so near to each other, in pixels, are in one place."""
 _ROWS = 16384
 """So many places are looked at at a time: OpenCV takes no longer lists."""
 
@@ -77,8 +79,7 @@ class Draft:
 def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: str) -> FoundNetwork:
     """Draw every line; `surface` and `score` are (h, w) in 0..1: road surface, and evidence."""
     placed, curves = _drawn(graph, surface, options)
-    if contract(graph, options.twins * options.width, placed):
-        placed, curves = _drawn(graph, surface, options)
+    contract(graph, _SAME, placed)
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
@@ -102,12 +103,26 @@ def _drawn(
     ends = [(degree[chain.nodes[0]] == 1, degree[chain.nodes[-1]] == 1) for chain in found]
     runs = fitted(found, graph.nodes, ends, surface, options.fit)
     placed = _nodes(graph, runs, options)
+    _join_twins(graph, placed, options.twins * options.width)
     curves: dict[int, Floats] = {}
     pieces = through(runs, placed, ends, surface, options.fit)
     for run, parts in zip(runs, pieces, strict=True):
         for (line, forward), piece in zip(run.chain.parts, parts, strict=True):
             curves[id(line)] = piece if forward else piece[::-1]
     return placed, curves
+
+
+def _join_twins(graph: Graph, placed: dict[int, Floats], near: float) -> None:
+    """Let two junctions that a road joins be in one place if they are `near`, pixels, in place."""
+    degree = graph.degree()
+    joined: set[int] = set()
+    for line in graph.lines:
+        a, b = line.start, line.end
+        if line.closed or min(degree[a], degree[b]) < 3 or {a, b} & joined:
+            continue
+        if np.hypot(*(placed[b] - placed[a])) < near:
+            joined |= {a, b}
+            placed[a] = placed[b] = (placed[a] + placed[b]) / 2
 
 
 def _nodes(graph: Graph, runs: list[Run], options: Draft) -> dict[int, Floats]:

@@ -14,13 +14,12 @@ from .graph import Graph, Line
 _ROUNDS = 12
 
 
-def contract(graph: Graph, distance: float, places: Mapping[int, Floats] | None = None) -> bool:
+def contract(graph: Graph, distance: float, places: Mapping[int, Floats] | None = None) -> None:
     """Make one node of junctions joined by a line shorter than `distance` pixels, in place, or
-    whose `places`, if given, are nearer to each other than that; whether there were any.
+    whose `places`, if given, are nearer to each other than that.
 
     Shortest lines first, each node once a round, so that the cost stays that of a few passes.
     """
-    changed = False
     for _ in range(_ROUNDS):
         degree = graph.degree()
         short = [
@@ -30,10 +29,8 @@ def contract(graph: Graph, distance: float, places: Mapping[int, Floats] | None 
         ]
         bridges = _apart(graph, [item for item in short if item[0] < distance])
         if not bridges:
-            break
+            return
         contract_lines(graph, bridges)
-        changed = True
-    return changed
 
 
 def _apart_by(line: Line, places: Mapping[int, Floats] | None) -> float:
