@@ -65,10 +65,11 @@ def sheet_of(image: Image, within: Booleans | None = None, textured: bool = Fals
     seen = np.ones(image.shape[:2], bool) if within is None else within
     if not textured and _is_flat(image, seen):
         return None
-    light = _light(image, within)
+    light, on_strokes = _light(image, within)
+    # What else is broad and dark may be hair: then it tells that this is no sheet.
     if not _has_one_light_color(light):
         return None
-    light = cv2.resize(light, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
+    light = cv2.resize(on_strokes, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
     blue, green, red = cv2.split(image.astype(np.float32) / np.maximum(light, 1))
     ink = cv2.GaussianBlur(1 - cv2.min(cv2.min(blue, green), red), (0, 0), 0.7)
     on_sheet = ink[seen]
@@ -126,9 +127,9 @@ def roads_on_paper(
     return roads_of_surface(surface, "line on paper", width=width)
 
 
-def _light(image: Image, within: Booleans | None) -> Layer:
-    """How bright the sheet is in a small copy (h, w, 3): the picture without its thin dark
-    parts."""
+def _light(image: Image, within: Booleans | None) -> tuple[Layer, Layer]:
+    """How bright the sheet is in a small copy (h, w, 3): the picture without its thin dark parts,
+    and without broader ones that are darker still: strokes that cross."""
     scale = min(1.0, _SMALL / max(image.shape[:2]))
     size = (max(1, round(image.shape[1] * scale)), max(1, round(image.shape[0] * scale)))
     small = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
@@ -139,9 +140,10 @@ def _light(image: Image, within: Booleans | None) -> Layer:
     closed = cv2.morphologyEx(small, cv2.MORPH_CLOSE, kernel)
     broad = np.ones((_BROADER * side,) * 2, np.uint8)
     around = cv2.morphologyEx(small, cv2.MORPH_CLOSE, broad)
-    inked = closed.max(axis=2) < _SHADED * around.max(axis=2)
-    closed[inked] = around[inked]
-    return np.asarray(cv2.GaussianBlur(closed.astype(np.float32), (0, 0), side / 4))
+    inked = closed.max(axis=2, keepdims=True) < _SHADED * around.max(axis=2, keepdims=True)
+    lights = (closed, np.where(inked, around, closed)) if inked.any() else (closed,)
+    smooth = [cv2.GaussianBlur(each.astype(np.float32), (0, 0), side / 4) for each in lights]
+    return np.asarray(smooth[0]), np.asarray(smooth[-1])
 
 
 def _carried_on(image: Image, seen: Booleans) -> Image:

@@ -12,9 +12,10 @@ _LONG, _SHORT = 0.6, 0.4
 """Shorter sides of the picture: connected roads are longer, names and arrows shorter."""
 _THIN = 0.55
 """Names, arrows and frames are drawn with less than this share of the widest road's width."""
-_HANGING, _AT_END = 0.2, 0.25
-"""Arrows that touch a road have less than this share of the widest one's width, measured where they
-are thinner than on the rest of their length but for this share: not on the road."""
+_ARROW, _HANGING, _AT_END = 0.25, 0.2, 0.25
+"""Arrows that touch a road are shorter than the first share of the picture's shorter side, and have
+less than the second one of the widest road's width, where they are thinnest, on this share of
+their length: not on the road."""
 _AT_BORDER = 4.0
 """Pixels from the border at which what is drawn leaves the picture."""
 _RIM = 0.04
@@ -61,7 +62,7 @@ def _drop_touching(graph: Graph, inner: NDArray[np.float32]) -> int:
     strokes = components(Graph(graph.nodes, thin))
     for stroke in strokes:
         touched = {node for line in stroke for node in (line.start, line.end)} & on_roads
-        short = sum(line.length for line in stroke) < _SHORT * min(inner.shape)
+        short = sum(line.length for line in stroke) < _ARROW * min(inner.shape)
         if len(touched) == 1 and short and not _leaves(stroke, inner.shape):
             gone |= {id(line) for line in stroke}
     if gone:
