@@ -17,7 +17,8 @@ _Stroke = tuple[tuple[int, int], tuple[int, int]]
 
 
 def _drawn(lines: list[_Stroke], circles: Sequence[tuple[int, int]] = ()) -> np.ndarray:
-    image = np.full((600, 900, 3), 255, np.uint8)
+    width = 10 + max(x for line in lines for x, _ in line)
+    image = np.full((600, max(900, width), 3), 255, np.uint8)
     for start, end in lines:
         cv2.line(image, start, end, (40, 40, 40), 6, cv2.LINE_AA)
     for center in circles:
@@ -31,32 +32,34 @@ def _surest(found: FoundNetwork) -> float:
 
 def _side_streets(count: int) -> list[_Stroke]:
     sides = [(90 + 80 * k, 60 if k % 2 else 540) for k in range(count)]
-    return [((40, 300), (860, 300)), *(((x, 300), (x, y)) for x, y in sides)]
+    return [((40, 300), (60 + 80 * count, 300)), *(((x, 300), (x, y)) for x, y in sides)]
 
 
 def test_a_family_tree_is_no_sure_road() -> None:
-    people = [(150, 300), (350, 300), (550, 300), (750, 300), (250, 500), (450, 500)]
-    lines = [((150, 180), (750, 180)), ((450, 60), (450, 180)), ((350, 400), (550, 400))]
-    lines += [((x, 180), (x, 264)) for x in (150, 350, 550, 750)]
-    lines += [((386, 300), (514, 300)), ((250, 400), (350, 400)), ((450, 300), (450, 464))]
-    lines += [((250, 400), (250, 464)), ((586, 300), (714, 300))]
+    """Three generations: each line ends on a person or on another line."""
+    rows = {300: (75, 225, 375, 525, 675, 825), 500: (150, 300, 450, 600, 750)}
+    people = [(x, y) for y, row in rows.items() for x in row]
+    lines = [((75, 180), (825, 180)), ((450, 60), (450, 180))]
+    lines += [((x, 180), (x, 264)) for x in rows[300]]
+    lines += [((150, 400), (750, 400)), ((450, 300), (450, 400)), ((411, 300), (489, 300))]
+    lines += [((x, 400), (x, 464)) for x in rows[500]]
     found = roads_of_drawing(_drawn(lines, circles=people))
     assert 0 < _surest(found) < 0.5
 
 
-@pytest.mark.parametrize("count", [3, 6])
+@pytest.mark.parametrize("count", [3, 6, 12])
 def test_side_streets_on_a_sheet_with_margins_are_sure(count: int) -> None:
     found = roads_of_drawing(_drawn(_side_streets(count)))
     assert len(found.roads) >= 2 * count
     assert _surest(found) > 0.95
 
 
-def test_many_side_streets_are_sure_where_they_leave_the_picture_or_cross() -> None:
-    inside = roads_of_drawing(_drawn(_side_streets(10)))
-    leaving = [(a, (b[0], -5 if b[1] < 300 else 605)) for a, b in _side_streets(10)[1:]]
-    beyond = roads_of_drawing(_drawn([((-5, 300), (905, 300)), *leaving]))
-    across = [((x, 60), (x, 540)) for x in range(90, 830, 80)]
-    crossing = roads_of_drawing(_drawn([((40, 300), (860, 300)), *across]))
+def test_very_many_side_streets_are_sure_where_they_leave_the_picture_or_cross() -> None:
+    inside = roads_of_drawing(_drawn(_side_streets(20)))
+    leaving = [(a, (b[0], -5 if b[1] < 300 else 605)) for a, b in _side_streets(20)[1:]]
+    beyond = roads_of_drawing(_drawn([((-5, 300), (1705, 300)), *leaving]))
+    across = [((x, 60), (x, 540)) for x in range(90, 1690, 80)]
+    crossing = roads_of_drawing(_drawn([((40, 300), (1660, 300)), *across]))
     assert _surest(inside) < 0.7
     assert _surest(beyond) > 0.95
     assert _surest(crossing) > 0.95
@@ -67,8 +70,8 @@ def _road(start: int, end: int, points: list[tuple[int, int]], widths: list[floa
 
 
 def test_barbs_on_a_line_count_as_lines_that_end_on_it() -> None:
-    shape = (400, 1000)
-    count = 6
+    shape = (400, 1800)
+    count = 12
     places = [(100 + 100 * k, 200) for k in range(count + 2)]
     line = [_road(k, k + 1, places[k : k + 2], [5, 5]) for k in range(count + 1)]
     barbs = {
@@ -92,8 +95,8 @@ def test_many_roads_of_uneven_width_are_cracks_and_a_few_are_strokes_of_a_pen() 
 
 
 def test_streets_whose_color_is_stated_are_sure_however_they_meet() -> None:
-    surface = np.zeros((600, 900), np.float32)
-    for start, end in _side_streets(10):
+    surface = np.zeros((600, 1700), np.float32)
+    for start, end in _side_streets(20):
         cv2.line(surface, start, end, 1.0, 12)
     assert _surest(roads_of_surface(surface, "legend")) > 0.95
     assert _surest(roads_of_surface(surface, "filled road")) < 0.7

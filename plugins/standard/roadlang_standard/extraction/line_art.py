@@ -13,9 +13,9 @@ from .found_network import FoundRoad
 
 _NO_ROAD = 0.45
 """The confidence of line art."""
-_FEW, _MANY = 7.0, 11.0
+_FEW, _MANY = 14.0, 22.0
 """Up to the first number of lines that end on another one are roads, from the second one on they
-are line art, where nothing leaves the picture."""
+are line art, where nothing leaves the picture: few draw larger towns within margins."""
 _STUB = 3.0
 """Dead ends of fewer widths are barbs, ticks and whiskers."""
 _RIM = 3.0
