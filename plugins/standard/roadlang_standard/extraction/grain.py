@@ -53,11 +53,12 @@ def _disk(radius: int) -> NDArray[np.uint8]:
 def _grainy(marked: Booleans, closed: NDArray[np.uint8]) -> Booleans | None:
     """Those of the strokes, closed (h, w), that have grain, None without any."""
     gaps = (closed > 0) & ~marked
-    number, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
     holes, parts = cv2.connectedComponents(gaps.view(np.uint8), connectivity=4)
     if holes <= _MANY:
         return None
-    first = np.unique(parts, return_index=True)[1][1:]  # one pixel of each
+    number, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
+    pixels = np.flatnonzero(gaps)
+    first = pixels[np.unique(parts.ravel()[pixels], return_index=True)[1]]  # one of each gap
     found = np.bincount(labels.ravel()[first], minlength=number)
     areas = stats[:, cv2.CC_STAT_AREA]
     filled = np.bincount(labels[gaps], minlength=number)
