@@ -70,13 +70,15 @@ def test_what_surrounds_all_that_is_drawn_is_the_ground() -> None:
         assert [road.confidence for road in found.roads][:2] == expected
 
 
-def test_a_map_that_no_road_leaves_is_judged_as_a_drawing() -> None:
+def test_a_map_that_hardly_a_road_leaves_is_judged_as_a_drawing() -> None:
     """Walls of a floor plan, in several colors."""
     steps = [(1, 0)] * 120 + [(0, 1)] * 60 + [(-1, 0)] * 120 + [(0, -1)] * 60
     walls = np.cumsum([(40, 20), *steps], axis=0).astype(float)
     room = FoundRoad(0, 0, walls, np.full(len(walls), 2.0))
     assert _sure(room, drawn=False) == [0.45]
-    assert _sure(room, _line(1, 2, (0, 90, 199, 90)), drawn=False) == [1.0, 1.0]
+    street, drive = _line(1, 2, (0, 90, 199, 90)), _line(3, 4, (180, 99, 180, 92))
+    assert _sure(room, street, drawn=False)[0] == 0.45
+    assert _sure(room, street, drive, drawn=False)[0] == 1.0
 
 
 def test_between_edge_lines_a_road_is_even() -> None:

@@ -86,7 +86,7 @@ def decided(kind: str, options: dict[str, float], state: tuple[float, ...]) -> l
     view = View(world, world.poses, 0.1, Surroundings(world))
     gap, speed = np.array([state[4]]), np.array([state[5]])
     none = np.zeros((1, 1, 1))
-    view._ahead = Leaders(gap, speed, np.zeros(1), lambda: (none, none))
+    view._ahead = Leaders(gap, speed, np.zeros(1), lambda: none, lambda: none)
     driver = python_controllers(one, load_registry())["ego"]
     assert isinstance(driver, Driver)
     guarded = driver.each[0]

@@ -72,7 +72,7 @@ def test_the_range_of_a_signal_settles_a_requirement(sample: Sample, steep: str)
 
 def test_the_range_of_a_signal_shows_what_is_impossible(sample: Sample) -> None:
     text = swaying("0m..4m", "require steep: eventually (acme.tilt(bent, 1..2) > 8.1)")
-    assert sample(text, kinds=(Tilt,)).impossible == ("eventually (acme.tilt(bent, 1..2) > 8.1)",)
+    assert sample(text, kinds=(Tilt,)).impossible == ("`eventually (acme.tilt(bent, 1..2) > 8.1)`",)
 
 
 @pytest.mark.parametrize(
@@ -149,7 +149,7 @@ def test_a_pass_that_draws_by_itself_is_not_decided_by_one_candidate(sample: Sam
 
 def test_a_number_of_a_road_states_a_range(sample: Sample) -> None:
     text = swaying("0m..4m", "require far: sup_distance(bent, main) > 4.1m")
-    assert sample(text).impossible == ("sup_distance(bent, main) > 4.1m",)
+    assert sample(text).impossible == ("`sup_distance(bent, main) > 4.1m`",)
 
 
 def test_an_option_that_geometry_decides_leaves_a_signal_without_range(sample: Sample) -> None:

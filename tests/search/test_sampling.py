@@ -77,12 +77,12 @@ def test_bounds_tell_the_impossible_without_a_single_candidate(sample: Sample) -
     result = sample(BENT + "require far: eventually (deviation(bent, main) > 9m)\n")
     assert result.scenes == ()
     assert result.candidates == 0
-    assert result.impossible == ("eventually (deviation(bent, main) > 9m)",)
+    assert result.impossible == ("`eventually (deviation(bent, main) > 9m)`",)
 
 
 def test_what_no_draw_can_change_is_impossible(sample: Sample) -> None:
     result = sample(STRAIGHT + "require long: length(main) > 1km\n", 5)
-    assert result.impossible == ("length(main) > 1km",)
+    assert result.impossible == ("`length(main) > 1km`",)
     assert result.wanted == 5
     assert sample(STRAIGHT + "require long: length(main) > 1km\n", None).wanted == 1
 

@@ -117,7 +117,7 @@ def test_tables_have_the_first_failure_in_one_line_and_verdicts_have_all() -> No
     failures = record_of(drives[0])["controller_failures"]
     assert [each["agent"] for each in failures] == ["ego", "other"]
     outcome = Outcome(0, (), False, None, controller_failures=drives[0].trace.controller_failures)
-    assert columns.items() <= row_of(outcome, []).items()
+    assert columns.items() <= row_of(outcome, [], ()).items()
 
 
 @pytest.mark.parametrize(

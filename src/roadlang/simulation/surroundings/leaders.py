@@ -30,7 +30,7 @@ class Leaders:
     gap: Floats
     """(N,) to the next agent"""
     speed: Floats
-    """(N,) acceleration of the vehicle ahead, along the lane"""
+    """(N,) speed of the vehicle ahead, along the lane"""
     acceleration: Floats
     """(N,) acceleration of the vehicle ahead, along the lane"""
     _gaps: Callable[[], Floats]
