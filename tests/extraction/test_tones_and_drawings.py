@@ -173,6 +173,16 @@ def test_kinds_of_pictures(image: np.ndarray, name: str) -> None:
     assert picture_kind(image).drawn == (name != "photo")
 
 
+def test_histograms_of_later_versions_of_opencv_have_one_axis(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Version 5 gives (256,) where version 4 gave (256, 1)."""
+    usual = cv2.calcHist
+    monkeypatch.setattr(cv2, "calcHist", lambda *given: usual(*given).ravel())
+    found = roads_by_contour(painted(band(40, 60)), ContourSteps())
+    assert len(found.roads) == 1
+
+
 def test_a_ring_road_has_no_seam() -> None:
     """A circle of 60 px radius and 12 px width, all the way round."""
     y, x = np.mgrid[:200, :200]

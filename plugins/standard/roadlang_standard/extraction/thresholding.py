@@ -90,7 +90,7 @@ def _level(gray: Image, chain: ContourSteps) -> float:
 def _soft_by_levels(gray: Image, level: float) -> Layer | None:
     """As `_soft`, worked out once for each of 256 levels of gray (h, w)."""
     sample = np.ascontiguousarray(_sampled(gray))
-    counts = cv2.calcHist([sample], [0], None, [256], [0, 256])[:, 0].astype(np.int64)
+    counts = cv2.calcHist([sample], [0], None, [256], [0, 256]).ravel().astype(np.int64)
     levels = np.arange(256, dtype=np.float32)
     is_low = levels < level
     if not counts[is_low].any() or not counts[~is_low].any():
