@@ -111,7 +111,7 @@ def test_the_bar_of_a_window_is_no_sure_road_of_a_map_either() -> None:
     assert _surest(roads_of_surface(surface, "map", cover=cover)) > 0.9
 
 
-def test_figures_that_lie_about_are_no_sure_roads_and_a_few_are() -> None:
+def test_scattered_figures_are_no_sure_roads_and_a_few_are() -> None:
     rings = [(150, 150), (450, 150), (150, 450), (450, 450)]
 
     def drawn(count: int) -> np.ndarray:

@@ -105,7 +105,7 @@ def _rows(parts: list[list[FoundRoad]], inside: list[bool]) -> list[bool]:
 
 
 def _scattered(parts: list[list[FoundRoad]], inside: list[bool], side: int) -> list[bool]:
-    """Which parts are figures that lie about the picture, each alone, of those as in `_rows`."""
+    """Which parts are figures scattered over the picture, each alone, of those as in `_rows`."""
     alone = [
         ends and sum(road.length for road in part) >= _LONG_PART * side
         for part, ends in zip(parts, inside, strict=True)
