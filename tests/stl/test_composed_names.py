@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Literal
 from unicodedata import normalize
 
 import pytest
 
 from roadlang.stl import parse, read_trace
 from roadlang.stl.formats.trace_stream import samples_of_lines
+
+Form = Literal["NFC", "NFD"]
 
 NAME = "größe"
 TABLE = f"time,{NAME}\n0,1\n1,2\n"
@@ -18,7 +21,7 @@ COLUMNS = {"time": [0, 1], NAME: [1, 2]}
 
 
 @pytest.mark.parametrize("form", ["NFC", "NFD"])
-def test_formulas_name_columns_in_either_form(form: str) -> None:
+def test_formulas_name_columns_in_either_form(form: Form) -> None:
     (name,) = parse(normalize(form, f"always (`{NAME}` > 0)")).variables
     assert name == normalize("NFC", NAME)
 
@@ -33,7 +36,7 @@ def test_formulas_name_columns_in_either_form(form: str) -> None:
         ("a.json", json.dumps(ROWS, ensure_ascii=False)),
     ],
 )
-def test_traces_have_composed_names(name: str, text: str, form: str, tmp_path: Path) -> None:
+def test_traces_have_composed_names(name: str, text: str, form: Form, tmp_path: Path) -> None:
     path = tmp_path / name
     path.write_text(normalize(form, text), encoding="utf-8")
     _, times, signals = read_trace(path)
