@@ -94,6 +94,7 @@ OPTIONAL = {
     "pandas": "traces as data frames, for those who have it",
     "pyproj": "the extra `maps`: grids of pictures other than UTM",
     "pytest": "the fixture of `roadlang.testing`",
+    "stable_baselines3": "the extra `sb3`: scenes side by side for Stable-Baselines3",
 }
 
 
