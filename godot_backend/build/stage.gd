@@ -106,7 +106,7 @@ func path(path_id: int) -> PathLine:
 
 
 ## Gives the agents their paths, before anything drives them.
-func lead_agents() -> void:
+func give_paths() -> void:
 	for agent in agents():
 		agent.follow(path(agent.path_id))
 

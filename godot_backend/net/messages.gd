@@ -149,7 +149,7 @@ func _commit(reader: Reader) -> String:
 	out.encode_u32(12, stage.builds)
 	out.append_array(Thing.md5(stage.records()))
 	_server.send(Protocol.BUILT, out)
-	stage.lead_agents()
+	stage.give_paths()
 	if world == 0:
 		proved.emit()
 	return ""

@@ -12,6 +12,8 @@ from .usual_port import USUAL_PORT
 if TYPE_CHECKING:
     from roadlang.api import Scene
 
+_WITHOUT_ENGINE = "`roadlang render FILE -o scene.tscn` writes a scene that any Godot project opens"
+
 
 @dataclass(frozen=True)
 class GodotBackend(Backend):
@@ -34,7 +36,7 @@ class GodotBackend(Backend):
         from .engines.running_engine import RunningEngine
 
         layout = layout_of(scene, self.road)
-        running = RunningEngine(self.host, self.port, self.transport)
+        running = RunningEngine(self.host, self.port, self.transport, _WITHOUT_ENGINE)
         with running.connect(scene.name) as session:
             session.begin(layout.settings(), clear=True)
             session.update(layout.parts)

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
     from roadlang.api import Controller, Scene, Sensor, Trace
 
+_WITHOUT_HOST = "without `host`, roadlang starts Godot itself"
+
 
 @dataclass(frozen=True)
 class GodotSimulator(Simulator):
@@ -32,7 +34,7 @@ class GodotSimulator(Simulator):
         help="build the road as a mesh along the curve, or as pixel tiles",
     )
     host: String | None = option(
-        None, help="host of a running Godot to drive in, such as a game; else one is started"
+        None, help="host of a Godot that is running, such as your game; without it, one is started"
     )
     port: Integer = option(USUAL_PORT, minimum=1, maximum=65535, help="port of that Godot")
     transport: Word = option(
@@ -52,6 +54,6 @@ class GodotSimulator(Simulator):
 
         running = None
         if self.host is not None:
-            running = RunningEngine(self.host, self.port, self.transport)
+            running = RunningEngine(self.host, self.port, self.transport, _WITHOUT_HOST)
         settings = Settings(self.duration, self.step, self.headless, self.road, running)
         yield from drive_scenes(scenes, settings, controllers)

@@ -26,6 +26,7 @@ from .surroundings import quiet_steps
 from .surroundings.contacts import ContactDetector
 from .surroundings.quiet_steps import are_apart, loop_over_places
 from .vehicles import compiled, kernels
+from .vehicles.motion import MOTION_COLUMNS
 
 STEPS = 15_000
 """Steps of one agent by this process from which on the loop is used: about a minute of 20 agents.
@@ -125,11 +126,9 @@ def _driven(
 def _put(world: World, rows: Floats, flags: Booleans, tick: int) -> None:
     """Agents are as the loop says, at a time."""
     motion = world.motion
-    (
-        motion.along, motion.offset, motion.speed, motion.slide, motion.yaw_rate, motion.cosine,
-        motion.sine, motion.tangent, motion.line_heading, motion.acceleration,
-        along, left, world.traveled, _, _,
-    ) = rows  # fmt: skip
+    for name, row in zip(MOTION_COLUMNS, rows, strict=False):
+        setattr(motion, name, row)
+    along, left, world.traveled = rows[MOTION : MOTION + 3]
     at_end, _, world.present = flags
     world.pace, world.tick = (along, left), tick
     world.arrived = motion.along, world.traveled, at_end

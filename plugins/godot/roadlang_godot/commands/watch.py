@@ -32,6 +32,8 @@ REST = 0.25
 """Seconds for which what is dragged stays where it is before it is compiled."""
 BYTE_ORDER_MARK = "\ufeff"
 
+_WITHOUT_HOST = "without `--host`, roadlang starts Godot itself"
+
 
 @click.command("watch")
 @click.argument("file")
@@ -80,7 +82,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     watcher = Watcher(loaded, seed, road, save)
     deadline = float("inf") if seconds is None else time.monotonic() + seconds
     if host is not None:
-        with RunningEngine(host, port).connect(scenes[0].name) as session:
+        with RunningEngine(host, port, otherwise=_WITHOUT_HOST).connect(scenes[0].name) as session:
             watcher.run(session, scenes, deadline)
         return
     with engine.start(window=not headless) as running, running.connect() as session:

@@ -22,6 +22,8 @@ class RunningEngine:
     host: str
     port: int = USUAL_PORT
     transport: str = "udp"
+    otherwise: str = ""
+    """help where no engine answers, besides how to start one"""
 
     def connect(self, name: str = "") -> Session:
         """A session, for the scene of this name.
@@ -39,7 +41,7 @@ class RunningEngine:
     def _how_to_start(self) -> tuple[str, ...]:
         port = "" if self.port == USUAL_PORT else f" --port {self.port}"
         transport = "" if self.transport == "udp" else f" --transport {self.transport}"
-        return (
-            f"start it in another terminal, `roadlang godot{port}{transport}`, and leave it open",
-            "`roadlang render FILE -o scene.tscn` writes a scene that any Godot project opens",
+        start = (
+            f"start it in another terminal, `roadlang godot{port}{transport}`, and leave it open"
         )
+        return (start, self.otherwise) if self.otherwise else (start,)
