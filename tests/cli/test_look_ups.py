@@ -74,7 +74,8 @@ def test_a_folder_of_failures_is_told_how_one_is_explained(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "failures").mkdir()
-    (tmp_path / "failures" / "0001.json").write_text("{}")
+    for name in ("0001.json", "0001.explanation.json", "0001.shrunk.json", "0002.json"):
+        (tmp_path / "failures" / name).write_text("{}")
     assert run(["explain", str(tmp_path)]) == 2
     assert "failures/0001.json`" in capsys.readouterr().err
 

@@ -114,7 +114,7 @@ def test_the_worst_is_no_expectation_that_equality_decides() -> None:
 
 def test_results_say_what_they_were_made_from_and_how_to_make_them_again() -> None:
     digest = hashlib.sha256(Path("bend.rl").read_bytes()).hexdigest()
-    for words in (["run", "-n", "2", "--duration", "5"], ["falsify", "--evaluations", "6"]):
+    for words in (["run", "-n", "2", "--duration", "5.1000001"], ["falsify", "--evaluations", "6"]):
         run([words[0], "bend.rl", "-o", "out", "--seed", "3", *words[1:]])
         record = json.loads(Path("out/provenance.json").read_text())
         assert record["inputs"] == {"bend.rl": digest}
@@ -277,3 +277,19 @@ def test_what_compile_wrote_stays_where_an_earlier_run_had_a_scene_of_that_numbe
     assert run(["run", "bend.rl", "-n", "1"]) in (0, 4)
     assert Path("out/scene-0002.json").exists()
     assert not Path("out/scene-0002.trace.csv").exists()
+
+
+@pytest.mark.parametrize(("stated", "said"), [("5.1000001", "5.1000001"), ("5", "5")])
+def test_the_command_for_the_same_results_has_the_duration_to_its_last_digit(
+    stated: str, said: str
+) -> None:
+    run(["run", "bend.rl", "-n", "1", "-o", "out", "--duration", stated])
+    again = json.loads(Path("out/provenance.json").read_text())["again"]
+    assert shlex.split(again)[-2:] == ["--duration", said]
+
+
+def test_a_scene_is_driven_whatever_the_case_of_the_ending_of_its_file() -> None:
+    run(["compile", "bend.rl", "-o", "out"])
+    Path("out/scene-0000.json").rename("SCENE.JSON")
+    assert run(["run", "SCENE.JSON", "-o", "drives"]) in (0, 4)
+    assert [row["scene"] for row in results("drives")] == ["0"]

@@ -18,6 +18,7 @@ from ..diagnostics import (
     did_you_mean,
     page,
 )
+from ..ir.result_files import FAILURES, is_scene_file_name, numbered_scenes
 from .commands import COMMANDS
 from .console import echo, style
 from .named_kinds import kinds_text, named_kinds, other_names
@@ -51,7 +52,7 @@ def command(words: tuple[str, ...], scene_file: str | None) -> None:
     time and in pairs, and the moment at which it goes wrong.
     """
     wanted = " ".join(words)
-    if wanted.endswith(".json"):
+    if is_scene_file_name(wanted):
         from .explain_failure import explain_failure
 
         explain_failure(wanted, scene_file)
@@ -105,9 +106,7 @@ def _where_else(wanted: str) -> tuple[str, ...]:
     folder = Path(wanted)
     if not os.path.isdir(folder):
         return ("`roadlang explain` lists all codes, `roadlang plugins` all kinds",)
-    scenes = sorted((folder / "failures").glob("[0-9]*.json")) or sorted(
-        folder.glob("scene-*[0-9].json")
-    )
+    scenes = numbered_scenes(folder / FAILURES) or sorted(folder.glob("scene-*[0-9].json"))
     if not scenes:
         return ("`explain` takes a scene, not a folder: name one that violates an expectation",)
     shown = f"`roadlang explain {scenes[0].as_posix()}`"

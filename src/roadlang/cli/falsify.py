@@ -152,10 +152,10 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
 
 
 def _note_figures(search: Falsification, target: Path, figures: int) -> None:
-    from ..session.falsification_files import FAILURES
+    from ..ir.result_files import FAILURES, SCENE, numbered_stem
 
     if figures < len(search.failures):
-        other = shown(target / FAILURES / f"{figures + 1:04d}.json")
+        other = shown(target / FAILURES / f"{numbered_stem(figures + 1)}{SCENE}")
         drawn = f"figures of the {figures} worst failures" if figures else "no figures"
         note(f"{drawn}: `--figures N` draws more, `roadlang run {other} -o DIR` a single one")
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..ir.result_files import is_scene_file_name, run_name
 from ..session.outputs import parse_outputs
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
@@ -23,9 +24,6 @@ if TYPE_CHECKING:
     from ..session.loading import LoadedScenario
     from ..session.scene import Scene
     from ..session.scene_set import SceneSet
-
-_CONCRETE = ".json"
-"""The ending of a file that holds one scene instead of a scenario."""
 
 
 @click.command("run")
@@ -77,7 +75,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     with workers_of(cluster, jobs) as workers:
         outputs = None if emit is None else parse_outputs(emit)
         batch = RunBatch(target, engine, options, workers, resume, as_json, outputs)
-        if file.endswith(_CONCRETE):
+        if is_scene_file_name(file):
             _refuse_sampling({"-n": count, "--seed": seed, "--set": settings, "--params": params})
             batch.add_scene(file)
         else:
@@ -158,7 +156,7 @@ class RunBatch:
         if self._outputs is not None:
             each = [variant.with_outputs(self._outputs) for variant in each]
         for number, loaded in enumerate(variant.with_params(overrides) for variant in each):
-            self._add(loaded, {"run": f"run-{number:03d}"} if is_list else {}, count, seed)
+            self._add(loaded, {"run": run_name(number)} if is_list else {}, count, seed)
 
     def _add(
         self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int

@@ -44,3 +44,8 @@ class ResultsRecord:
     """version by distribution"""
     schema: str = RESULTS_SCHEMA
     """version of this format"""
+
+    @property
+    def is_random_sample(self) -> bool:
+        """Whether its scenes were drawn at random, each on its own."""
+        return self.sampler.rpartition(".")[2] == "random" and self.seed is not None

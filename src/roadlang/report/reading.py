@@ -16,6 +16,7 @@ from ..drive.trace_files import from_json
 from ..files.journal import JOURNAL_FILE, UNUSABLE, read_lines
 from ..files.reading import UnreadableFile, read_file
 from ..ir.encoding import scene_from_json
+from ..ir.result_files import SCENE, TRACE
 from ..ir.results_record import RESULTS_FILE, RESULTS_SCHEMA, ResultsRecord
 from ..ir.scene import Scene
 from ..ir.trace import Trace
@@ -50,8 +51,8 @@ def _no_results(folder: Path) -> DiagnosticError:
 
 def read_drive(stem: Path) -> tuple[Scene, Trace]:
     """The scene `STEM.json` and its trace, with the objects that stand. Raises RL721."""
-    scene = parsed(stem.with_name(f"{stem.name}.json"), scene_from_json)
-    trace = parsed(stem.with_name(f"{stem.name}.trace.json"), from_json)
+    scene = parsed(stem.with_name(f"{stem.name}{SCENE}"), scene_from_json)
+    trace = parsed(stem.with_name(f"{stem.name}{TRACE}"), from_json)
     return scene, with_objects(trace, scene)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ..falsification.statistics import FailureRate, clopper_pearson, measure_coverage
+from ..ir.result_files import numbered_runs
 from ..ir.results_record import RESULTS_FILE, ResultsRecord
 from ..ir.scene import file_stem
 from ..judging.badness import badness
@@ -18,8 +19,6 @@ from ..plugins.registry import Registry
 from .reading import read_journal, read_record
 from .results import ResultRow, Results, ShownDrive
 from .shown_drives import MOST_FAILING, MOST_SAFE, shown_drive
-
-_RUN = "run-[0-9]*"
 
 
 def results_folder(folder: Path) -> Path:
@@ -84,9 +83,7 @@ class _Entry:
 
 
 def _runs(folder: Path) -> list[Path]:
-    if not os.path.isdir(folder):
-        return []
-    return sorted(path for path in folder.glob(_RUN) if os.path.isfile(path / RESULTS_FILE))
+    return [path for path in numbered_runs(folder) if os.path.isfile(path / RESULTS_FILE)]
 
 
 def _entries(folder: Path, run: str) -> Iterator[_Entry]:
@@ -121,7 +118,7 @@ def _shown(folder: Path, entry: _Entry, row: ResultRow, registry: Registry) -> S
 def _rate(runs: Sequence[Path], rows: Sequence[ResultRow]) -> FailureRate | None:
     """The rate of failures, where scenes were drawn at random and from one distribution."""
     record = read_record(runs[0])
-    if len(runs) > 1 or record.sampler.rpartition(".")[2] != "random" or record.seed is None:
+    if len(runs) > 1 or not record.is_random_sample:
         return None
     failures = sum(row.has_failed for row in rows)
     return FailureRate(failures, len(rows), *clopper_pearson(failures, len(rows)))

@@ -11,13 +11,12 @@ import msgspec
 from ..falsification.outcome import Outcome
 from ..falsification.outcome_rows import places_of, row_of
 from ..falsification.statistics import best_so_far, coverage, failure_rate
+from ..ir.result_files import FAILURES, INDEX, SAFE, SUMMARY
 from ..ir.results_record import ResultsRecord
 from ..plugins.registry import Registry
 from .reading import read_journal, read_typed
 from .results import ResultRow, Results, ShownDrive
 from .shown_drives import MOST_FAILING, shown_drive
-
-SUMMARY, FAILURES, SAFE, INDEX = "summary.json", "failures", "safe", "index.json"
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..ir.encoding import scene_from_json
+from ..ir.result_files import EXPLANATION, SHRUNK
 from ..ir.scene import Scene
 from ..judging.drives import judge
 from ..plugins.registry import Registry
@@ -54,7 +55,7 @@ def shown_drive(
 def _shrunk(stem: Path, scene: Scene) -> dict[str, Any] | None:
     """Of the simplest scene that still fails: the draws that are as they were, with their units,
     and how many are not."""
-    path = stem.with_name(f"{stem.name}.shrunk.json")
+    path = stem.with_name(f"{stem.name}{SHRUNK}")
     if not path.is_file():
         return None
     simple = parsed(path, scene_from_json)
@@ -66,7 +67,7 @@ def _shrunk(stem: Path, scene: Scene) -> dict[str, Any] | None:
 
 
 def _explained(stem: Path) -> dict[str, Any] | None:
-    path = stem.with_name(f"{stem.name}.explanation.json")
+    path = stem.with_name(f"{stem.name}{EXPLANATION}")
     if not path.is_file():
         return None
     found = read_typed(path, FailureExplanation)

@@ -14,18 +14,17 @@ from ..falsification.evaluator import AFTER_VIOLATION, Evaluator, Proposal, Task
 from ..falsification.outcome import Outcome
 from ..falsification.search_loop import SearchResult
 from ..falsification.settings import plan_of
+from ..ir.result_files import FAILURES, INDEX, SCENE, SHRUNK
 from ..ir.results_record import RESULTS_FILE, ResultsRecord
 from ..ir.scene import Scene as SceneRecord
 from ..report.reading import read_record, read_typed
 from ..scenes.instantiate import driven_scene
 from ..world.index import index_scenario
 from .falsification import Failure, Falsification
-from .falsification_files import SHRUNK
 from .loading import LoadedScenario, load
 from .scene import Scene
 from .scene_files import read_scene_file
 
-FAILURES, INDEX = "failures", "index.json"
 _OTHER = {
     "roads": "its roads differ", "agents": "its agents differ", "objects": "its objects differ",
     "world": "its world differs",
@@ -101,10 +100,10 @@ def _place(
             if item.scene == path.name:
                 return rank, index.axes, Proposal(item.evaluation, item.point)
         if path.name.endswith(SHRUNK):
-            failure = path.name.removesuffix(SHRUNK) + ".json"
+            failure = path.name.removesuffix(SHRUNK) + SCENE
             raise _no_failure(path, f"it was made by `roadlang shrink` from {failure}")
         raise _no_failure(path, f"{INDEX} next to it does not list it")
-    if record.sampler.rpartition(".")[2] != "random":
+    if not record.is_random_sample:
         reason = f"its scenes were chosen by `{record.sampler}`, not at random"
         raise _no_failure(path, reason)
     coordinates = _coordinates(loaded, scene)

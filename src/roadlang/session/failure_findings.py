@@ -8,20 +8,19 @@ from pathlib import Path
 from typing import Any
 
 from ..files.writing import write_all, write_file
+from ..ir.result_files import EXPLANATION, SCENE, SHRUNK, is_scene_file_name
 from ..report.units import robustness_unit
 from .falsification import Failure
-from .falsification_files import EXPLANATION, SHRUNK
 
 EXPLANATION_SCHEMA = "roadlang.explanation/1"
-_SCENE = ".json"
 
 
 def write_shrunk(simple: Failure, file: Path, target: Path | None = None) -> Path:
     """Write the simplest scene that still fails, and its figure, beside the `file` of the failure
     or into `target`, whose name ends in `.json` then. Raises `DiagnosticError` RL460."""
     path = (_beside(file, SHRUNK) if target is None else target).absolute()
-    if path.suffix != _SCENE:  # `run` reads anything else as a scene file
-        path = path.with_name(path.name + _SCENE)
+    if not is_scene_file_name(path.name):  # `run` reads anything else as a scene file
+        path = path.with_name(path.name + SCENE)
     figure = path.with_suffix(".svg").name
     write_all(path.parent, {path.name: simple.scene.to_json(), figure: simple.drive.svg()})
     return path
@@ -61,4 +60,4 @@ def write_explanation(record: dict[str, Any], file: Path) -> Path:
 
 
 def _beside(file: Path, ending: str) -> Path:
-    return file.with_name(file.name.removesuffix(".json") + ending)
+    return file.with_name(file.stem + ending)

@@ -19,6 +19,19 @@ from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import arguments
 from ..files.writing import write_all, write_set
+from ..ir.result_files import (
+    EXPLANATION,
+    FAILURES,
+    INDEX,
+    SAFE,
+    SCENE,
+    SHRUNK,
+    SHRUNK_FIGURE,
+    SUMMARY,
+    TRACE,
+    TRACE_TABLE,
+    numbered_stem,
+)
 from ..ir.results_record import RESULTS_FILE
 from ..version import __version__
 from .results_record import record_of_search
@@ -28,16 +41,12 @@ if TYPE_CHECKING:
     from .drives import Drive
     from .falsification import Failure, Falsification
 
-FAILURES, SAFE = "failures", "safe"
-INDEX = "index.json"
 INDEX_SCHEMA = "roadlang.failures/1"
 SAFE_SCHEMA = "roadlang.safe/1"
 SUMMARY_SCHEMA = "roadlang.falsification/1"
-SHRUNK, SHRUNK_FIGURE, EXPLANATION = ".shrunk.json", ".shrunk.svg", ".explanation.json"
 FINDINGS = (SHRUNK, SHRUNK_FIGURE, EXPLANATION)
-"""What `roadlang shrink` and `roadlang explain` find, in place of the `.json` of the failure."""
 _FIGURE = ".svg"
-_ENDINGS = (".json", ".trace.csv", ".trace.json", _FIGURE)
+_ENDINGS = (SCENE, TRACE_TABLE, TRACE, _FIGURE)
 
 
 def write_falsification(search: Falsification, folder: Path, figures: int | None = None) -> None:
@@ -54,7 +63,7 @@ def write_falsification(search: Falsification, folder: Path, figures: int | None
     tables = {
         "failing.csv": to_csv(columns_of(search.rows(failing))),
         "safe.csv": to_csv(columns_of(search.rows(safe))),
-        "summary.json": _json(summary(search)),
+        SUMMARY: _json(summary(search)),
         RESULTS_FILE: record_of_search(search),
     }
     write_all(folder, tables)
@@ -98,7 +107,7 @@ def _write_safe(search: Falsification, folder: Path) -> None:
         contents |= _drive_files(number, drive)
         robustness = {name: drive.verdicts[name].robustness for name in search.expects}
         record = {"evaluation": drive.scene.index, "robustness": robustness}
-        records.append({"scene": f"{number:04d}.json", **record})
+        records.append({"scene": f"{numbered_stem(number)}{SCENE}", **record})
     contents[INDEX] = _json({"schema": SAFE_SCHEMA, "safe": records})
     write_set(folder, contents, INDEX, _files_of)
 
@@ -106,12 +115,12 @@ def _write_safe(search: Falsification, folder: Path) -> None:
 def _drive_files(number: int, drive: Drive, is_drawn: bool = True) -> dict[str, bytes]:
     """As bytes: hundreds of texts would be in memory twice when they are written."""
     contents = {
-        ".json": drive.scene.to_json(),
-        ".trace.csv": drive.to_csv(),
-        ".trace.json": drive.to_json(),
+        SCENE: drive.scene.to_json(),
+        TRACE_TABLE: drive.to_csv(),
+        TRACE: drive.to_json(),
         **({_FIGURE: drive.svg()} if is_drawn else {}),
     }
-    return {f"{number:04d}{end}": text.encode() for end, text in contents.items()}
+    return {f"{numbered_stem(number)}{end}": text.encode() for end, text in contents.items()}
 
 
 def _record(failure: Failure) -> dict[str, Any]:
@@ -119,7 +128,7 @@ def _record(failure: Failure) -> dict[str, Any]:
     again = {name: drive.verdicts[name].robustness for name in outcome.expectations}
     controllers = [dataclasses.asdict(failure) for failure in outcome.controller_failures]
     return {
-        "scene": f"{failure.rank:04d}.json",
+        "scene": f"{numbered_stem(failure.rank)}{SCENE}",
         "evaluation": outcome.index,
         "violated": list(outcome.violated),
         "robustness": dict(outcome.expectations),
@@ -136,7 +145,7 @@ def _files_of(marker: Path) -> Iterable[str]:
     try:
         record = json.loads(marker.read_text(encoding="utf-8"))
         listed = record["failures"] if "failures" in record else record["safe"]
-        stems = [str(item["scene"]).removesuffix(".json") for item in listed]
+        stems = [str(item["scene"]).removesuffix(SCENE) for item in listed]
     except (OSError, ValueError, KeyError, TypeError):
         return []
     names = [f"{stem}{ending}" for stem in stems for ending in (*_ENDINGS, *FINDINGS)]

@@ -120,7 +120,7 @@ def record_of_search(search: Falsification) -> str:
 def _engine(engine: str | None, options: Options) -> list[str]:
     words = [] if engine is None else ["--engine", engine]
     if "duration" in options:
-        words += ["--duration", f"{options['duration']:g}"]
+        words += ["--duration", repr(options["duration"]).removesuffix(".0")]
     return words
 
 

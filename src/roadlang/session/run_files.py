@@ -17,6 +17,7 @@ from ..files.journal import JOURNAL_FILE, UNUSABLE, JournalFile, read_lines
 from ..files.transaction import is_plain
 from ..files.writing import write_all, write_file
 from ..ir.manifest import MANIFEST_FILE
+from ..ir.result_files import SCENE, TRACE, TRACE_TABLE
 from ..ir.results_record import RESULTS_FILE
 from ..ir.scene import file_stem
 from ..scenes.emitting import outputs_of_drive
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from ..evaluate.kind_instance import KindInstance
     from .drives import DriveSet
 
-_ENDINGS = (".json", ".trace.csv", ".trace.json", ".verdicts.json", ".drive.svg")
+_ENDINGS = (SCENE, TRACE_TABLE, TRACE, ".verdicts.json", ".drive.svg")
 _RESERVED = frozenset(ending[1:] for ending in (*_ENDINGS, *FINDINGS))
 """Endings that no backend can use."""
 

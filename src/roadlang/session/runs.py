@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from ..files.writing import remove_set, write_file
 from ..ir.manifest import MANIFEST_FILE
+from ..ir.result_files import numbered_runs, run_name
 from .loading import LoadedScenario
 from .manifest import files_named_in
 from .param_files import read_params
 from .tables import columns_of, to_csv
 
 TABLE = "runs.csv"
-_STEM = "run-"
 
 
 def variants(loaded: LoadedScenario, params: str | None) -> tuple[Sequence[LoadedScenario], bool]:
@@ -27,7 +27,7 @@ def variants(loaded: LoadedScenario, params: str | None) -> tuple[Sequence[Loade
 
 def run_folders(target: Path, count: int) -> list[Path]:
     """`run-000`, `run-001`, ... in `target`."""
-    return [target / f"{_STEM}{number:03d}" for number in range(count)]
+    return [target / run_name(number) for number in range(count)]
 
 
 def write_runs(target: Path, rows: Sequence[Mapping[str, Any]]) -> None:
@@ -38,11 +38,6 @@ def write_runs(target: Path, rows: Sequence[Mapping[str, Any]]) -> None:
     folders = run_folders(target, len(rows))
     named = [{"run": path.name, **row} for path, row in zip(folders, rows, strict=True)]
     write_file(target / TABLE, to_csv(columns_of(named)))
-    for path in _numbered(target):
+    for path in numbered_runs(target):
         if path not in folders:
             remove_set(path, MANIFEST_FILE, files_named_in)
-
-
-def _numbered(target: Path) -> Iterable[Path]:
-    found = (path for path in target.glob(f"{_STEM}[0-9]*") if path.is_dir())
-    return sorted(path for path in found if path.name.removeprefix(_STEM).isdigit())
