@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from roadlang.geometry import Curve, Floats, Footprints
+from roadlang_formats.decimals import bearing
 from roadlang_formats.surfaces.built import built_roads, is_loop
 from roadlang_formats.surfaces.junction_surface import junction_surfaces
 from roadlang_formats.surfaces.road_surface import RoadSurface, road_surfaces
@@ -134,7 +135,7 @@ def standing_features(actors: Sequence[SceneActor], type: str) -> Iterator[Featu
             "name": actor.name,
             "kind": actor.kind,
             "category": actor.category,
-            "bearing": round((90.0 - math.degrees(actor.heading)) % 360.0, 6),
+            "bearing": bearing(actor.heading, 6),
             "length": round(actor.length, 6),
             "width": round(actor.width, 6),
             "height": round(actor.height, 6),

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
+from ..decimals import bearing, decimals
 from ..opendrive.elements import put
 from .vehicle_classes import has_wheels
 
@@ -22,7 +23,7 @@ def drive_text(scene: Scene, trace: Trace) -> str:
     ]
     there = {actor.name: found.samples_there for actor, found in agents}
     for step, time in enumerate(trace.time.tolist()):
-        moment = put(root, "timestep", time=f"{time:.2f}")
+        moment = put(root, "timestep", time=_time_text(time))
         for actor, found in agents:
             if step >= there[actor.name]:
                 continue
@@ -34,11 +35,17 @@ def drive_text(scene: Scene, trace: Trace) -> str:
                 moment,
                 "vehicle" if has_wheels(actor) else "person",
                 id=actor.name,
-                x=f"{x + half * math.cos(heading):.3f}",
-                y=f"{y + half * math.sin(heading):.3f}",
-                angle=f"{(90.0 - math.degrees(heading)) % 360.0:.3f}",
+                x=decimals(x + half * math.cos(heading), 3),
+                y=decimals(y + half * math.sin(heading), 3),
+                angle=decimals(bearing(heading, 3), 3),
                 type=actor.kind,
-                speed=f"{speed:.3f}",
+                speed=decimals(speed, 3),
             )
     indent(root, " ")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{tostring(root, encoding="unicode")}\n'
+
+
+def _time_text(time: float) -> str:
+    """Seconds with two decimals, as SUMO writes them, or with more if the step is shorter."""
+    text = f"{time:.6f}"
+    return text[:-4] + text[-4:].rstrip("0")

@@ -12,6 +12,7 @@ import numpy as np
 
 from roadlang.geometry import Floats
 
+from ..decimals import decimals
 from ..opendrive.elements import put
 from ..surfaces.built import built_junctions, built_roads, is_loop
 from .edges import SumoEdge, SumoLane, road_edges
@@ -104,7 +105,7 @@ class SumoNetwork:
 def _put_location(root: Element, lines: Sequence[Floats]) -> None:
     points = np.concatenate([*lines, np.zeros((0, 2))]) if lines else np.zeros((1, 2))
     low, high = points.min(axis=0), points.max(axis=0)
-    bounds = ",".join(f"{value + 0.0:.2f}" for value in (*low, *high))
+    bounds = ",".join(decimals(value, 2) for value in (*low, *high))
     put(
         root,
         "location",
@@ -117,7 +118,7 @@ def _put_location(root: Element, lines: Sequence[Floats]) -> None:
 
 def shape(points: Floats) -> str:
     """Points as SUMO writes them, to the millimeter."""
-    return " ".join(f"{x + 0.0:.3f},{y + 0.0:.3f}" for x, y in points.tolist())
+    return " ".join(f"{decimals(x, 3)},{decimals(y, 3)}" for x, y in points.tolist())
 
 
 def _put_lane(edge: Element, id: str, number: int, lane: SumoLane, length: float) -> None:
@@ -134,8 +135,8 @@ def _put_lane(edge: Element, id: str, number: int, lane: SumoLane, length: float
 def _put_junction(root: Element, node: SumoNode) -> None:
     x, y = node.area.mean(axis=0).tolist()
     found = put(root, "junction", id=node.id, type=node.kind)
-    found.set("x", f"{x + 0.0:.3f}")
-    found.set("y", f"{y + 0.0:.3f}")
+    found.set("x", decimals(x, 3))
+    found.set("y", decimals(y, 3))
     lanes = [f"{edge.id}_{number}" for edge in node.incoming for number in range(len(edge.lanes))]
     found.set("incLanes", " ".join(lanes))
     found.set("intLanes", " ".join(f":{node.id}_{number}_0" for number in range(len(node.links))))
