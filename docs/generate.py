@@ -49,8 +49,9 @@ USE = {
     "position": "a call after `at` of an agent or object",
     "perturb": "`perturb with KIND { ... }` in a `network` or `road`; each also takes "
     "`over: [a, b]`, `taper`, and in a network `roads: [ids]`",
-    "control": "`control with KIND { ... }` in a `network`; each also takes `junctions: [ids]`",
-    "drive": "`drive with KIND { ... }` in an `agent`; each also takes `when:`",
+    "control": "`control with KIND { ... }` in a `network`; each also takes "
+    "`junctions: [ids]` and `near: [points]`",
+    "drive": "`drive with KIND { ... }` in an `agent`; each also takes `when:` and `while:`",
     "sense": "`sense with KIND as NAME { ... }` in an `agent`; each also takes `every:`, "
     "`delay:` and `dropout:`; without `as` the sensor is named after its kind",
     "signal": "a call in a formula: a value at every arc length of a road",

@@ -78,7 +78,7 @@ def test_the_result_of_a_search_in_numbers() -> None:
         "Evaluations", "1,200", "4 satisfy the requirements", "Failing", "2",
         "50 % of the scenes driven", "Distinct", "2", "other road, behavior or cause",
         "First failure", "7", "evaluation", "Failure rate at random", "1 % to 17 %",
-        "95 % interval, 2 of 40", "Least apart", "-2", "evaluation 7",
+        "95% interval, 2 of 40", "Least apart", "-2", "evaluation 7",
     ]  # fmt: skip
 
 

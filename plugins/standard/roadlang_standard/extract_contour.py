@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Contour(Extractor):
-    """Blur, threshold, contour, spline: for images in which only the road has its tone."""
+    """Blur, threshold, contour, spline: for images where brightness sets the road apart."""
 
     name: ClassVar[str] = "contour"
     also_called: ClassVar[tuple[str, ...]] = ("opencv", "canny", "edges", "threshold", "edge")

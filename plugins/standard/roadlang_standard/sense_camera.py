@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Camera(CameraView):
-    """A camera: color, depth and what each pixel shows. For engines that draw, such as Godot."""
+    """A camera: color, depth and what each pixel shows. Godot renders it."""
 
     name: ClassVar[str] = "camera"
 

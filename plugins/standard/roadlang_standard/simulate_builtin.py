@@ -35,7 +35,7 @@ class Builtin(Simulator):
         None,
         minimum=0,
         help="how long a drive goes on after every `expect always` about it is violated; by "
-        "default to its end; expectations of other forms are never violated for certain before it",
+        "default to its end; with expectations of other forms it always goes on to its end",
         example="2s",
     )
 

@@ -48,8 +48,8 @@ def command(words: tuple[str, ...], scene_file: str | None) -> None:
     CODE is a code or the name of a diagnostic (RL206, 206, wrong-type); a STATEMENT is one of the
     language (world, road), a KIND one of a plugin (sine, emit svg). Without anything, list all
     diagnostics. FAILURE.json is a scene that `roadlang falsify` wrote (failures/0001.json), or one
-    of `roadlang run` that violates an expectation: which random values matter for that, one at a
-    time and in pairs, and the moment at which it goes wrong.
+    of `roadlang run` that violates an expectation; its explanation says when the drive goes wrong,
+    and which random values matter, one at a time and in pairs.
     """
     wanted = " ".join(words)
     if is_scene_file_name(wanted):

@@ -65,7 +65,7 @@ _SAY_MORE = (
     "-o",
     "--output",
     type=_ROADS,
-    help="File to write the roads to: JSON in pixels or, ending in .geojson, lines on Earth.",
+    help="File to write the roads to: JSON in pixels or, if the name ends in .geojson, GeoJSON.",
 )
 @click.option(
     "--overlay",
@@ -128,7 +128,7 @@ def command(
 
     Several images are tiles of one picture; each must be georeferenced (GeoTIFF or world file).
     Polylines, nodes and widths are in pixels of IMAGE: (0, 0) is the center of the top-left pixel,
-    y runs down. Without `-o`, or with `-o -`, the JSON goes to standard output.
+    y points down. Without `-o`, or with `-o -`, the JSON goes to standard output.
     """
     if edit is not None:
         _edit(images, edit, settings["scale"], not no_browser)

@@ -147,7 +147,7 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
     if rate.scenes:
         echo(
             f"{rate.low:.2%} to {rate.high:.2%} of random scenes fail"
-            f" (95 % confidence, {rate.failures} of {rate.scenes})"
+            f" (95% confidence, {rate.failures} of {rate.scenes})"
         )
 
 

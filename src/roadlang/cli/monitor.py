@@ -88,8 +88,8 @@ def command(
     In traces of `roadlang run` the signals are `ego.speed` and so on; those of --agent, or of the
     only agent, are also called `speed`. Numbers are in the units of the trace unless they have a
     unit: `always[0, 5] (x < 1.5)`. The exit code is 4 if a trace violates the formula. A verdict is
-    vacuous if it depends on a window that holds no sample. A trace counts as finished: `always`
-    holds if it does to the end. See --open.
+    vacuous if it depends on a window that holds no sample. A trace counts as finished: `always p`
+    holds if p holds to the end. See --open.
 
     The JSON of one TRACE is an object with formula, robustness (at the start), range, verdict,
     positions, trace (the robustness at each position) and explanation; of several it is a list of

@@ -61,7 +61,7 @@ def command(  # noqa: PLR0913 - one parameter per option
 
     FILE is a scene file, or one scene that `emit json` or `roadlang falsify` wrote (scene.json),
     which is driven as it is. DIR has a trace and a figure of each drive, the files that the `emit`s
-    of FILE write of drives (such as `emit openscenario`), and results.csv with a row per scene.
+    of FILE write for drives (such as `emit openscenario`), and results.csv with a row per scene.
     Finished drives are kept: `--resume` continues after an interruption. If --params has a list of
     maps, each is a run in its own folder, DIR/run-000, ... The exit code is 4 if an expectation is
     violated, and 5 if the simulator fails.

@@ -24,7 +24,7 @@ def command(failure: str, scene_file: str | None, target: str | None) -> None:
 
     FAILURE.json is a scene that `roadlang falsify` wrote (failures/0001.json), or one of `roadlang
     run` that violates an expectation. Its random values are set to their simplest values, one
-    after the other, or go half way toward them, as long as the same expectation stays violated.
+    after the other, or moved halfway toward them, as long as the same expectation stays violated.
     What remains is what the failure depends on.
     """
     from ..session.failure_files import failure_in

@@ -19,7 +19,7 @@ class FailureRate:
     failures: int
     scenes: int
     low: float
-    """ends of the interval of Clopper and Pearson (1934), at 95 % confidence"""
+    """ends of the interval of Clopper and Pearson (1934), at 95% confidence"""
     high: float
 
 

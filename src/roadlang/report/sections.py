@@ -148,7 +148,7 @@ def _facts(results: Results, views: Sequence[DriveView]) -> Iterator[tuple[str, 
     if results.rate is not None and results.expects:
         rate = results.rate
         span = f"{percent(rate.low)} to {percent(rate.high)}"
-        yield "Failure rate at random", span, f"95 % interval, {rate.failures:,} of {rate.scenes:,}"
+        yield "Failure rate at random", span, f"95% interval, {rate.failures:,} of {rate.scenes:,}"
     broken = sum("controller failure time" in row.values for row in rows)
     if broken:
         yield "Controllers failed", f"{broken:,}", f"in {percent(broken / len(rows))} of the scenes"

@@ -116,7 +116,7 @@ def command(
 
     With --dataset, the cameras of the scene (`sense with camera`), or a front camera of `ego` if
     there is none, take pictures during the drive: color, depth, classes and instances, each with
-    boxes of all agents and objects. Scenes whose drives end early are followed by more.
+    boxes of all agents and objects. If drives end early, more scenes are sampled.
     """
     from roadlang import load
     from roadlang.commands import parse_overrides

@@ -82,7 +82,7 @@ function draw() {
     element("path", { ...line, class: "surface", "stroke-width": road.width }, group);
     element("path", { ...line, class: "center", "stroke-width": thin }, group);
     const hit = element("path", { d: line.d, class: "hit", "stroke-width": Math.max(road.width, 14 / zoom()) }, group);
-    element("title", {}, hit).textContent = `${Math.round(road.confidence * 100)} % sure`;
+    element("title", {}, hit).textContent = `${Math.round(road.confidence * 100)}% sure`;
   }
   at("lost").replaceChildren();
   if (page.corrections.dismissed.length) {
@@ -141,7 +141,7 @@ function describe() {
   at("save").disabled = JSON.stringify(page.corrections) === page.saved;
   const chosen = page.chosen;
   at("selected").hidden = !chosen;
-  if (chosen) at("road").textContent = `Road ${chosen.id}: ${Math.round(length(chosen.points))} px, ${Math.round(chosen.confidence * 100)} % sure`;
+  if (chosen) at("road").textContent = `Road ${chosen.id}: ${Math.round(length(chosen.points))} px, ${Math.round(chosen.confidence * 100)}% sure`;
   at("draw").setAttribute("aria-pressed", page.line !== null);
   at("part").setAttribute("aria-pressed", page.cut !== null);
   at("view").classList.toggle("drawing", page.line !== null);

@@ -61,12 +61,12 @@ class CrossSectionOptions:
     )
     left: LaneList = option(
         None,
-        help="lanes to the left of the middle, from the middle outwards",
+        help="lanes to the left of the middle, from the middle outward",
         example="[drive(3.25m), sidewalk(2m)]",
     )
     right: LaneList = option(
         None,
-        help="lanes to the right of the middle, from the middle outwards",
+        help="lanes to the right of the middle, from the middle outward",
         example="[drive(3.25m), parking(2.3m), sidewalk(2m)]",
     )
     oneway: Flag = option(False, help="whether all traffic runs in the direction of the road")
