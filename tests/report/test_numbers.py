@@ -39,6 +39,6 @@ def test_terminals_have_the_signs_of_keyboards() -> None:
     assert plain(quantity(-1234567.0, "m")) == "-1234567 m"
 
 
-def test_shares_are_per_cent() -> None:
-    assert percent(0.12345) == "12.3\xa0%"
-    assert percent(1.0) == "100\xa0%"
+def test_shares_are_in_percent() -> None:
+    assert percent(0.12345) == "12.3%"
+    assert percent(1.0) == "100%"

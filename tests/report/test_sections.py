@@ -76,15 +76,15 @@ def test_the_result_of_a_search_in_numbers() -> None:
     rate = FailureRate(2, 40, 0.01, 0.17)
     assert words(facts(results(evaluations=1200, distinct=2, rate=rate), ())).split("|") == [
         "Evaluations", "1,200", "4 satisfy the requirements", "Failing", "2",
-        "50 % of the scenes driven", "Distinct", "2", "other road, behavior or cause",
-        "First failure", "7", "evaluation", "Failure rate at random", "1 % to 17 %",
+        "50% of the scenes driven", "Distinct", "2", "other road, behavior or cause",
+        "First failure", "7", "evaluation", "Failure rate at random", "1% to 17%",
         "95% interval, 2 of 40", "Least apart", "-2", "evaluation 7",
     ]  # fmt: skip
 
 
 def test_the_result_of_a_run_in_numbers() -> None:
     assert words(facts(results(), ())).split("|") == [
-        "Scenes", "4", "Failing", "2", "50 % of the scenes driven", "Least apart", "-2", "scene 7",
+        "Scenes", "4", "Failing", "2", "50% of the scenes driven", "Least apart", "-2", "scene 7",
     ]  # fmt: skip
     in_runs = results((row(0, 1.0, run=3), row(1, 2.0, run=4)))
     assert words(facts(in_runs, ())).endswith("Least apart|1|3, scene 0")

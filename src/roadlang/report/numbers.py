@@ -45,5 +45,5 @@ def shown_unit(unit: str) -> tuple[float, str]:
 
 
 def percent(share: float) -> str:
-    """A share as per cent, with three significant digits."""
-    return f"{number(100.0 * share)}{_SPACE}%"
+    """A share in percent, with three significant digits."""
+    return f"{number(100.0 * share)}%"
