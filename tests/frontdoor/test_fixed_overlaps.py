@@ -77,3 +77,32 @@ def test_a_row_with_a_negative_spacing_leads_back_to_what_it_is_placed_by() -> N
         roadlang.loads(text).sample(n=1)
     assert "leave out its sign" in str(caught.value)
     roadlang.loads(text.replace("-12m", "12m")).sample(n=1)
+
+
+BEND = "road main { draw with segments { pieces: [arc(15m, 170deg)] }, lanes: 4 }\n"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "said"),
+    [
+        # 4.5 m along the road, and 6.2 m apart in the outer lane of the bend.
+        ("10m { lane: -2 }", "14.5m { lane: -2 }", []),
+        ("10m { lane: -2 }", "13.5m { lane: -2 }", ONE_PLACE),
+        ("10m { lane: 1 }", "14.5m { lane: 1 }", ONE_PLACE),
+    ],
+)
+def test_in_a_bend_the_room_is_that_in_the_lane(first: str, second: str, said: list[str]) -> None:
+    assert overlaps(first, second, road=BEND) == said
+
+
+@pytest.mark.parametrize("missing", [5e-6, 2e-5])
+def test_what_is_rounding_when_scenes_are_made_is_no_fault_before(missing: float) -> None:
+    said = overlaps("20m", f"{25.0 - missing:.7f}m")
+    assert said == (ONE_PLACE if missing > 1e-5 else [])
+
+
+def test_on_a_road_that_is_drawn_only_what_is_in_one_place_is_certain() -> None:
+    sine = "perturb with sine { amplitude: 0m..3m, wavelength: 80m }"
+    road = ROAD.replace("lanes: 2", f"lanes: 2, {sine}")
+    assert overlaps("20m", "20m", road=road) == ONE_PLACE
+    assert overlaps("20m", "24.9m", road=road) == []

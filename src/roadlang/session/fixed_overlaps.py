@@ -1,17 +1,19 @@
-"""Agents and objects that the file itself puts in one place: `check` finds them without geometry.
+"""Agents and objects that the file itself puts in one place, on roads that are known.
 
-Only those in one lane of one road are compared: their distance along the lane is never less than
-that between them. All others are looked at when scenes are made.
+Only those in one lane of one road are compared, by how far apart they are along the road. Where
+that is too little they are placed as in scenes: in the outer lanes of a bend there is more room.
+All others are looked at when scenes are made.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from ..diagnostics import Code, Diagnostic, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.category import PEDESTRIAN
 from ..ir.scenario import ScenarioActor
@@ -19,16 +21,19 @@ from ..ir.values import Flag, PassCall
 from ..world.placement_faults import DEFAULT_APART
 from .constant_kinds import constant_kind
 
-_ROUNDING = 1e-6
+_LONGEST_LANE = 4.0
+"""Times the length of its road, more than a lane has in any bend that vehicles can drive."""
 
 
 @dataclass(frozen=True)
 class _OccupiedRange:
-    """Arc length of the middle, half the length, and the distance that is kept, None if unsaid."""
+    """Arc length of the middle, half the length, half the shorter side, and the distance that is
+    kept, None if unsaid."""
 
     actor: ScenarioActor
     at: float
     half: float
+    inner: float
     apart: float | None
 
 
@@ -43,9 +48,28 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
         ordered = sorted(group, key=lambda item: item.at)
         for first, second in pairwise(ordered):
             stated = [apart for apart in (first.apart, second.apart) if apart is not None]
+            apart = max(stated, default=DEFAULT_APART)
             room = second.at - first.at - first.half - second.half
-            if room < max(stated, default=DEFAULT_APART) - _ROUNDING:
-                yield _fault(first, second, group, room)
+            missing = _missing(first, second, scenario) if room < apart else 0.0
+            if missing > 0.0:
+                gap = apart - missing
+                yield _fault(first, second, group, gap if gap > 0.0 else min(room, gap))
+
+
+def _missing(first: _OccupiedRange, second: _OccupiedRange, scenario: IndexedScenario) -> float:
+    """Meters that two lack to each other in every scene; 0 where nothing is certain."""
+    if scenario.is_random(scenario.roads[str(first.actor.on)]):
+        is_same = _LONGEST_LANE * (second.at - first.at) < first.inner + second.inner
+        return math.inf if is_same else 0.0
+    from ..evaluate.candidates import fixed_candidate
+    from ..world.distances_to_keep import missing_between
+    from ..world.index import index_scenario
+
+    candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
+    try:
+        return missing_between(first.actor, second.actor, candidate)
+    except DiagnosticError:
+        return 0.0  # what is wrong with the road is said where it is made
 
 
 def _fault(
@@ -78,10 +102,10 @@ def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _OccupiedRange
         if apart is None:
             return None
     kind = constant_kind(actor.kind, scenario)
-    length = getattr(kind, "length", None)
-    if at is None or not isinstance(length, float | int):
+    length, width = getattr(kind, "length", None), getattr(kind, "width", None)
+    if at is None or not isinstance(length, float | int) or not isinstance(width, float | int):
         return None
-    return _OccupiedRange(actor, at, length / 2, apart)
+    return _OccupiedRange(actor, at, length / 2, min(length, width) / 2, apart)
 
 
 def _lane(actor: ScenarioActor, scenario: IndexedScenario) -> tuple[object, ...]:

@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
-from ..evaluate.evaluation import evaluate
 from ..geometry import Footprints
 from ..geometry.arrays import Floats, Integers
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
-from .copies import CopyKinds, counts, element_of, kinds_of, most_copies
+from .copies import CopyKinds, counts, kinds_of, most_copies
+from .distances_to_keep import distances_to_keep
 from .named_roads import length_of_rows, name_of_road, named_road
 from .placement_order import can_be_placed_again, placement_order
 from .poses import poses_of
@@ -139,8 +139,7 @@ class _Turn:
         poses = RoadPoses(*(np.array(getattr(found, name)) for name in POSE))
         tries = np.array(copies.tries)
         nothing, nobody = np.zeros(copies.count), np.full(copies.count, -1)
-        apart = _apart(actor, CopyBatch.every(candidates, most))
-        apart[kinds.are_markings] = -np.inf
+        apart = distances_to_keep(actor, CopyBatch.every(candidates, most), kinds)
         return cls(actor, candidates, copies, kinds, present, apart, tries, poses, nothing, nobody,
             others)  # fmt: skip
 
@@ -278,20 +277,6 @@ class _Turn:
         pose = {name: getattr(self.poses, name) for name in POSE}
         return {**pose, "length": self.kinds.lengths, "apart": self.apart, "tries": self.tries,
                 "missing": self.missing, "blocker": self.blocker}  # fmt: skip
-
-
-def _apart(actor: ScenarioActor, copies: CopyBatch) -> Floats:
-    """(R,) meters that copies keep from everything: NaN where nothing is said, -inf where they may
-    overlap."""
-    options = actor.options
-    apart = np.full(copies.count, np.nan)
-    if "apart" in options:
-        value = np.asarray(evaluate(options["apart"], copies, element_of(actor)), float)
-        apart[:] = value.reshape(-1)
-    if "overlap" in options:
-        value = np.asarray(evaluate(options["overlap"], copies, element_of(actor)), bool)
-        apart[np.broadcast_to(value.reshape(-1), (copies.count,))] = -np.inf
-    return apart
 
 
 def _has(actor: ScenarioActor, option: str) -> bool:
