@@ -152,3 +152,21 @@ def test_before_a_line_at_which_it_may_have_to_stop_it_begins_gently(before: int
     (one,) = testing.sample(text, 1).run("builtin", duration=1.0)
     assert (one.scene.record.agents[0].start_speed or 0.0) > 0.0
     assert one.trace.agents["ego"].acceleration.min() > -2.0  # it was -5
+
+
+@pytest.mark.parametrize("facing", ["forward", "back"])
+def test_on_a_closed_road_the_start_follows_the_end(facing: str) -> None:
+    """A standing car 15 m ahead is as near across the start of the road as anywhere else."""
+
+    def begins(at: float) -> float:
+        way, lead = f"facing: {facing}", (at + (15.0 if facing == "forward" else -15.0)) % 314.0
+        text = f"""
+        road ring {{ draw with segments {{ pieces: [arc(50m, 360deg)] }}, closed: true, lanes: 2 }}
+        agent ego is car on ring at {at}m {{ {way}, drive with traffic {{ speed: 12m/s }} }}
+        agent lead is car on ring at {lead}m {{ {way}, start_speed: 0, drive with brake }}
+        """
+        (scene,) = testing.sample(text, 1)
+        return float(scene.record.agents[0].start_speed or 0.0)
+
+    assert wanted(begins(150.0), 0.0) == pytest.approx(10.5, abs=0.01)
+    assert begins(305.0 if facing == "forward" else 9.0) == pytest.approx(begins(150.0), abs=0.1)

@@ -81,3 +81,22 @@ def test_how_fast_two_that_come_toward_each_other_begin_at_most(
     other = replace(actor("other", "car", 0, 0), **{**LAST, **last})
     assert _most(one, other, road) == pytest.approx(most)
     assert _most(other, one, road) == pytest.approx(most)
+
+
+@pytest.mark.parametrize(("bus", "truck"), [(30.0, 50.0), (147.0, 167.0), (167.0, 187.0)])
+def test_on_a_closed_road_they_also_meet_across_its_start(bus: float, truck: float) -> None:
+    length = 2.0 * math.pi * 25.0
+    text = f"""
+    road ring {{
+      draw with segments {{ pieces: [arc(radius: 25m, angle: 360deg)] }}
+      closed: true, lanes: 2, speed_limit: 50km/h
+    }}
+    agent bus is bus on ring at {bus % length}m {{ drive with traffic {{ aggression: 1 }} }}
+    agent other is truck on ring at {truck % length}m {{ lane: 1, drive with traffic {{ aggression: 1 }} }}
+    """  # noqa: E501
+    (scene,) = testing.sample(text, 1)
+    gap = 20.0 - 0.5 * (12.0 + 9.0)
+    wanted = math.sqrt(6.0 * (0.5 * gap - 2.0))
+    assert [agent.start_speed for agent in scene.record.agents] == pytest.approx(
+        [wanted] * 2, abs=0.05
+    )

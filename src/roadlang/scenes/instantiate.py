@@ -162,7 +162,7 @@ def _driven(
         "values": _maps(values, rows),
         "networks": networks,
         "roads": roads,
-        "agents": [*map(slowed_behind, agents, objects, headways, networks)],
+        "agents": [*map(slowed_behind, agents, objects, headways, networks, roads)],
         "objects": objects,
         "markings": markings,
         "world": _maps(world, rows),

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from ..ir.scene import SceneNetwork
+from ..ir.scene import SceneNetwork, SceneRoad
 from ..ir.scene_actor import SceneActor
 from ..plugins.kinds import STANDING_GAP
 
@@ -37,6 +37,7 @@ def slowed_behind(
     objects: Sequence[SceneActor],
     headways: Sequence[float | None],
     networks: Sequence[SceneNetwork],
+    roads: Sequence[SceneRoad],
 ) -> tuple[SceneActor, ...]:
     """The agents of a scene. Those with a time gap that they keep, seconds, begin no faster than
     they would soon be behind everything ahead in their lanes, so that nobody brakes hard."""
@@ -48,8 +49,9 @@ def slowed_behind(
         if actor.road is not None and actor.start is not None:
             places.setdefault(actor.road, []).append(number)
     turns = _turn_lengths(networks) if any(a.route is not None for a in agents) else {}
+    laps = {road.name: road.length for road in roads if road.closed}
     ahead = {
-        number: list(_leaders(number, actors, places, turns))
+        number: list(_leaders(number, actors, places, turns, laps))
         for number, agent in enumerate(agents)
         if headways[number] is not None and (agent.start_speed or 0.0) > 0.0
     }
@@ -87,14 +89,18 @@ def _leaders(
     actors: Sequence[SceneActor],
     places: Mapping[str, Sequence[int]],
     turns: Mapping[tuple[str, int, int], float],
+    laps: Mapping[str, float],
 ) -> Iterator[_Leader]:
-    """Everything ahead in the lanes of an agent, as far as it matters."""
+    """Everything ahead in the lanes of an agent, as far as it matters. `laps`: the lengths of
+    closed roads, whose start follows their end."""
     agent = actors[number]
     for road, lane, begin, sign, before in _road_ahead(agent, turns):
         for other in places.get(road, ()):
             other_actor = actors[other]
             assert other_actor.start is not None
             distance = before + sign * (other_actor.start - begin)
+            if road in laps:
+                distance %= laps[road]
             gap = distance - 0.5 * (agent.length + other_actor.length)
             if other == number or distance <= 0.0 or gap > FARTHEST:
                 continue

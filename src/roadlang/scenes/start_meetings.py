@@ -60,16 +60,20 @@ def _most(one: SceneActor, other: SceneActor, road: SceneRoad) -> float:
     """m/s at which two on a road may begin, infinite where they do not meet in a narrow bend."""
     aside = abs((one.offset or 0.0) - (other.offset or 0.0))
     spare = aside - 0.5 * (one.width + other.width)
-    first, last = sorted((one, other), key=_start)
-    gap = _start(last) - _start(first) - 0.5 * (first.length + last.length)
-    is_meeting = first.facing != "back" and last.facing == "back"
+    first, last = sorted((one, other), key=lambda agent: agent.facing == "back")
+    between = _start(last) - _start(first)
+    if road.closed:
+        between %= road.length
+    gap = between - 0.5 * (first.length + last.length)
+    is_meeting = first.facing != "back" and last.facing == "back" and between >= 0.0
     is_long = max(one.length, other.length) > LONG
     if not (is_meeting and is_long) or spare < 0.0 or gap > FARTHEST:
         return math.inf
-    stations = np.asarray(road.stations)
-    begin, end = _start(first) - first.length, _start(last) + last.length
-    bends = np.abs(np.asarray(road.curvature)[(stations >= begin) & (stations <= end)])
-    bend = float(bends.max(initial=0.0))
+    along = np.asarray(road.stations) - (_start(first) - first.length)
+    if road.closed:
+        along = along % road.length
+    seen = (along >= 0.0) & (along <= first.length + between + last.length)
+    bend = float(np.abs(np.asarray(road.curvature)[seen]).max(initial=0.0))
     covered = COVERED * bend * (one.length**2 + other.length**2)
     if bend < STRAIGHT or spare > covered + BETWEEN:
         return math.inf
