@@ -1,4 +1,4 @@
-# A town typed by hand: a character is a thing. Change the map and compile again.
+# A town typed by hand: each character stands for a thing. Change the map and compile again.
 scenario town "A typed town"
 
 image plan from """
