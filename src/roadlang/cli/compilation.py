@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Diagnostic, DiagnosticError
+from ..ir.result_columns import OF_RUNS, value_columns
 from . import exit_codes
 from .console import echo, holding, note, report, shown, violations
 
@@ -103,7 +104,7 @@ class Compilation:
         scenes = self.scenes
         expectations = () if scenes is None else scenes.expectations
         return {
-            **self.loaded.params,
+            **value_columns(self.loaded.params, OF_RUNS),
             "scenes": 0 if scenes is None else len(scenes),
             "candidates": 0 if scenes is None else scenes.candidates,
             "violated": " ".join(found.name for found in expectations if found.violated),

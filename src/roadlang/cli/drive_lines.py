@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from ..ir.result_columns import OF_DRIVES, robustness_column
 from .console import echo, holding, style
 
 if TYPE_CHECKING:
@@ -65,18 +66,23 @@ def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool], contac
     failed = sum("controller failure time" in row for row in rows)
     if failed:
         text += f"; controllers failed in {failed}"
-    judged = [row for row in rows if row.get("worst") and row.get(row["worst"]) is not None]
+    found = [(*_of_worst(row), row) for row in rows if row.get("worst")]
+    judged = [item for item in found if item[1] is not None]
     if len(rows) < 2 or not judged:
         return f"{text}; "
-    worst = min(
-        judged, key=lambda row: badness(row[f"{row['worst']} satisfied"], row[row["worst"]])
-    )
-    if not says_how_near(worst[f"{worst['worst']} satisfied"], worst[worst["worst"]]):
+    holds, rho, worst = min(judged, key=lambda item: badness(*item[:2]))
+    if not says_how_near(holds, rho):
         return f"{text}; "
     run = f"{worst['run']}, " if "run" in worst else ""
     name = worst["worst"]
     place = _place(worst.get("worst time"), worst.get("worst station"))
-    return f"{text}; worst: {run}scene {worst['scene']}, {name} {worst[name]:.3g}{place}; "
+    return f"{text}; worst: {run}scene {worst['scene']}, {name} {rho:.3g}{place}; "
+
+
+def _of_worst(row: Mapping[str, Any]) -> tuple[bool | None, float | None]:
+    """Whether the worst expectation of a drive is satisfied, and its robustness."""
+    name = row["worst"]
+    return row.get(f"{name} satisfied"), row.get(robustness_column(name, OF_DRIVES))
 
 
 def _outcome(drive: Drive) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..evaluate.draw_names import draw_place
 from ..ir.controller_failure import failure_columns
+from ..ir.result_columns import OF_SEARCH, robustness_column, value_columns
 from .outcome import Outcome
 
 
@@ -27,7 +28,8 @@ def row_of(outcome: Outcome, axes: Sequence[str], places: Container[str]) -> dic
     named = zip(axes, outcome.point, strict=True)
     passes = {name: at for name, at in named if draw_place(name) not in places}
     row: dict[str, Any] = {"evaluation": outcome.index, "random": outcome.is_random}
-    row |= {**outcome.draws, **passes, **outcome.expectations}
+    row |= value_columns({**outcome.draws, **passes}, OF_SEARCH)
+    row |= {robustness_column(name, OF_SEARCH): rho for name, rho in outcome.expectations.items()}
     row["violated"] = " ".join(outcome.violated)
     if outcome.is_failure:
         moment = outcome.moment

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..falsification.statistics import measure_coverage
 from ..geometry.arrays import Booleans
+from ..ir.result_columns import named_in
 from .charts import coverage_chart
 from .elements import element, text
 from .numbers import percent, shown_unit
@@ -27,8 +28,11 @@ def draw_charts(rows: Sequence[ResultRow], units: Mapping[str, str]) -> str:
     names = dict.fromkeys(name for row in rows for name in row.draws)
     found = {name: separation([row.values.get(name) for row in rows], failed) for name in names}
     ranked = sorted(found, key=lambda name: -abs(found[name]))
-    charts = [_chart(name, rows, units.get(name, ""), found[name]) for name in ranked[:MOST]
-              if abs(found[name]) >= _LEAST]  # fmt: skip
+    charts = [
+        _chart(name, rows, units.get(named_in(name), ""), found[name])
+        for name in ranked[:MOST]
+        if abs(found[name]) >= _LEAST
+    ]
     return element("div", *charts, class_="charts")
 
 

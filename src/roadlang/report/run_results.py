@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ..falsification.statistics import FailureRate, clopper_pearson, measure_coverage
+from ..ir.result_columns import OF_DRIVES, robustness_column
 from ..ir.result_files import numbered_runs
 from ..ir.results_record import RESULTS_FILE, ResultsRecord
 from ..ir.scene import file_stem
@@ -75,8 +76,9 @@ class _Entry:
         has_failed = any(item["satisfied"] is False for item in self.expectations)
         values = {"run": self.run, **self.row} if self.run else self.row
         columns = list(self.row)
+        judged = [robustness_column(name, OF_DRIVES) for name in robustness]
         end = min(
-            (columns.index(name) for name in [*robustness, "worst"] if name in columns),
+            (columns.index(name) for name in [*judged, "worst"] if name in columns),
             default=len(columns),
         )
         return ResultRow(number, has_failed, values, robustness, tuple(columns[1:end]))

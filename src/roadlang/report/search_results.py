@@ -11,6 +11,7 @@ import msgspec
 from ..falsification.outcome import Outcome
 from ..falsification.outcome_rows import places_of, row_of
 from ..falsification.statistics import best_so_far, coverage, failure_rate
+from ..ir.result_columns import OF_SEARCH, value_columns
 from ..ir.result_files import FAILURES, INDEX, SAFE, SUMMARY
 from ..ir.results_record import ResultsRecord
 from ..plugins.registry import Registry
@@ -85,7 +86,7 @@ def _outcomes(folder: Path, evaluations: int) -> Sequence[Outcome]:
 
 
 def _row(outcome: Outcome, axes: Sequence[str], places: Container[str]) -> ResultRow:
-    draws = tuple(dict.fromkeys([*outcome.draws, *axes]))
+    draws = value_columns(dict.fromkeys([*outcome.draws, *axes]), OF_SEARCH)
     values = row_of(outcome, axes, places)
     named = tuple(name for name in draws if name in values)
     return ResultRow(outcome.index, outcome.is_failure, values, outcome.expectations, named)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from ..ir.result_columns import named_in
 from .numbers import shown_unit
 from .results import ResultRow, Results
 
@@ -20,14 +21,14 @@ _PLACE_UNITS = {
 def table_record(results: Results, units: Mapping[str, str], drives: Mapping[int, int]) -> Any:
     """`columns` with unit and whether they hold numbers, and `rows` of `[values, failed, drive]`.
 
-    `units` are SI units of columns; `drives` the numbers of the drives on the page by that of
-    their rows.
+    `units` are SI units of params, draws and expectations; `drives` the numbers of the drives on
+    the page by that of their rows.
     """
     rows, left_out = _chosen(results.rows)
     names = _ordered(rows)
-    all_units = {**units, **_PLACE_UNITS}
-    columns = [_column(name, all_units.get(name, ""), rows) for name in names]
-    factors = [shown_unit(all_units.get(name, ""))[0] for name in names]
+    each = [_PLACE_UNITS.get(name) or units.get(named_in(name), "") for name in names]
+    columns = [_column(name, unit, rows) for name, unit in zip(names, each, strict=True)]
+    factors = [shown_unit(unit)[0] for unit in each]
     return {
         "columns": columns,
         "rows": [

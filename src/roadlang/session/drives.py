@@ -17,6 +17,7 @@ from ..drive.standing import without_objects
 from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..drive.written_places import UNKNOWN, WrittenPlaces
 from ..ir.controller_failure import failure_columns
+from ..ir.result_columns import OF_DRIVES, robustness_column, value_columns
 from ..judging.badness import badness, says_how_near
 from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
 from ..judging.robustness_series import robustness_series
@@ -258,9 +259,10 @@ class DriveSet(Sequence[Drive]):
         rows = []
         for drive in self:
             row: dict[str, Any] = {"scene": drive.scene.index}
-            row |= {**drive.scene.values, **drive.scene.draws}
+            row |= value_columns({**drive.scene.values, **drive.scene.draws}, OF_DRIVES)
             for name, verdict in drive.verdicts.items():
-                row |= {name: verdict.robustness, f"{name} satisfied": verdict.satisfied}
+                row[robustness_column(name, OF_DRIVES)] = verdict.robustness
+                row[f"{name} satisfied"] = verdict.satisfied
             row["verdict"] = drive.verdict
             failures = failure_columns(drive.trace.controller_failures)
             rows.append(row | _worst_columns(drive) | failures)

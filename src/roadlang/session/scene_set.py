@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, arguments, diagnose
+from ..ir.result_columns import OF_SCENES, robustness_column, value_columns
 from ..scenes.sampling import SamplingResult, SceneObserver, sample_scenes
 from ..search.worker_pool import ALONE
 from .expectations import Expectation, expectations_of
@@ -193,9 +194,12 @@ def _row(scene: Scene) -> dict[str, Any]:
     verdicts = {**scene.requirements, **scene.expectations}
     return {
         "scene": scene.index,
-        **scene.values,
-        **scene.draws,
-        **{name: v.robustness for name, v in verdicts.items() if v.robustness is not None},
+        **value_columns({**scene.values, **scene.draws}, OF_SCENES),
+        **{
+            robustness_column(name, OF_SCENES): verdict.robustness
+            for name, verdict in verdicts.items()
+            if verdict.robustness is not None
+        },
     }
 
 
