@@ -35,7 +35,7 @@ def remembered(image: Image, request: Request, net: Net | None = None) -> FoundN
         try:
             net = road_net()
         except (OSError, cv2.error) as error:
-            reason = f"the neural network cannot be read ({error}): ribbon filters were used instead"
+            reason = f"the neural network cannot be read ({error}): ribbon filters were used"
             return replace(roads_by_ribbons(image), remarks=(reason,))
     read = checked_roads if checked else roads_of_photo
     folder = _folder()
