@@ -77,7 +77,7 @@ def _fixed(loaded: LoadedScenario, name: str) -> LoadedScenario:
     from ..files.writing import write_file
 
     if name == STANDARD_INPUT:
-        raise click.UsageError("--fix writes into files; standard input is none")
+        raise click.UsageError("--fix changes files and cannot be used with standard input")
     before, count = loaded.text, 0
     for _ in range(_MOST_ROUNDS):
         text, fixes = apply_fixes(Source(str(loaded.path), loaded.text), loaded.check())

@@ -111,7 +111,7 @@ _SAY_MORE = (
     "--edit",
     type=click.Path(dir_okay=False),
     metavar="SCENE",
-    help="Correct the roads on a page in the browser, and save that in this scene file.",
+    help="Correct the roads on a page in the browser and save them in this scene file.",
 )
 @click.option("--no-browser", is_flag=True, help="With --edit: print the address, do not open it.")
 def command(

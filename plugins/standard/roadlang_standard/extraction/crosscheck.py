@@ -42,7 +42,7 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     clear = len(ribbons.roads) <= _FEW and _length(believed) >= _LONG * side
     if not clear:
         return calibrated(found, doubt_alone=True)
-    remark = "the network found little: a strip unlike both its sides was taken for the road"
+    remark = "the neural network found little: a strip unlike both its sides was taken for a road"
     node_ids = {road.start for road in believed} | {road.end for road in believed}
     order = {node: index for index, node in enumerate(sorted(node_ids))}
     roads = tuple(replace(r, start=order[r.start], end=order[r.end]) for r in believed)

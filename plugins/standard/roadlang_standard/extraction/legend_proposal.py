@@ -41,8 +41,8 @@ def legend_proposal(image: Image, roads: Mask) -> str | None:
     entries = [f'"{_name(road)}": road', *(f'"{_name(c)}": {_kind(c)}' for c in spots)]
     said = ", ".join(f"{count} of {_name(color)}" for color, count in spots.items())
     return (
-        f"there are spots of other colors ({said}): the image's option "
-        f"`legend: {{ {', '.join(entries)} }}` makes objects of them, of these or other kinds"
+        f"there are spots of other colors ({said}): to make objects of them, give the image "
+        f"`legend: {{ {', '.join(entries)} }}`, with these or other kinds"
     )
 
 

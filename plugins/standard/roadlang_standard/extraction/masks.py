@@ -35,7 +35,7 @@ _TWINS = 0.5
 """Junctions nearer than so many widths are one."""
 _FULL, _OFTEN = 0.03, 40
 """Share of a picture that a skeleton of noise fills at least, and pixels of it to each end."""
-_LEFT_OUT = "what is short and drawn thinner than the roads, such as names and arrows, was left out"
+_LEFT_OUT = "short marks thinner than the roads, such as names and arrows, were left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
 _NAME = 110.0

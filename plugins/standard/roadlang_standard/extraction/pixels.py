@@ -24,7 +24,7 @@ def pixels_of(picture: Picture, kind: str) -> Image:
             diagnose(
                 Code.TEXT_IMAGE_WITHOUT_PIXELS,
                 kind=kind,
-                help="typed pictures are read by `extract with pixels`",
+                help="text images are read by `extract with pixels`",
             )
         )
     return picture.pixels
@@ -72,7 +72,7 @@ def _check_characters(legend: dict[str, str]) -> None:
                 diagnose(
                     Code.INVALID_LEGEND_CHARACTER,
                     key=key,
-                    help="in a typed picture each key is one character",
+                    help="in a text image each key is one character",
                 )
             )
 
