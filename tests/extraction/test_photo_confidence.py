@@ -28,12 +28,23 @@ def _sure(found: FoundNetwork, doubt_alone: bool = True) -> list[float]:
 
 def test_a_faint_road_is_not_sure_where_the_picture_shows_nothing_else() -> None:
     (only,) = _sure(_seen(320, (0, 1, 0.62)))
-    joined = _sure(_seen(320, (0, 1, 0.62), (1, 2, 0.62)))
+    joined = _sure(_seen(320, (0, 1, 0.62), (1, 2, 0.62), (2, 3, 0.8)))
     beside, *_ = _sure(_seen(320, (0, 1, 0.62), *((k, k + 1, 0.9) for k in range(2, 5))))
     assert only < 0.5
-    assert joined == [pytest.approx(0.72, abs=0.02)] * 2
+    assert joined[:2] == [pytest.approx(0.72, abs=0.02)] * 2
     assert beside == joined[0]
     assert _sure(_seen(320, (0, 1, 0.62)), doubt_alone=False) == joined[:1]
+
+
+def test_many_faint_roads_are_not_sure_where_none_is_clear() -> None:
+    """Veins of a leaf and a cobweb are as long as the roads of a town, and faint all over."""
+    web = _seen(320, *((k, k + 1, 0.5) for k in range(7)))
+    assert max(_sure(web)) < 0.5
+    assert min(_sure(web, doubt_alone=False)) > 0.6
+    (fainter, *_), (clearer, *_) = (
+        _sure(_seen(320, (0, 1, 0.5), (1, 2, 0.5), (2, 3, clear))) for clear in (0.7, 0.98)
+    )
+    assert fainter < 0.6 < clearer
 
 
 def test_a_clear_road_is_as_sure_alone_as_in_a_network() -> None:

@@ -37,7 +37,7 @@ def are_boxes(roads: Sequence[FoundRoad], side: float) -> bool:
     corners = _corners(roads, widths)
     if corners >= _BOX:
         return True
-    return corners > 0 and width < _HAIR * side and _upright_share(roads) > _UPRIGHT
+    return corners > 0 and width < _HAIR * side and upright_share(roads) > _UPRIGHT
 
 
 def are_framed(
@@ -65,7 +65,7 @@ def _bounds(roads: Sequence[FoundRoad]) -> tuple[Floats, Floats]:
     return points.min(axis=0), points.max(axis=0)
 
 
-def _upright_share(roads: Sequence[FoundRoad]) -> float:
+def upright_share(roads: Sequence[FoundRoad]) -> float:
     """The share of the length that runs along the rows or the columns of the picture."""
     steps = np.concatenate([np.diff(road.points, axis=0) for road in roads])
     lengths = np.hypot(*steps.T)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from .box_lines import are_boxes, are_framed
+from .connected_roads import connected_parts
 from .explained_surface import ExplainedSurface
 from .found_network import EDGE_LINES, FoundNetwork, FoundRoad
 from .line_art import ends_at_rim, sure_by_junctions, sure_by_widths
+from .road_likeness import sure_by_likeness
 
 _LONG, _SLENDER = 0.6, 3.0
 """Roads that hang together are believed if they are so long in all, in shorter sides of the
@@ -36,7 +36,7 @@ are rows, columns or fields; such a line goes at most this share of its length a
 _SCATTERED, _LONG_PART = 4, 0.3
 """So many parts that neither hang together nor leave the picture, each so long in shorter sides,
 are figures; roads lead somewhere."""
-_OPEN = 2
+OPEN = 2
 """A map is left by more roads than so many."""
 _ALONG, _TOUCHING = 0.7, 1.5
 """A bar touches the border, but for so many pixels, on this share of its length."""
@@ -59,8 +59,8 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
     bars = [all(_is_bar(road, found.mask.shape) for road in part) for part in parts]
     exits = [sum(int(ends_at_rim(x, found.mask.shape).sum()) for x in part) for part in parts]
     leaving = [count > 0 for count in exits]
-    drawn = drawn or sum(exits) <= _OPEN
-    network = _sure_as_network(found, drawn)
+    colored, drawn = not drawn, drawn or sum(exits) <= OPEN
+    network = _sure_as_network(found, drawn, colored)
     surface = ExplainedSurface.of(found.mask, found.roads, measured)
     inside = [drawn and not leaves for leaves in leaving]
     rows = _rows(parts, inside)
@@ -87,13 +87,15 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
     return replace(found, roads=roads)
 
 
-def _sure_as_network(found: FoundNetwork, drawn: bool) -> float:
-    """How sure all roads are by how they meet, leave the picture and, if drawn, keep their width;
-    what a rendered map shows is wide at its symbols."""
+def _sure_as_network(found: FoundNetwork, drawn: bool, colored: bool) -> float:
+    """How sure all roads are by how they meet, leave the picture and, if drawn, keep their width
+    and are like roads; what a rendered map shows is wide at its symbols."""
     if not found.roads or found.method in _STATED:
         return 1.0
     by_junctions = sure_by_junctions(found.roads, found.mask.shape)
-    return min(by_junctions, sure_by_widths(found.roads)) if drawn else by_junctions
+    if not drawn:
+        return by_junctions
+    return min(by_junctions, sure_by_widths(found.roads), sure_by_likeness(found, colored))
 
 
 def _rows(parts: list[list[FoundRoad]], inside: list[bool]) -> list[bool]:
@@ -151,15 +153,3 @@ def _share_in_long(parts: list[list[FoundRoad]], least: float) -> float:
     """The share of the length that is in parts of at least so many pixels."""
     lengths = np.array([sum(road.length for road in part) for part in parts])
     return float(lengths[lengths >= least].sum() / max(float(lengths.sum()), 1e-9))
-
-
-def connected_parts(roads: tuple[FoundRoad, ...]) -> list[list[FoundRoad]]:
-    """The roads by the connected part of the network that they belong to."""
-    starts, ends = ([getattr(road, end) for road in roads] for end in ("start", "end"))
-    count = 1 + max([*starts, *ends], default=0)
-    links = coo_array((np.ones(len(roads)), (starts, ends)), shape=(count, count))
-    number, part = connected_components(links, directed=False)
-    found: list[list[FoundRoad]] = [[] for _ in range(number)]
-    for road in roads:
-        found[part[road.start]].append(road)
-    return [members for members in found if members]

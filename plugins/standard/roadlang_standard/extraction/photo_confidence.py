@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,7 +10,7 @@ from scipy.ndimage import uniform_filter1d
 
 from roadlang.geometry import Floats
 
-from .drawn_confidence import connected_parts
+from .connected_roads import connected_parts
 from .found_network import FoundNetwork, FoundRoad
 
 _LEAST, _EVIDENCE, _WIDE = 0.635, 0.599, -0.477
@@ -17,8 +18,8 @@ _LEAST, _EVIDENCE, _WIDE = 0.635, 0.599, -0.477
 pixels of width beyond `_NARROW`. `python -m benchmarks.extraction.confidence` fits them; these are
 of 26 photos at 1 m/px and 25 of towns."""
 _ONLY = -1.6
-"""For full doubt of what is alone where the picture shows nothing else. Not fitted, for all those
-photos show roads: of a picture that shows none, a faint line is all that is found."""
+"""For full doubt: of what is alone where the picture shows nothing else, and of all roads where all
+are faint. Not fitted, for those photos show roads: in a picture without them, lines are faint."""
 _NARROW = 12.0
 """The middle of wider roads is less certain: cars, crowns and medians hide a side of it."""
 _SHORT, _SIDE = 1.15, 512
@@ -26,6 +27,9 @@ _SHORT, _SIDE = 1.15, 512
 a larger picture, only this many pixels of its side count."""
 _CLEAR, _FAINT = 0.8, 0.5
 """Mean evidence from which on what is alone is not doubted, and at which it is doubted in full."""
+_CLEAR_IN_ALL = 0.68
+"""The first of them for all roads of a picture: of 36 photos with roads, those below it were wrong
+on more than half of the length that was found."""
 _STRETCH = 15
 """Evidence counts over so many points of a road."""
 _CERTAIN = 0.98
@@ -37,7 +41,8 @@ class RoadFacts:
     """What the confidence of a road depends on.
 
     `evidence` (n,) are log odds at its points, `wide` tens of pixels of width beyond 12, `given`
-    further log odds: of a faint road that joins no network where the picture shows nothing else.
+    further log odds: of a faint road that joins no network where the picture shows nothing else, or
+    of all roads where all are faint.
     """
 
     evidence: Floats
@@ -48,8 +53,8 @@ class RoadFacts:
 def calibrated(found: FoundNetwork, doubt_alone: bool) -> FoundNetwork:
     """The same roads with confidences that are about the share of their length that is right.
 
-    Faint roads in a picture that shows little else are seldom any: they are doubted more, if
-    `doubt_alone`.
+    Faint roads in a picture that shows little else, or none that are clearer, are seldom any: they
+    are doubted more, if `doubt_alone`.
     """
     facts = road_facts(found, doubt_alone)
     roads = tuple(_calibrated(*pair) for pair in zip(found.roads, facts, strict=True))
@@ -61,11 +66,12 @@ def road_facts(found: FoundNetwork, doubt_alone: bool = True) -> list[RoadFacts]
     short = _SHORT * min(*found.mask.shape, _SIDE)
     little = doubt_alone and sum(road.length for road in found.roads) < short
     doubts = _doubts(found) if little else {}
+    of_all = _doubt(found.roads, _CLEAR_IN_ALL) if doubt_alone else 0.0
     return [
         RoadFacts(
             _evidence(road),
             max(0.0, float(np.median(road.widths)) - _NARROW) / 10,
-            _ONLY * doubts.get(id(road), 0.0),
+            _ONLY * max(of_all, doubts.get(id(road), 0.0)),
         )
         for road in found.roads
     ]
@@ -75,11 +81,17 @@ def _doubts(found: FoundNetwork) -> dict[int, float]:
     """How doubtful each road is, 0 to 1, by the evidence of all that it is connected to."""
     doubts: dict[int, float] = {}
     for part in connected_parts(found.roads):
-        lengths = np.array([road.length for road in part])
-        mean = float(lengths @ [road.confidence for road in part]) / max(float(lengths.sum()), 1e-9)
-        doubt = float(np.clip((_CLEAR - mean) / (_CLEAR - _FAINT), 0.0, 1.0))
+        doubt = _doubt(part, _CLEAR)
         doubts.update((id(road), doubt) for road in part)
     return doubts
+
+
+def _doubt(roads: Sequence[FoundRoad], clear: float) -> float:
+    """How doubtful roads are, 0 to 1, by their mean evidence, 0 where that is `clear`."""
+    lengths = np.array([road.length for road in roads])
+    known = float(lengths @ np.array([road.confidence for road in roads]))
+    mean = known / max(float(lengths.sum()), 1e-9)
+    return float(np.clip((clear - mean) / (clear - _FAINT), 0.0, 1.0))
 
 
 def _evidence(road: FoundRoad) -> Floats:

@@ -1,0 +1,71 @@
+"""How much lines are like roads by all that tells, where no single sign does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roadlang_standard.extraction.drawn_confidence import with_doubts
+from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.road_likeness import LIKENESS, likeness_facts
+
+_SHAPE = (600, 800)
+
+
+def _line(start: int, end: int, ends: tuple[int, int, int, int], width: float = 4.0) -> FoundRoad:
+    points = np.linspace(ends[:2], ends[2:], 120).astype(float)
+    return FoundRoad(start, end, points, np.full(120, width))
+
+
+def _network(*roads: FoundRoad, method: str = "") -> FoundNetwork:
+    return FoundNetwork(np.zeros((40, 2)), roads, np.zeros(_SHAPE, bool), method)
+
+
+def _most(*roads: FoundRoad, drawn: bool = True, method: str = "") -> float:
+    found = with_doubts(_network(*roads, method=method), drawn)
+    return max(road.confidence for road in found.roads)
+
+
+def _tree(top: int = 80, below: int = 520, width: float = 2.5) -> list[FoundRoad]:
+    """Four computers, each with three lines to its own and one to the server above all."""
+    lines = []
+    for index, x in enumerate((130, 310, 490, 670)):
+        lines.append(_line(0, index + 1, (400, top, x, 300), width))
+        for leaf in range(3):
+            at = x + 60 * (leaf - 1)
+            lines.append(_line(index + 1, 5 + 3 * index + leaf, (x, 300, at, below), width))
+    return lines
+
+
+def test_a_diagram_in_colors_is_no_sure_road_and_a_town_with_its_shape_is() -> None:
+    assert _most(*_tree(), drawn=False) < 0.5
+    assert _most(*_tree(), drawn=True) > 0.9
+    assert _most(*_tree(below=598, width=14.0), drawn=False) > 0.9
+
+
+def test_what_somebody_said_to_be_roads_is_not_judged() -> None:
+    assert _most(*_tree(), drawn=False, method="legend") == 1.0
+
+
+def test_each_sign_is_what_it_says() -> None:
+    facts = likeness_facts(_network(*_tree()), colored=True)
+    assert list(facts) == list(LIKENESS)
+    assert facts["dead ends"] == pytest.approx(np.log1p(12))
+    assert facts["crossings"] == pytest.approx(np.log1p(5))
+    assert facts["joins"] == facts["exits"] == facts["tight"] == 0.0
+    assert facts["unlike"] == pytest.approx(0.0)
+    assert facts["straight"] == 1.0
+    assert facts["parts"] == pytest.approx(np.log1p(1))
+    assert facts["thin"] == pytest.approx(np.log(0.015 * 600 / 2.5))
+    wavy = np.linspace(0, 20 * np.pi, 900)
+    tight = FoundRoad(
+        0, 1, np.column_stack([40 + 9 * wavy, 300 + 30 * np.sin(wavy)]), np.full(900, 12.0)
+    )
+    assert likeness_facts(_network(tight), colored=False)["tight"] > 0.3
+
+
+def test_a_parking_lot_says_nothing_about_the_width_of_roads() -> None:
+    road, lot = _line(0, 1, (0, 300, 799, 300), 20.0), _line(2, 3, (300, 150, 420, 150), 110.0)
+    assert likeness_facts(_network(road, lot), colored=False)["unlike"] < 0.01
+    lane = _line(2, 3, (300, 150, 420, 150), 5.0)
+    assert likeness_facts(_network(road, lane), colored=False)["unlike"] > 0.2
