@@ -78,16 +78,17 @@ def test_the_result_of_a_search_in_numbers() -> None:
         "Evaluations", "1,200", "4 satisfy the requirements", "Failing", "2",
         "50% of the scenes driven", "Distinct", "2", "other road, behavior or cause",
         "First failure", "7", "evaluation", "Failure rate at random", "1% to 17%",
-        "95% interval, 2 of 40", "Least apart", "-2", "evaluation 7",
+        "95% interval, 2 of 40", "Lowest robustness of apart", "-2", "evaluation 7",
     ]  # fmt: skip
 
 
 def test_the_result_of_a_run_in_numbers() -> None:
     assert words(facts(results(), ())).split("|") == [
-        "Scenes", "4", "Failing", "2", "50% of the scenes driven", "Least apart", "-2", "scene 7",
+        "Scenes", "4", "Failing", "2", "50% of the scenes driven",
+        "Lowest robustness of apart", "-2", "scene 7",
     ]  # fmt: skip
     in_runs = results((row(0, 1.0, run=3), row(1, 2.0, run=4)))
-    assert words(facts(in_runs, ())).endswith("Least apart|1|3, scene 0")
+    assert words(facts(in_runs, ())).endswith("Lowest robustness of apart|1|3, scene 0")
     assert words(facts(results((), evaluations=9), ())).split("|") == [
         "Evaluations", "9", "0 satisfy the requirements", "Failing", "0",
     ]  # fmt: skip
@@ -99,7 +100,7 @@ def test_the_progress_of_an_expectation_is_that_of_the_drives_that_have_it() -> 
     found = progress(results(best={"apart": best}), ())
     chart = progress_chart([0, 7, 8], [3.0, -2.0, -0.5], [False, True, True], best, "")
     assert chart in found
-    assert words(found).startswith("Robustness of apart as the search goes| Each dot is a drive")
+    assert words(found).startswith("Robustness of apart during the search| Each dot is a drive")
     assert progress(results(), ()) == ""
     empty = progress(results(best={"other": []}), ())
     assert "<svg" not in empty

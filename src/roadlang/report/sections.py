@@ -67,7 +67,7 @@ def progress(results: Results, views: Sequence[DriveView]) -> str:
         ]
         numbers, values, failed = zip(*seen, strict=True) if seen else ((), (), ())
         chart = progress_chart(numbers, values, failed, results.best[name], units.get(name, ""))
-        title = f"Robustness of {name} as the search goes"
+        title = f"Robustness of {name} during the search"
         charts.append(_figure(chart, title, "Each dot is a drive; the line is the lowest so far."))
     return element("div", *charts, class_="charts") if charts else ""
 
@@ -157,7 +157,11 @@ def _facts(results: Results, views: Sequence[DriveView]) -> Iterator[tuple[str, 
         found = [(rho, row) for row in rows if (rho := row.robustness.get(name)) is not None]
         if found:
             rho, row = min(found, key=lambda pair: pair[0])
-            yield f"Least {name}", quantity(rho, units.get(name, "")), _scene(results, row)
+            yield (
+                f"Lowest robustness of {name}",
+                quantity(rho, units.get(name, "")),
+                _scene(results, row),
+            )
 
 
 def _scene(results: Results, row: ResultRow) -> str:

@@ -128,7 +128,7 @@ function describe() {
     span.textContent = words;
     span.onclick = () => look(points);
     button.textContent = "\u00d7";
-    button.setAttribute("aria-label", `Take back: ${words}`);
+    button.setAttribute("aria-label", `Remove the correction: ${words}`);
     button.onclick = () => change({ ...page.corrections, [key]: page.corrections[key].filter((_, k) => k !== index) });
     item.append(span, button);
     at("corrections").append(item);
@@ -147,7 +147,7 @@ function describe() {
   at("view").classList.toggle("drawing", page.line !== null);
   at("view").classList.toggle("cutting", page.cut !== null);
   at("hint").textContent = page.line ? "Click the points of the road; Enter ends it, Esc stops."
-    : page.cut ? `Click the ${page.cut.length ? "end" : "start"} of the part that is no road; Esc stops.` : "";
+    : page.cut ? `Click the ${page.cut.length ? "end" : "start"} of the part that is not a road; Esc stops.` : "";
 }
 
 const length = points => points.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - points[k][0], y - points[k][1]), 0);
