@@ -317,13 +317,13 @@ def test_robustness_is_shown_of_requirements_and_of_what_was_driven(
 ) -> None:
     watched = Watched(engine, tmp_path / "scene.rl", save=False)
     with watched.session:
-        assert _lines(watched.live, watched.scenes) == ["ok  gentle  0.20"]
+        assert _lines(watched.live, watched.scenes) == ["satisfied  gentle  0.20"]
         until(lambda: bool(watched.live.listen(0.05)) or watched.live.trace() is not None)
         gentle, slow, arrives, moves = _lines(watched.live, watched.scenes)
-        assert gentle == "ok  gentle  0.20"
-        assert slow.startswith("BROKEN  slow  -")
-        assert arrives.startswith("undecided  arrives  -")
-        assert moves.startswith("ok  moves  ")
+        assert gentle == "satisfied  gentle  0.20"
+        assert slow.startswith("VIOLATED  slow  -")
+        assert arrives.startswith("unknown  arrives  -")
+        assert moves.startswith("satisfied  moves  ")
 
 
 def test_watching_ends_after_the_time_that_is_said(

@@ -286,4 +286,4 @@ def _lines(live: LiveScene, scenes: SceneSet) -> list[str]:
     ]
 
 
-_STATES = {True: "ok", False: "BROKEN", None: "undecided"}
+_STATES = {True: "satisfied", False: "VIOLATED", None: "unknown"}
