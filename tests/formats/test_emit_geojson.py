@@ -147,6 +147,14 @@ def test_a_speed_limit_is_said_where_one_holds_in_all_lanes(
     assert road["properties"].get("maxspeed") == limit
 
 
+def test_limits_that_differ_are_said_by_direction() -> None:
+    lanes = "left: [drive(speed_limit: 30km/h)], right: [drive], speed_limit: 50km/h"
+    text = f"road main {{ draw with segments {{ pieces: [straight(80m)] }}, {lanes} }}"
+    (road,) = of_type(features(scene_of(text)), "road")
+    found = {key: value for key, value in road["properties"].items() if "maxspeed" in key}
+    assert found == {"maxspeed:backward": 30.0, "maxspeed:forward": 50.0}
+
+
 def test_lanes_of_a_loop_are_rings_with_a_hole() -> None:
     scene = scene_of(LOOP)
     found = features(scene)

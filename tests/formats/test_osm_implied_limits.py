@@ -59,5 +59,26 @@ def test_other_words_have_none(written: str) -> None:
 def test_the_kind_of_limit_counts_where_the_limit_is_missing(
     tags: dict[str, str], limit: float | None
 ) -> None:
-    found = way_lanes({"highway": "primary", **tags}).speed_limit
-    assert found == (None if limit is None else pytest.approx(limit))
+    lanes = way_lanes({"highway": "primary", **tags})
+    expected = None if limit is None else pytest.approx(limit)
+    assert (lanes.forward_limit, lanes.backward_limit) == (expected, expected)
+
+
+@pytest.mark.parametrize(
+    ("tags", "forward", "backward"),
+    [
+        ({"maxspeed:forward": "50", "maxspeed:backward": "30"}, 50 * KMH, 30 * KMH),
+        ({"maxspeed": "70", "maxspeed:backward": "30 mph"}, 70 * KMH, 30 * MPH),
+        ({"maxspeed:forward": "DE:urban"}, 50 * KMH, None),
+        ({"maxspeed": "50", "maxspeed:forward": "none"}, None, 50 * KMH),
+    ],
+)
+def test_the_limit_of_a_direction_counts_first(
+    tags: dict[str, str], forward: float | None, backward: float | None
+) -> None:
+    lanes = way_lanes({"highway": "primary", **tags})
+    found = lanes.forward_limit, lanes.backward_limit
+    assert found == (
+        None if forward is None else pytest.approx(forward),
+        None if backward is None else pytest.approx(backward),
+    )

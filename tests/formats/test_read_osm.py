@@ -113,7 +113,7 @@ def test_what_no_vehicle_drives_on_is_left_out(tmp_path: Path) -> None:
     ],
 )
 def test_lanes_are_counted_by_the_tags(tags: dict[str, str], forward: int, backward: int) -> None:
-    assert way_lanes(tags) == WayLanes(forward, backward, None)
+    assert way_lanes(tags) == WayLanes(forward, backward, None, None)
 
 
 @pytest.mark.parametrize(
@@ -133,6 +133,16 @@ def test_lanes_run_as_the_way_does(tmp_path: Path) -> None:
         (-2, "backward", 10.0),
     ]
     assert lanes_of(edge).border_offsets(5.0) == pytest.approx([3.0, 0.0, -3.0])
+
+
+def test_ways_that_run_toward_each_other_keep_the_limit_of_each_direction(tmp_path: Path) -> None:
+    limits = {"maxspeed_forward": "36", "maxspeed_backward": "72"}
+    text = osm(way(1, "31 32", **limits), way(2, "33 32", **limits))
+    edges = read(tmp_path, text).network.edges
+    found = [
+        [(lane.direction, lane.speed_limit) for lane in lanes_of(edge).lanes] for edge in edges
+    ]
+    assert found == [[("backward", 20.0), ("forward", 10.0)]] * 2
 
 
 def test_traffic_may_keep_left(tmp_path: Path) -> None:

@@ -34,7 +34,13 @@ class ArcPiece(Piece):
 
     name: ClassVar[str] = "arc"
     also_called: ClassVar[tuple[str, ...]] = ("curve", "bend", "turn")
-    radius: Length = option(above=0, maximum=1e6, help="radius of the center line")
+    radius: Length = option(
+        above=0,
+        maximum=1e6,
+        help="radius of the center line",
+        if_negative="the radius is positive; to turn right, make the angle negative: "
+        "`arc(40m, -60deg)`",
+    )
     angle: Angle = option(
         minimum=-MOST_TURN, maximum=MOST_TURN, help="angle of the turn, positive to the left"
     )

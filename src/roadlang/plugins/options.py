@@ -38,6 +38,7 @@ class Constraints:
     words: tuple[str, ...] = ()
     example: str = ""
     at_least: int = 0
+    if_negative: str = ""
 
     @property
     def default_unit(self) -> str:
@@ -75,15 +76,19 @@ def option(  # noqa: PLR0913 - the words with which authors of plugins describe 
     words: Iterable[str] = (),
     example: str = "",
     at_least: int = 0,
+    if_negative: str = "",
 ) -> Any:
     """A field of a kind that a scene file can set.
 
     `minimum` and `maximum` are allowed values, `above` and `below` are not, all in SI units.
     `words` may be written instead of a value (`auto`); the field then holds the word as a
     string. A list has `at_least` so many items. A `None` default means "not given". `example` is a
-    value as a scene file has it; its unit is suggested where a number has none.
+    value as a scene file has it; its unit is suggested where a number has none. `if_negative` is
+    help for those who write a negative number where none is allowed.
     """
-    constraints = Constraints(help, minimum, maximum, above, below, tuple(words), example, at_least)
+    constraints = Constraints(
+        help, minimum, maximum, above, below, tuple(words), example, at_least, if_negative
+    )
     metadata = {_KEY: constraints}
     if default is REQUIRED:
         return dataclasses.field(metadata=metadata)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.geometry import Curve, Floats, Footprints
+from roadlang.geometry import Curve, Floats, Footprints, Lane
 from roadlang_formats.decimals import bearing
 from roadlang_formats.surfaces.built import built_roads, is_loop
 from roadlang_formats.surfaces.junction_surface import junction_surfaces
@@ -80,12 +80,25 @@ def _traffic(road: SceneRoad) -> dict[str, object]:
     elif set(ways) == {"forward", "backward"}:
         found["lanes:forward"] = ways.count("forward")
         found["lanes:backward"] = ways.count("backward")
-    of_road = {zone.speed_limit for zone in road.zones()}
-    limits = {limit if lane.speed_limit is None else lane.speed_limit
-              for lane in driven for limit in of_road}  # fmt: skip
-    limit = limits.pop()
-    if not limits and limit is not None and math.isfinite(limit):
-        found["maxspeed"] = float(f"{limit * 3.6:.6g}")
+    return found | _speed_limits(driven, {zone.speed_limit for zone in road.zones()})
+
+
+def _speed_limits(driven: Sequence[Lane], of_road: set[float | None]) -> dict[str, object]:
+    """In km/h, of the road or of its directions, where one holds on the whole road."""
+    directions = {lane.direction for lane in driven}
+    found: dict[str, object] = {}
+    for direction in sorted(directions):
+        lanes = (lane for lane in driven if lane.direction == direction)
+        limits = {
+            limit if lane.speed_limit is None else lane.speed_limit
+            for lane in lanes
+            for limit in of_road
+        }
+        limit = limits.pop()
+        if not limits and limit is not None and math.isfinite(limit):
+            found[f"maxspeed:{direction}"] = float(f"{limit * 3.6:.6g}")
+    if len(found) == len(directions) and len(set(found.values())) == 1:
+        return {"maxspeed": next(iter(found.values()))}
     return found
 
 

@@ -183,8 +183,7 @@ def _joined(one: Street, other: Street, node: str) -> Street | None:
         one, other = other, one
     if one.nodes[-1] == node and other.nodes[0] == node:
         return one.and_then(other)
-    lanes = way_lanes(one.tags)
-    if one_way(one.tags) is not None or lanes.forward != lanes.backward:
+    if one_way(one.tags) is not None or not way_lanes(one.tags).is_symmetric:
         return None
     if one.nodes[0] == node:
         return one.reversed.and_then(other)
@@ -251,7 +250,7 @@ def cross_section(lanes: WayLanes, options: OsmOptions) -> CrossSection:
                 "drive",
                 width,
                 "backward" if backward else "forward",
-                speed_limit=lanes.speed_limit,
+                speed_limit=lanes.backward_limit if backward else lanes.forward_limit,
                 marking="solid" if outermost else "broken",
                 users=_USERS,
             )

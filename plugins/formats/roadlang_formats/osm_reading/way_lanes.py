@@ -43,11 +43,18 @@ _ONE_WAY = {"yes": True, "true": True, "1": True, "-1": False, "reverse": False}
 
 @dataclass(frozen=True, slots=True)
 class WayLanes:
-    """How many lanes run along a way and against it, and the speed limit in m/s."""
+    """How many lanes run along a way and against it, and the speed limit of each direction in
+    m/s, None without one."""
 
     forward: int
     backward: int
-    speed_limit: float | None
+    forward_limit: float | None
+    backward_limit: float | None
+
+    @property
+    def is_symmetric(self) -> bool:
+        """Whether both directions are alike, so that the way may be read against its own."""
+        return (self.forward, self.forward_limit) == (self.backward, self.backward_limit)
 
 
 def is_driven(tags: Tags) -> bool:
@@ -84,11 +91,11 @@ def way_lanes(tags: Tags) -> WayLanes:
     total, forward, backward = (
         _count(tags.get(name)) for name in ("lanes", "lanes:forward", "lanes:backward")
     )
-    limit = _limit(tags)
+    limits = _limit(tags, "forward"), _limit(tags, "backward")
     way = one_way(tags)
     if way is not None:
         count = total or (forward if way else backward) or usual
-        return WayLanes(count if way else 0, 0 if way else count, limit)
+        return WayLanes(count if way else 0, 0 if way else count, *limits)
     if total is not None:
         if forward is None:
             forward = total - backward if backward is not None else math.ceil(total / 2)
@@ -97,7 +104,7 @@ def way_lanes(tags: Tags) -> WayLanes:
     return WayLanes(
         max(usual if forward is None else forward, 1),
         max(usual if backward is None else backward, 1),
-        limit,
+        *limits,
     )
 
 
@@ -106,9 +113,11 @@ def _count(written: str | None) -> int | None:
     return min(int(found.group()), _MOST) if found and int(found.group()) else None
 
 
-def _limit(tags: Tags) -> float | None:
-    if "maxspeed" in tags:
-        return speed_limit(tags["maxspeed"])
+def _limit(tags: Tags, direction: str) -> float | None:
+    """That of the direction, or of both, or what other tags imply."""
+    for name in (f"maxspeed:{direction}", "maxspeed"):
+        if name in tags:
+            return speed_limit(tags[name])
     implied = (speed_limit(tags[name]) for name in _IMPLIED if name in tags)
     return next((limit for limit in implied if limit is not None), None)
 

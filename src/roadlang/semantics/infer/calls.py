@@ -165,8 +165,9 @@ def of_kind(
     if found is None:
         return unknown(call.span)
     if is_member(found):
-        first = found.schema[0].name if found.schema else "agent"
-        help_ = f"write `{first}.{name}`, as in `ego.{name}`"
+        argument = call.arguments[0].value if len(call.arguments) == 1 else None
+        of = argument.text if isinstance(argument, ast.Name) else "ego"
+        help_ = f"write `{of}.{name}`"
         return checker.report(Code.UNKNOWN_FUNCTION, call.function.span, name=name, help=help_)
     inner = context if verb == "distribution" else replace(context, words=(), verbs=(), roles=())
     rest = found.kind.rest

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...diagnostics import Fix, nearest
 from ...plugins.common_options import common_options
+from ...syntax.contact_words import CONTACT_MEMBERS, CONTACT_VERBS, no_contact_help
 from ...syntax.tree import nodes as ast
 from ...syntax.words import PASS_VERBS
 from ..checker import ResolvedKind
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 
 _TTC = "write `time_to_collision(ego, lead) > 2s`"
 _HEADWAY = "write `time_headway(ego, lead) > 1s`"
-_NO_CONTACT = "write `ego.contacts == 0`, or `gap(ego, lead) > 0m`"
 _FUNCTIONS = {
     "Range": "a uniform draw is written `low..high`",
     "VerifaiRange": "a uniform draw is written `low..high`",
@@ -45,9 +45,6 @@ _FUNCTIONS = {
     "tan": "the functions of numbers are `abs`, `min` and `max`",
     "exp": "the functions of numbers are `abs`, `min` and `max`",
     "log": "the functions of numbers are `abs`, `min` and `max`",
-    "collides": _NO_CONTACT,
-    "collision": _NO_CONTACT,
-    "intersects": _NO_CONTACT,
     "right_of": "write `beside(ego, right)`",
     "left_of": "write `beside(ego, left)`",
     "in_front_of": "write `ahead_of(ego, 10m)`",
@@ -82,7 +79,7 @@ _MEMBERS = {
     "length": "dimensions are options, not signals",
 }
 _READINGS = "readings of sensors go to controllers; in a formula, measure: `gap(ego, lead) > 2m`"
-_MEMBERS |= dict.fromkeys(("collided", "collides", "crashed", "collisions"), _NO_CONTACT)
+_MEMBERS |= dict.fromkeys(CONTACT_MEMBERS, no_contact_help())
 _MEMBERS |= {"ttc": _TTC, "thw": _HEADWAY, "headway": _HEADWAY}
 _MEMBERS |= {"lidar": _READINGS, "radar": _READINGS}
 _SENSOR = "a sensor is written in the block of the agent: `sense with KIND { ... }`"
@@ -154,6 +151,9 @@ _SIDES = {"right": "-1", "left": "1"}
 
 def function_help(call: ast.CallExpression, name: str) -> tuple[str, tuple[Fix, ...]] | None:
     """Help and fix for a function of another language; None if it is not known."""
+    if name in (*CONTACT_VERBS, "collision"):
+        agents = [a.value.text for a in call.arguments if isinstance(a.value, ast.Name)]
+        return no_contact_help(*(agents if len(agents) == 2 else ())), ()
     if name not in _FUNCTIONS:
         return None
     fixes: tuple[Fix, ...] = ()

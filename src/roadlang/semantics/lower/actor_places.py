@@ -105,6 +105,8 @@ def _begin_of_route(
     """The first point of a route that has several; some place in a lane, where it is random or
     begins with a turn."""
     name = statement.name
+    if route is not None and _is_spoiled(checker, statement.on):
+        return None  # a network could begin the route
     if network is not None and (isinstance(route, RandomValue) or begins_with_turn(route)):
         return _anywhere(checker, statement, name, context)
     if network is not None and isinstance(route, Items) and len(route.items) > 1:
@@ -207,6 +209,11 @@ def is_by_another(call: PassCall) -> bool:
     return any(value.role in ("agent", "object") for value in named)
 
 
+def _is_spoiled(checker: Checker, road: ast.Expression | None) -> bool:
+    """Whether its declaration has a mistake, so that it may be a road or a network."""
+    return isinstance(road, ast.Name) and road.text in checker.program.spoiled
+
+
 def _point(
     checker: Checker, statement: ast.Actor, typed: TypedExpression, network: str | None
 ) -> TypedExpression | None:
@@ -215,7 +222,7 @@ def _point(
     from ..types.assignable import check_assignable
 
     if statement.on is not None and network is None:
-        if isinstance(statement.on, ast.Name) and statement.on.text in checker.program.spoiled:
+        if _is_spoiled(checker, statement.on):
             return None  # who knows what it is
         road = statement.on.span.text
         help_ = f"write a length, such as `at 20m`, or leave `on {road}` out"

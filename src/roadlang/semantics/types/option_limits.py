@@ -31,6 +31,8 @@ def check_limits(
     meant = subtraction_as_range(typed.span.text)
     verb = "can be" if low != high else "is"
     advice = f"to draw a value between the two, write `{meant}`" if meant else ""
+    if not advice and high < 0.0:
+        advice = limits.if_negative
     checker.report(
         Code.VALUE_OUT_OF_BOUNDS,
         typed.span,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
 from .error_position import Edit, ErrorPosition, Mistake
+from .statement_habits import OPENSCENARIO
 from .token_names import finding
 from .unexpected import unexpected
 
@@ -226,9 +227,11 @@ def method_call(place: ErrorPosition) -> Mistake | None:
 
 
 def title_of_scenario(place: ErrorPosition) -> Mistake | None:
-    """`scenario "A bend"` and `scenario hairpin A bend`."""
+    """`scenario "A bend"` and `scenario hairpin A bend`; `scenario sut.cut_in:` of OpenSCENARIO."""
     if place.first_kind != "SCENARIO" or place.index not in (1, 2):
         return None
+    if place.index == 2 and place.word() in (".", ":", "(", "inherits"):
+        return unexpected(place, OPENSCENARIO, hopeless=True)
     return unexpected(place, 'a scenario has a name and a title: `scenario hairpin "A bend"`')
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..contact_words import CONTACT_VERBS, no_contact_help
 from .error_position import ErrorPosition, Mistake
 from .unexpected import unexpected
 
@@ -16,9 +17,6 @@ _IN_TURN = (
     "of several `drive with`, the last one whose conditions hold is active: "
     "`drive with brake { when: time > 5s }` takes over at 5 s, `{ while: time < 5s }` ends at 5 s"
 )
-
-_TOUCHES = ("collides", "intersects", "touches", "hits")
-_NO_CONTACT = "write `{0}.contacts == 0` if nothing may be touched, or `gap({0}, lead) > 0m`"
 
 
 def controllers_in_turn(place: ErrorPosition) -> Mistake | None:
@@ -73,10 +71,10 @@ def scenic_operator(place: ErrorPosition) -> Mistake | None:
     """`ego can see lead`, `ego collides with lead`, `distance from ego to lead`."""
     if place.word() == "can" and place.word(1) == "see":
         return unexpected(place, _SIGHT, hopeless=True)
-    if place.word() in _TOUCHES and place.kind(-1) == "NAME" and "NAME" in (
-        place.kind(1), place.kind(2),
-    ):  # fmt: skip
-        return unexpected(place, _NO_CONTACT.format(place.word(-1)), hopeless=True)
+    other = next((offset for offset in (1, 2) if place.kind(offset) == "NAME"), None)
+    if place.word() in CONTACT_VERBS and place.kind(-1) == "NAME" and other is not None:
+        help = no_contact_help(place.word(-1), place.word(other))
+        return unexpected(place, help, hopeless=True)
     is_measured = place.first_kind in ("REQUIRE", "EXPECT") and place.word() in ("from", "to")
     if not is_measured or place.kind(-1) != "NAME" or place.kind(1) != "NAME":
         return None

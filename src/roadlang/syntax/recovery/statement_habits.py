@@ -32,6 +32,11 @@ _JSON = (
     "a scene file has statements such as `road main { ... }`; `roadlang run scene.json` drives a "
     "scene that roadlang wrote as JSON"
 )
+OPENSCENARIO = (
+    "roadlang does not read OpenSCENARIO DSL: an actor is an `agent NAME is car on ROAD at 20m` "
+    "with `drive with KIND` in its block, and `keep` is `require NAME: formula`; "
+    "`roadlang init scene.rl` writes a file to start with"
+)
 _AGENT = "agents and objects are written `agent NAME is KIND on ROAD at POSITION { ... }`"
 
 _HELP = {
@@ -44,6 +49,8 @@ _HELP = {
     "do": _CONTROLLERS, "take": _CONTROLLERS, "wait": _CONTROLLERS, "try": _CONTROLLERS,
     "interrupt": _CONTROLLERS, "actor": _AGENT, "vehicle": _AGENT,
     "terminate": _DRIVE_ENDS, "record": "`roadlang run` records every drive: traces, verdicts",
+    **dict.fromkeys(("action", "modifier", "struct", "enum", "type", "unit", "extend", "global",
+                     "keep", "event", "cover"), OPENSCENARIO),
     "mutate": "write a range where a value is to vary: `at 20m..30m`",
     "var": _VALUE, "const": _VALUE, "val": _VALUE, "set": _VALUE,
     "assert": "write `require NAME: formula`, or `expect NAME: formula`",

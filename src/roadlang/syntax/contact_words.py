@@ -1,0 +1,14 @@
+"""Words for contacts in other languages, and the two ways in which a formula says it."""
+
+from __future__ import annotations
+
+CONTACT_VERBS = ("collides", "intersects", "touches", "hits")
+"""Between two agents, `ego collides with lead`, or as a function, `collides(ego, lead)`."""
+CONTACT_MEMBERS = ("collided", "collides", "crashed", "collisions")
+
+
+def no_contact_help(first: str = "ego", second: str = "lead") -> str:
+    """Help for a formula about the contacts of two agents."""
+    return (
+        f"write `{first}.contacts == 0` if nothing may be touched, or `gap({first}, {second}) > 0m`"
+    )
