@@ -21,13 +21,25 @@ VALUES = {"x": np.array([-2.0, 0.5, 3.0, 0.5]), "y": np.array([1.0, 0.5, -1.0, 4
         "x < 1", "x <= y", "x > 1", "x >= y", "x == y", "x != y", "not x < 1",
         "x < 1 and y > 0", "x < 1 or y > 0", "x < 1 -> y > 0", "x < 1 <-> y > 0", "x < 1 xor y > 0",
         "x < 1 and y > 0 and x + y > 2", "not (x < 1 or y > 0)", "true", "false", "true -> x < 1",
-        "abs(x) - y / 2 < max(x, y)",
+        "abs(x) - y / 2 < max(x, y)", "x ^ 2 < y",
     ],
 )  # fmt: skip
 def test_a_margin_is_the_robustness_at_a_sample(text: str) -> None:
     formula = stl.parse(text)
     found = _robustness(stl.normal_form(formula), VALUES.__getitem__, 4)
     np.testing.assert_array_equal(found, formula.robustness(np.arange(4.0), VALUES))
+
+
+@pytest.mark.parametrize("x", [np.inf, -np.inf, 0.0, 2.0])
+@pytest.mark.parametrize("y", [np.inf, -np.inf, 0.0])
+@pytest.mark.parametrize(
+    "text", ["x < y", "x >= y", "x == y", "x != y", "x - y > 0", "x + y > 0", "x * y > 0",
+             "x / y > 0", "min(x, y) - max(x, y) < 1"],
+)  # fmt: skip
+def test_equal_infinities_are_0_apart(text: str, x: float, y: float) -> None:
+    formula, values = stl.parse(text), {"x": np.array([x]), "y": np.array([y])}
+    found = _robustness(stl.normal_form(formula), values.__getitem__, 1)
+    np.testing.assert_array_equal(found, formula.robustness(np.zeros(1), values))
 
 
 SPEED = {"v": ("speed", {"agent": "ego"})}

@@ -14,6 +14,7 @@ from ..drive.simulators import engine_settings
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..simulation.bends.leaning import LONG
 from ..simulation.building.world_building import world_of
+from ..simulation.calling.controllers import UNDRIVEN_BRAKING
 from ..simulation.calling.decision import Decision
 from ..simulation.controlling.driving import DriverGroup
 from ..simulation.observing.observing import View
@@ -29,9 +30,6 @@ from .off_road import OffRoadCheck
 from .rewards import Transition, transition_of
 from .scene_pool import ScenePool
 from .settings import EnvSettings
-
-IDLE_BRAKING = 4.0
-"""m/s^2, of agents that nobody drives."""
 
 
 @dataclass(frozen=True)
@@ -163,7 +161,7 @@ class Episodes:
         if len(rows) == count:
             return Decision(steering, acceleration)
         if self._drivers is None:
-            decision = Decision(np.zeros(count), np.full(count, -IDLE_BRAKING))
+            decision = Decision(np.zeros(count), np.full(count, -UNDRIVEN_BRAKING))
         else:
             decision = self._drivers.decide(world, self._poses)
         decision.steering[agents], decision.acceleration[agents] = steering, acceleration

@@ -21,6 +21,7 @@ from ..simulation.signals.conditions import Signal, term_values
 from ..simulation.signals.samples import Samples
 from ..simulation.signals.signals import SignalCall
 from ..simulation.state.world import World
+from ..stl.evaluate.graph_operations import OF_INFINITIES, ROBUST
 from ..stl.evaluate.measured_robustness import measured_rho
 from ..stl.formats.evaluation_json import evaluation_from_json
 from ..stl.formula.evaluation_options import EvaluationOptions
@@ -151,13 +152,8 @@ def _robustness(formula: stl.Formula, value: Signal, count: int) -> Floats:
         case stl.Truth(truth):
             return np.full(count, math.inf if truth else -math.inf)
         case stl.Comparison(op, left, right):
-            less, more = term_values(left, value, count), term_values(right, value, count)
-            if op in (">", ">="):
-                less, more = more, less
-            over = more - less
-            if op in ("==", "!="):
-                over = np.abs(over) if op == "!=" else -np.abs(over)
-            return over
+            sides = (term_values(side, value, count) for side in (left, right))
+            return np.asarray(OF_INFINITIES[ROBUST[op]](*sides))
         case stl.LogicalJunction():
             join = np.minimum if formula.least else np.maximum
             parts = [_robustness(part, value, count) for part in formula.parts]

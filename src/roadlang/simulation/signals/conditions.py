@@ -13,6 +13,7 @@ import numpy as np
 from ... import stl
 from ...diagnostics import Code, DiagnosticError, diagnose
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...stl.evaluate.graph_operations import OF_INFINITIES, TERM_FUNCTIONS
 
 Signal = Callable[[str], Floats]
 """(R,) the values now of a variable of the formula"""
@@ -28,9 +29,12 @@ class ControllerCondition:
         self.numbers = dict(numbers)
         self._count = count
         self._past: dict[tuple[int, ...], deque[tuple[float, Booleans, Booleans]]] = {}
+        self._power = _power_in(self.formula)
 
     def now(self, time: float, signal: Signal) -> Booleans:
         """(R,) whether it holds now. To be evaluated at every step, in order. Raises RL513."""
+        if self._power is not None:
+            raise unsupported(self._power)
         values: dict[str, Floats] = {}
 
         def value(name: str) -> Floats:
@@ -130,7 +134,8 @@ def _has_memory(formula: stl.Formula) -> bool:
 
 
 def term_values(term: stl.Term, value: Signal, count: int) -> Floats:
-    """(R,) a term of a formula, of R agents. Raises RL513 for what is not known step by step."""
+    """(R,) a term of a formula, of R agents, by the functions of `stl`: equal infinities are 0
+    apart. Raises RL307 for the root of a negative number."""
     match term:
         case stl.Constant(number):
             return np.full(count, float(number))
@@ -140,13 +145,18 @@ def term_values(term: stl.Term, value: Signal, count: int) -> Floats:
     match term:
         case stl.Negate():
             return -parts[0]
-        case stl.Arithmetic("/"):
-            return _quotient(parts[0], parts[1])
-        case stl.Arithmetic(op) if op in _ARITHMETIC:
-            return np.asarray(_ARITHMETIC[op](parts[0], parts[1]))
-        case stl.Apply(function) if function in _FUNCTIONS:
-            return np.asarray(_FUNCTIONS[function](parts))
-    raise unsupported(str(term))
+        case stl.Arithmetic(name) | stl.Apply(name):
+            return np.asarray(_TERM_FUNCTIONS[name](*parts))
+    raise TypeError(f"not a term: {term!r}")
+
+
+def _power_in(formula: stl.Formula) -> str | None:
+    """The first power in a formula, which no engine evaluates in conditions of controllers."""
+    sides = (side for part in formula.walk() if isinstance(part, stl.Comparison)
+             for side in (part.left, part.right))  # fmt: skip
+    powers = (term for side in sides for term in side.walk()
+              if isinstance(term, stl.Arithmetic) and term.op == "^")  # fmt: skip
+    return next(map(str, powers), None)
 
 
 def _since(past: deque[tuple[float, Booleans, Booleans]], latest: float, count: int) -> Booleans:
@@ -158,13 +168,6 @@ def _since(past: deque[tuple[float, Booleans, Booleans]], latest: float, count: 
             found |= unbroken & last
         unbroken &= first
     return found
-
-
-def _quotient(a: Floats, b: Floats) -> Floats:
-    """A quotient by zero is infinite with the sign of the dividend, and 0 / 0 is 0."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        by_zero = np.where(a == 0.0, 0.0, np.copysign(math.inf, a))
-        return np.where(b == 0.0, by_zero, a / b)
 
 
 def unsupported(what: str) -> DiagnosticError:
@@ -181,13 +184,6 @@ _COMPARE: dict[str, Callable[[Floats, Floats], Any]] = {
     "==": np.equal,
     "!=": np.not_equal,
 }
-_ARITHMETIC: dict[str, Callable[[Floats, Floats], Any]] = {
-    "+": np.add,
-    "-": np.subtract,
-    "*": np.multiply,
-}
-_FUNCTIONS: dict[str, Callable[[list[Floats]], Any]] = {
-    "abs": lambda parts: np.abs(parts[0]),
-    "min": np.minimum.reduce,
-    "max": np.maximum.reduce,
+_TERM_FUNCTIONS = {
+    name: OF_INFINITIES.get(function, function) for name, function in TERM_FUNCTIONS.items()
 }
