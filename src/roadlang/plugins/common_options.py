@@ -200,8 +200,8 @@ class SenseOptions:
         None,
         above=0,
         maximum=3600,
-        help="time from one reading to the next, which is held until then; by default that from "
-        "one decision of the controllers to the next",
+        help="time between two readings; each is held until the next one. By default the time "
+        "between two decisions of the controllers",
         example="100ms",
     )
     delay: Duration = option(
@@ -232,9 +232,9 @@ class FalsifyOptions:
     failures: Integer = option(
         None,
         minimum=1,
-        help="stop after this many distinct failures: of different expectations or "
-        "partners, on roads whose curvature differs by more than 0.008/m (root mean "
-        "square), or with first violations 10 m/s or 100 m apart",
+        help="stop after this many distinct failures: of different expectations, "
+        "against different agents, on roads whose curvature differs by more than 0.008/m "
+        "(root mean square), or with first violations 10 m/s or 100 m apart",
         example="20",
     )
     seconds: Duration = option(
