@@ -1,5 +1,5 @@
-# Twelve cars and vans at a crossing with signals: they turn, wait at red, and do not collide.
-scenario signals "Traffic at a crossing with signals"
+# Twelve cars and vans at an intersection with signals: they turn, wait at red, and do not collide.
+scenario signals "Traffic at an intersection with signals"
 
 image plan from """
   ....#....

@@ -44,7 +44,7 @@ FIGURES = (
     Figure("drawn_town", "A drawing with colors as a legend"),
     Figure("typed_town", "A map typed as text"),
     Figure("traffic", "Traffic on a street"),
-    Figure("signals", "Traffic at a crossing with signals"),
+    Figure("signals", "Traffic at an intersection with signals"),
     Figure("two_versions", "Two versions of one road, compared by formulas"),
     Figure("composed", "Several perturbations in turn"),
     Figure("sweep", "A parameter sweep", 6, "contact-sheet.svg"),
@@ -77,7 +77,7 @@ PICTURES = (
         "city",
         "pictures/city",
         "--view free --camera 14,14,13,42,-17 --at 8",
-        "A few blocks of a town, typed as text: crossings with signals, traffic of all kinds",
+        "A few blocks of a town, typed as text: intersections with signals, traffic of all kinds",
     ),
     GodotPicture(
         "city_night",
