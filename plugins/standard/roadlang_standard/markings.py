@@ -10,7 +10,7 @@ from roadlang.api import Length, ObjectKind, option
 
 @dataclass(frozen=True)
 class Crosswalk(ObjectKind):
-    """A zebra crossing, that is a pedestrian crossing without signals: `traffic` yields there."""
+    """A marked crosswalk without signals (zebra crossing), at which `traffic` yields."""
 
     name: ClassVar[str] = "crosswalk"
     category: ClassVar[str] = "crosswalk"
