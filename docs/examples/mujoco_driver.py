@@ -2,8 +2,8 @@
 
     python mujoco_driver.py scene-0000.mjcf.xml
 
-Needs the Python package `mujoco`. Prints how far the middle of the car got from the line that it
-follows, at most, and how much of the line it drove.
+Needs the Python package `mujoco`. Prints the greatest distance of the car's center from the
+line that it follows, and the share of the line that it drove.
 """
 
 import sys
