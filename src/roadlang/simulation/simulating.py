@@ -107,8 +107,9 @@ def _drive_block(
     poses: Poses | None = world.poses
     recorder.note(world, contacts.watch(world, world.poses, 0.0))
     calm = Repetition.of(world, drivers, contacts, held, sampled)
+    is_recorded = False
     while True:
-        if world.tick % sampled == 0 or world.tick >= last:
+        if not is_recorded and (world.tick % sampled == 0 or world.tick >= last):
             poses = poses or world.poses
             recorder.record(world, poses)
         going_on = recorder.going_on
@@ -123,7 +124,8 @@ def _drive_block(
             recorder.go_on_with(going_on, agents, count)
             if calm:
                 calm.take(agents)
-        if calm and calm.drive(world, recorder, last):
+        is_recorded = calm is not None and calm.drive(world, recorder, last)
+        if is_recorded:
             poses = None
             continue
         poses = _decide_and_move(world, poses, (drivers, contacts, recorder), settings)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats
 from ..signals.columns import COLUMNS
-from ..signals.recorded_columns import RECORDED
+from ..signals.recorded_samples import RECORDED, RecordedSample
 from ..state.world import World
 from ..vehicles.motion import MOTION_COLUMNS
 from ..vehicles.poses import Poses
@@ -47,8 +47,8 @@ class LaterSamples:
         offset = world.followed.lateral.offset
         self._kept.append([offset.copy(), *(getattr(world, name).copy() for name in _KEPT)])
 
-    def fill(self, samples: list[Floats]) -> None:
-        """Put all samples so far, (Q, N) with the quantities `RECORDED`, at their places."""
+    def fill(self, samples: list[RecordedSample]) -> None:
+        """Put all samples so far at their places."""
         if not self._worlds:
             return
         every = self._side_by_side()
@@ -56,7 +56,7 @@ class LaterSamples:
         for number, column in enumerate(columns_now(every, every.poses)):
             out[:, number] = column.reshape(len(out), -1)
         for place, sample in zip(self._places, out, strict=True):
-            samples[place] = sample
+            samples[place] = RecordedSample(sample)
         self._worlds, self._places, self._kept = [], [], []
 
     def _side_by_side(self) -> World:

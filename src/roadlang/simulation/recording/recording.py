@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Booleans, Floats, Integers, inverse_index
+from ...geometry.arrays import Booleans, Integers, inverse_index
 from ...ir.controller_failure import ControllerFailure
 from ...ir.road_heights import standing_trace
 from ...ir.scene import Scene
 from ...ir.trace import AgentTrace, Trace
 from ..signals.lane_reader import LaneReader
-from ..signals.recorded_columns import RECORDED, RecordedAgent, RecordedPart
+from ..signals.recorded_columns import RecordedAgent, RecordedPart
+from ..signals.recorded_samples import RECORDED, RecordedSample
 from ..state.world import World
 from ..surroundings.contacts import Contact
 from ..vehicles.poses import Poses
@@ -21,7 +22,7 @@ from .later_samples import LaterSamples, columns_now
 from .violations import ViolationWatch
 
 ENGINE = "the embedded engine"
-_NO_SAMPLE = np.zeros((len(RECORDED), 0))
+_NO_SAMPLE = RecordedSample(np.zeros((len(RECORDED), 0)))
 
 
 class Recorder:
@@ -33,7 +34,7 @@ class Recorder:
         self._lanes = LaneReader(world)
         self._slots = world.slots
         self._times: list[float] = []
-        self._samples: list[Floats] = []
+        self._samples: list[RecordedSample] = []
         self._later = LaterSamples()
         self._parts: dict[int, list[tuple[RecordedPart, int]]] = {
             row: [] for row in range(len(scenes))
@@ -52,7 +53,7 @@ class Recorder:
         sample = np.empty((len(RECORDED), len(world.present)))
         for place, column in enumerate(columns_now(world, poses)):
             sample[place] = column
-        self.add(world.time, sample, world.finished)
+        self.add(world.time, RecordedSample(sample), world.finished)
 
     def record_later(self, world: World) -> None:
         """The same as `record`, of a copy of the world whose motion and columns are not changed any
@@ -66,9 +67,20 @@ class Recorder:
         if self._later.is_full:
             self._later.fill(self._samples)
 
-    def add(self, time: float, sample: Floats, finished: Booleans) -> None:
-        """The same: `sample` (Q, N) with the quantities `RECORDED`; `finished` (S,): scenes in
-        which all have arrived."""
+    def add_all(
+        self, times: Sequence[float], samples: Sequence[RecordedSample], finished: Booleans
+    ) -> None:
+        """The same as `add` for several times, `finished` (T, S)."""
+        looks = self._watch is not None and not self._watch.is_idle
+        if looks or finished.any():
+            for one in zip(times, samples, finished, strict=True):
+                self.add(*one)
+        else:
+            self._times += times
+            self._samples += samples
+
+    def add(self, time: float, sample: RecordedSample, finished: Booleans) -> None:
+        """The same: `finished` (S,): scenes in which all have arrived."""
         self._times.append(time)
         self._samples.append(sample)
         done = None if self._watch is None else self._watch.done(time, sample)

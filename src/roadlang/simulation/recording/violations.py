@@ -14,6 +14,7 @@ from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene import Scene
 from ...plugins.registry import KindEntry
 from ..signals.pending_samples import PendingSamples
+from ..signals.recorded_samples import RecordedSample
 from ..signals.triggers import PlacedCondition, Trigger, conditions_by_form
 from ..state.world import World
 
@@ -42,10 +43,10 @@ class ViolationWatch:
         self.is_idle = not self._watched
         """whether no sample is looked at"""
 
-    def done(self, time: float, sample: Floats) -> Booleans | None:
+    def done(self, time: float, sample: RecordedSample) -> Booleans | None:
         """(S,) scenes that have violated everything for long enough; None where there are none.
 
-        To be called at every sample, in order. `sample`: (Q, N) with the quantities `RECORDED`.
+        To be called at every sample, in order.
         """
         if self.is_idle:
             return None

@@ -9,7 +9,7 @@ from ..lanes.lane_columns import LANE_COLUMNS
 from ..state.world import World
 from .conditions import unsupported
 from .lane_reader import LaneReader
-from .recorded_columns import PLACES
+from .recorded_samples import PLACES, RecordedSample, column_of, taken
 
 
 class PendingSamples:
@@ -21,10 +21,10 @@ class PendingSamples:
         """numbers of the agents in that world"""
         self._reader: LaneReader | None = None
         self.times: list[float] = []
-        self._samples: list[Floats] = []
+        self._samples: list[RecordedSample] = []
 
-    def add(self, time: float, sample: Floats) -> None:
-        """`sample`: (Q, N) with the quantities `RECORDED`."""
+    def add(self, time: float, sample: RecordedSample) -> None:
+        """One more."""
         self.times.append(time)
         self._samples.append(sample)
 
@@ -53,13 +53,12 @@ class PendingSamples:
             return self._lane_columns(agents, depth, name)
         if name not in PLACES:
             raise unsupported(name)
-        place = PLACES[name]
-        return np.stack([sample[place, agents] for sample in self._samples[-depth - 1 :]])
+        return column_of(self._samples[-depth - 1 :], name, agents)
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
         self._agents = self._agents[agents]
-        self._samples = [sample[:, agents] for sample in self._samples]
+        self._samples = taken(self._samples, agents)
 
     def _lane_columns(self, agents: Integers, depth: int, name: str) -> Floats:
         if self._reader is None:

@@ -11,24 +11,18 @@ import numpy as np
 from ...geometry.arrays import Floats, Integers, read_only
 from ..lanes.lane_columns import LANE_COLUMNS
 from .lane_reader import LaneReader
+from .recorded_samples import RECORDED, RecordedSample, column_of
 
-RECORDED = (
-    "x", "y", "heading", "speed", "steering", "station", "cross_track_error", "progress",
-    "contacts", "route_progress", "red_light", "collision", "present", "along",
-    "offset", "elevation",
-)  # fmt: skip
-"""Those of `COLUMNS` that change, but for the rate of another."""
-PLACES = {name: place for place, name in enumerate(RECORDED)}
-"""Where each of them is in an array of all."""
 _LANE_PLACES = {name: place for place, name in enumerate(LANE_COLUMNS)}
 
 
 class RecordedPart:
     """Samples of the agents of a world for some time, in which they were the same."""
 
-    def __init__(self, samples: Sequence[Floats], agents: Integers, lanes: LaneReader) -> None:
-        """`samples`: of each time, (Q, N) with the quantities `RECORDED`; `agents`: (N,) numbers of
-        the agents in the first world."""
+    def __init__(
+        self, samples: Sequence[RecordedSample], agents: Integers, lanes: LaneReader
+    ) -> None:
+        """`samples`: of each time; `agents`: (N,) numbers of the agents in the first world."""
         self._samples = samples
         self._agents = agents
         self._lanes = lanes
@@ -47,9 +41,8 @@ class RecordedPart:
     def _columns(self, name: str) -> Floats:
         """(N, T) one of the quantities `RECORDED`: most drives of a search are asked for few."""
         if name not in self._known:
-            place = PLACES[name]
-            samples = np.stack([sample[place] for sample in self._samples])
-            self._known[name] = read_only(np.ascontiguousarray(samples.T))
+            values = column_of(self._samples, name)
+            self._known[name] = read_only(np.ascontiguousarray(values.T))
             if len(self._known) == len(RECORDED):
                 self._samples = ()
         return self._known[name]
@@ -57,7 +50,7 @@ class RecordedPart:
     @cached_property
     def _lane_columns(self) -> Floats:
         """(N, Q, T) with the quantities `LANE_COLUMNS`."""
-        known = {name: self._columns(name) for name in RECORDED}
+        known = {name: self._columns(name) for name in self._lanes.needed(self._agents)}
         found = self._lanes.read(self._agents, known)
         return read_only(np.stack([found[name] for name in LANE_COLUMNS], axis=1))
 

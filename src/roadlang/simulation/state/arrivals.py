@@ -44,8 +44,12 @@ class Arrivals:
 
 
 def all_arrived(at_end: Booleans, has_road: Booleans, filled: Booleans, slots: int) -> Booleans:
-    """(S,) scenes of `slots` agents (N,) each in which every one with a road is at its end."""
-    return np.asarray((at_end | ~has_road | ~filled).reshape(-1, slots).all(axis=1))
+    """(..., S) scenes of `slots` agents (..., N) each in which every one with a road is at its
+    end."""
+    there: Booleans = at_end | ~has_road | ~filled
+    if slots == 1:
+        return there
+    return np.asarray(there.reshape(*there.shape[:-1], -1, slots).all(axis=-1))
 
 
 def _stop_lines(scene: Scene) -> dict[Lane, list[float]]:

@@ -22,6 +22,7 @@ from ..vehicles.motion import Advance, Motion, Track, advance
 from ..vehicles.placing import Placing
 from ..vehicles.poses import Poses, poses_of
 from ..vehicles.verges import Verges
+from . import along_lines
 from .along_routes import stations
 from .arrivals import ARRIVED, all_arrived
 from .held_controls import held_controls
@@ -228,10 +229,11 @@ class World:
         """(N,) who has arrived at the end of its line, or has gone all around."""
         along, traveled, known = self.motion.along, self.traveled, self.arrived
         if known is None or known[0] is not along or known[1] is not traveled:
-            arrived = self.end - along < ARRIVED
-            if self.track.has_closed:
-                arrived = np.where(self.closed, traveled >= self.length, arrived)
-            known = self.arrived = along, traveled, self.has_road & arrived
+            laps = self.closed if self.track.has_closed else None
+            arrived = along_lines.at_end(
+                along, traveled, self.end, self.has_road, laps, self.length
+            )
+            known = self.arrived = along, traveled, arrived
         return known[2]
 
     @property
@@ -242,10 +244,10 @@ class World:
     @property
     def station(self) -> Floats:
         """(N,) arc length along the road, within its ends."""
-        along = np.minimum(np.maximum(self.motion.along, 0.0), self.length)
-        station = np.where(self.backward, self.length - along, along)
+        station = along_lines.station(self.motion.along, self.length, self.backward)
         if len(rows := self.has_route.nonzero()[0]):  # traced columns have no rows
-            station[rows] = stations(self.table, rows, along[rows])
+            along = np.minimum(np.maximum(self.motion.along[rows], 0.0), self.length[rows])
+            station[rows] = stations(self.table, rows, along)
         return station
 
     @property
@@ -256,8 +258,9 @@ class World:
     @property
     def progress(self) -> Floats:
         """(N,) share of the line: of an open one up to here, of a closed one since the start."""
-        along = np.where(self.closed, self.traveled, np.maximum(self.motion.along, 0.0))
-        return np.where(self.has_road, np.where(self.at_end, 1.0, along / self.length), 0.0)
+        return along_lines.progress(
+            self.motion.along, self.traveled, self.length, self.has_road, self.closed, self.at_end
+        )
 
     @property
     def cross_track_error(self) -> Floats:

@@ -10,7 +10,8 @@ import numpy as np
 from ...geometry.arrays import Floats, Integers
 from ..controlling.driving import DriverGroup
 from ..recording.recording import Recorder
-from ..signals.recorded_columns import RECORDED
+from ..signals.derived_columns import KEPT, DerivedColumns
+from ..signals.recorded_samples import RecordedSample
 from ..state.arrivals import all_arrived
 from ..state.step_times import seconds_at
 from ..state.world import World
@@ -41,6 +42,7 @@ class Repetition:
     is_over: bool = False
     """whether it did not come to its end once: then every step is made by itself"""
     _numpy: tuple[NumpyTape, NumpyTape] | None = None
+    _derived: DerivedColumns | None = None
     _free: Floats = field(default_factory=lambda: np.empty((0, 0, 0)))
     """room for samples"""
 
@@ -60,11 +62,11 @@ class Repetition:
 
     def take(self, agents: Integers) -> None:
         """From now on the world has these of its agents alone."""
-        self.program, self._numpy = self.program.take(agents), None
+        self.program, self._numpy, self._derived = self.program.take(agents), None, None
 
     def drive(self, world: World, recorder: Recorder, last: int) -> bool:
-        """Go on by some periods, to the step `last` at most. The last sample is left to be
-        recorded. False where it cannot go on like this now."""
+        """Go on by some periods, to the step `last` at most, and record all samples. False where
+        it cannot go on like this now."""
         if self.is_over or world.tick % self.period:
             return False
         seconds = self.period * world.dt
@@ -104,12 +106,11 @@ class Repetition:
 
     def _room(self, count: int, agents: int) -> Floats:
         """(count, Q, N) for samples."""
-        quantities = len(RECORDED) + 1
-        each = 8 * quantities * agents
+        each = 8 * len(KEPT) * agents
         if count * each < LARGE // 8:
-            return np.empty((count, quantities, agents))
+            return np.empty((count, len(KEPT), agents))
         if len(self._free) < count or self._free.shape[2] != agents:
-            self._free = np.empty((max(count, LARGE // each), quantities, agents))
+            self._free = np.empty((max(count, LARGE // each), len(KEPT), agents))
         found, self._free = self._free[:count], self._free[count:]
         return found
 
@@ -125,11 +126,18 @@ class Repetition:
         return self._numpy
 
     def _record(self, world: World, recorder: Recorder, samples: Floats) -> None:
-        for number, sample in enumerate(samples[:-1], 1):
-            time = seconds_at(world.tick + number * self.sampled, world.dt)
-            at_end = sample[-1] > 0.5
-            finished = all_arrived(at_end, world.has_road, world.filled, world.slots)
-            recorder.add(time, sample[:-1], finished)
+        if self._derived is None:
+            self._derived = DerivedColumns.of(world)
+        derived = self._derived
+        along, traveled = (samples[:, KEPT.index(name)] for name in ("along", "route_progress"))
+        arrived = derived.at_end(along, traveled)
+        finished = all_arrived(arrived, world.has_road, world.filled, world.slots)
+        times = [
+            seconds_at(world.tick + number * self.sampled, world.dt)
+            for number in range(1, len(samples) + 1)
+        ]
+        found = [RecordedSample(sample, derived) for sample in samples]
+        recorder.add_all(times, found, finished)
 
 
 def _go_on(world: World, columns: Floats, steps: int) -> None:

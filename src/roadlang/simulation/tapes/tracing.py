@@ -12,8 +12,9 @@ from ...geometry.arrays import Floats
 from ...plugins.kinds import Controller
 from ..controlling.driving import DriverGroup
 from ..observing.observing import View
-from ..recording.later_samples import columns_now
 from ..shallow_copies import shallow
+from ..signals.columns import COLUMNS
+from ..signals.derived_columns import KEPT
 from ..state.world import World
 from ..vehicles.bodies import Bodies
 from ..vehicles.motion import MOTION_COLUMNS, Motion, Track
@@ -125,5 +126,5 @@ def _traced_advance(
 
 
 def _record(tape: Tape, world: World, poses: Poses) -> None:
-    columns: Sequence[Any] = (*columns_now(world, poses), world.at_end)
+    columns = [COLUMNS[name](world, poses) for name in KEPT]
     tape.put(do.RECORD, [value_of(tape, column) for column in columns], gives=0)
