@@ -110,6 +110,8 @@ def frozen(value: Any) -> Any:
         return value
     if type(value) is list or type(value) is tuple:
         return _frozen_items(value)
+    if type(value) is dict:
+        return _frozen_map(value)
     flags = getattr(value, "flags", None)
     if flags is not None:
         return _read_only()(value) if flags.writeable else value
@@ -117,13 +119,17 @@ def frozen(value: Any) -> Any:
         _FROZEN_RECORDS.add(type(value))
         return value
     if isinstance(value, Mapping):
-        if _READ_ONLY.issuperset(map(type, value.values())):
-            return FrozenDict(value)
-        return FrozenDict({key: frozen(item) for key, item in value.items()})
+        return _frozen_map(value)
     parameters = getattr(type(value), "__dataclass_params__", None)
     if parameters is not None and parameters.frozen:
         _FROZEN_RECORDS.add(type(value))
     return value
+
+
+def _frozen_map(value: Mapping[Any, Any]) -> FrozenDict[Any, Any]:
+    if _READ_ONLY.issuperset(map(type, value.values())):
+        return FrozenDict(value)
+    return FrozenDict({key: frozen(item) for key, item in value.items()})
 
 
 def _frozen_items(value: list[Any] | tuple[Any, ...]) -> Any:

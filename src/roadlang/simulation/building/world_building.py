@@ -17,7 +17,7 @@ from ..junctions.stop_lines import StopLines, has_signals
 from ..lanes.surfaces import TireSurface, road_surface
 from ..lines.followed_lines import FollowedLines
 from ..lines.lane_guides import LaneGuides
-from ..lines.line_sources import LineSource, road_line, straight_line
+from ..lines.line_sources import LineSource, road_line, straight_line, without_jumps
 from ..lines.lines import Lines
 from ..lines.route_lines import RouteLine, plain_line, route_line
 from ..lines.route_table import RouteTable
@@ -52,7 +52,7 @@ def world_of(scenes: Sequence[Scene], kinds: Mapping[str, Body], dt: float, marg
             found.append(_slot(actor, scene, names, rows, (sources, routes)))
     pays = compiled.pays_for_lines(len(sources))
     loops = (compiled.line_nodes, compiled.line_table, compiled.LINES_AT_ONCE) if pays else ()
-    lines = Lines.of(sources, FASTEST * margin, *loops)  # the same to the last bit
+    lines = Lines.of(without_jumps(sources), FASTEST * margin, *loops)  # the same to the last bit
     table = RouteTable.of(routes, np.array([slot.route for slot in found], dtype=np.int64))
     over = {slot.line: (i // slots, routes[slot.route]) for i, slot in enumerate(found)}
     heights = LineHeights.of(scenes, lines, [over[row] for row in range(len(sources))])

@@ -104,7 +104,7 @@ def _put_between(out: Floats, at: Floats, sources: Sequence[LineSource]) -> None
     is_there = rest == 0.0
     run = s[1:] - s[:-1]
     run[ends[:-1] - 1] = 1.0  # from one line to the next
-    for column, values in enumerate(_columns(sources)):
+    for column, values in enumerate(_columns(sources, ends)):
         if values.ndim == 2:  # the same all along
             out[column] = values
             continue
@@ -119,15 +119,16 @@ def _put_between(out: Floats, at: Floats, sources: Sequence[LineSource]) -> None
         out[column] = found
 
 
-def _columns(sources: Sequence[LineSource]) -> list[Floats]:
+def _columns(sources: Sequence[LineSource], ends: Integers) -> list[Floats]:
     """(P,) x, y, heading and width at the points of lines; (L, 1) widths that are the same all
-    along."""
+    along. `ends`: (L,) of their points."""
     columns = [
         np.concatenate([getattr(source, name) for source in sources])
         for name in ("x", "y", "heading")
     ]
-    widths = [source.width for source in sources]
-    if not any(isinstance(width, np.ndarray) for width in widths):
-        return [*columns, np.array(widths, dtype=np.float64)[:, None]]
-    every = [np.broadcast_to(one.width, one.s.shape) for one in sources]
-    return [*columns, np.concatenate(every)]
+    widths = np.concatenate([one.widths for one in sources])
+    changes = widths[1:] != widths[:-1]
+    changes[ends[:-1] - 1] = False
+    if np.count_nonzero(changes):
+        return [*columns, widths]
+    return [*columns, widths[ends - 1][:, None]]

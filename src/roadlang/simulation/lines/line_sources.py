@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,6 +35,12 @@ class LineSource:
         return float(self.s[-1])
 
     @property
+    def widths(self) -> Floats:
+        """At each node."""
+        same = not isinstance(self.width, np.ndarray)
+        return np.full(len(self.s), self.width) if same else self.width  # type: ignore[return-value]
+
+    @property
     def count(self) -> int:
         """How many cells its table has."""
         length = self.length
@@ -42,24 +49,34 @@ class LineSource:
 
 
 def road_line(road: SceneRoad, backward: bool) -> LineSource:
-    """The center line of a road, in its direction or against it."""
+    """The center line of a road, in its direction or against it; its heading may jump by a turn
+    (see `without_jumps`)."""
     s, x, y, heading = (numbers_of(road, name) for name in ("stations", "x", "y", "heading"))
-    widths = numbers_of(road, "width")
-    is_constant = not np.count_nonzero(widths != widths[0])
-    width: Floats | float = float(widths[0]) if is_constant else widths
-    s = s - s[0]
+    width = numbers_of(road, "width")
+    if s[0] != 0.0:
+        s = s - s[0]
     if road.closed and math.hypot(x[0] - x[-1], y[0] - y[-1]) > 1e-6:
         last = float(s[-1]) + math.hypot(x[0] - x[-1], y[0] - y[-1])
         s = np.append(s, max(road.length, last))
-        x, y, heading = (np.append(column, column[0]) for column in (x, y, heading))
-        width = np.append(width, width[0]) if isinstance(width, np.ndarray) else width
+        x, y, heading, width = (np.append(column, column[0]) for column in (x, y, heading, width))
     if backward:
         s = s[-1] - s[::-1]
-        x, y, heading = x[::-1], y[::-1], heading[::-1] + np.pi
-        width = width[::-1] if isinstance(width, np.ndarray) else width
-    if np.count_nonzero(np.abs(heading[1:] - heading[:-1]) > np.pi):
-        heading = np.unwrap(heading)
+        x, y, heading, width = x[::-1], y[::-1], heading[::-1] + np.pi, width[::-1]
     return LineSource(s, x, y, heading, width, road.closed)
+
+
+def without_jumps(sources: Sequence[LineSource]) -> list[LineSource]:
+    """The lines, whose headings do not jump by a turn: one look at all of them takes a fifth of the
+    time of one at each."""
+    found = list(sources)
+    heading = np.concatenate([source.heading for source in sources])
+    jumps = np.flatnonzero(np.abs(heading[1:] - heading[:-1]) > np.pi)
+    if len(jumps):
+        ends = np.cumsum([len(source.heading) for source in sources])
+        rows = np.searchsorted(ends, jumps, "right")
+        for row in {*rows[jumps + 1 < ends[rows]].tolist()}:
+            found[row] = replace(found[row], heading=np.unwrap(found[row].heading))
+    return found
 
 
 def straight_line(x: float, y: float, heading: float) -> LineSource:

@@ -89,6 +89,11 @@ def plain_line(
     each of its speed zones."""
     length = source.length
     starts = [] if road is None else [zone.start for zone in road.speed_zones[1:]]
+    if not starts:
+        limit = math.inf if road is None else speed_limit(road, lane)
+        along = np.array((0.0, length))
+        station = along[::-1] if backward else along
+        return RouteLine(source, (LineLeg(0, number, lane, 0.0, along, station, limit),))
     legs = []
     for zone, stations in enumerate(itertools.pairwise((0.0, *starts, length))):
         ends = np.array(stations)
@@ -136,8 +141,12 @@ def route_points(scene: Scene, route: SceneRoute) -> tuple[Floats, Floats, Float
 
 def speed_limit(road: SceneRoad, lane: int, zone: int = 0) -> float:
     """That of a lane, m/s: its own, or that of its road; infinite for none."""
-    limits = [lane_.speed_limit for lane_ in road.lane_list if lane_.id == lane]
-    limit = limits[0] if limits and limits[0] is not None else road.zones()[zone].speed_limit
+    for one in road.lane_list:
+        if one.id == lane:
+            if one.speed_limit is not None:
+                return one.speed_limit
+            break
+    limit = road.speed_zones[zone].speed_limit if road.speed_zones else road.speed_limit
     return math.inf if limit is None else limit
 
 

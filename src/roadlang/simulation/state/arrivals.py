@@ -46,7 +46,7 @@ class Arrivals:
 def all_arrived(at_end: Booleans, has_road: Booleans, filled: Booleans, slots: int) -> Booleans:
     """(..., S) scenes of `slots` agents (..., N) each in which every one with a road is at its
     end."""
-    there: Booleans = at_end | ~has_road | ~filled
+    there: Booleans = at_end | (~has_road | ~filled)
     if slots == 1:
         return there
     return np.asarray(there.reshape(*there.shape[:-1], -1, slots).all(axis=-1))

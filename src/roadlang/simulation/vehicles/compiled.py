@@ -78,8 +78,7 @@ def line_nodes(sources: Sequence[LineSource], spacing: Spacing, nodes: int) -> F
     np.concatenate([one.x for one in sources], out=points[1])
     np.concatenate([one.y for one in sources], out=points[2])
     np.concatenate([one.heading for one in sources], out=points[3])
-    for row, one in enumerate(sources):
-        points[4, begin[row] : begin[row + 1]] = one.width
+    np.concatenate([one.widths for one in sources], out=points[4])
     ends = points[3, np.concatenate([begin[:-1], begin[1:] - 1])].tolist()
     directions = np.array([*map(math.cos, ends), *map(math.sin, ends)]).reshape(2, 2, -1)
     out = np.empty((4, len(sources), nodes))

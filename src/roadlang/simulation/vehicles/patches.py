@@ -52,8 +52,9 @@ class Patches:
         for number, scene in enumerate(scenes):
             rows = slice(number * slots, (number + 1) * slots)
             of_agents[rows] = scene
-            on = np.array([bool(one.surface_patches) for one in scene.roads] + [False])
-            patched[rows] = on[road[rows]] | (has_route[rows] & on.any())
+            if any(one.surface_patches for one in scene.roads):
+                on = np.array([bool(one.surface_patches) for one in scene.roads] + [False])
+                patched[rows] = on[road[rows]] | has_route[rows]
         return cls(patched, np.array([surface.rolling for surface in surfaces]), of_agents)
 
     def take(self, agents: Integers) -> Patches:

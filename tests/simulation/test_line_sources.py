@@ -1,0 +1,29 @@
+"""Center lines of many roads, whose headings are looked at together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from roadlang.simulation.lines.line_sources import LineSource, straight_line, without_jumps
+
+
+def line(*heading: float) -> LineSource:
+    one = straight_line(0.0, 0.0, 0.0)
+    s = np.arange(len(heading), dtype=np.float64)
+    return replace(one, s=s, x=s, y=s, heading=np.array(heading))
+
+
+def test_a_heading_that_jumps_by_a_turn_goes_on() -> None:
+    smooth, jumps = line(0.0, 0.1), line(3.0, 3.1, -3.1, -3.0)
+    found = without_jumps([smooth, jumps, smooth])
+    assert found[0] is smooth
+    assert found[2] is smooth
+    assert found[1].heading.tolist() == np.unwrap(jumps.heading).tolist()
+    assert found[1].s is jumps.s
+
+
+def test_from_one_line_to_the_next_headings_may_jump() -> None:
+    lines = [line(3.0, 3.1), line(-3.1, -3.0), line(3.1)]
+    assert all(one is other for one, other in zip(without_jumps(lines), lines, strict=True))
