@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from ...geometry.arrays import Integers
 from . import operations as do
-from .tape import Instruction, Tape, TapeProgram, program_of
+from .guarding import Instruction
+from .tape import Tape, TapeProgram, program_of
 
 _NEVER = (
     do.LESS, do.LESS_EQUAL, do.AND, do.OR, do.NOT, do.MOVE, do.RECORD, do.FINITE,

@@ -23,7 +23,7 @@ def _register() -> None:
     overload = compiling.loaded().extending.overload
     loops = (
         interpreting.compute, interpreting.frame, interpreting.move, interpreting.finite,
-        interpreting.call, interpreting.once, interpreting.repeated,
+        interpreting.concerns, interpreting.call, interpreting.once, interpreting.repeated,
     )  # fmt: skip
     compiled.register((), loops)
     called = _called_by_address()

@@ -13,6 +13,7 @@ _LISTED: Mapping[int, int] = {
     do.MOVE: 10,
     do.RECORD: 0,
     do.FINITE: 0,
+    do.SKIP: 0,
     do.BEND: 2,
     do.CELL: 6,
     do.LIMITS: 0,
@@ -66,7 +67,10 @@ def _count(operation: int) -> int:
     """How many registers an operation takes."""
     if operation == do.WHERE:
         return 3
-    one = do.NEGATIVE, do.ABSOLUTE, do.FLOOR, do.SQRT, do.NOT, do.CALL_ONE, do.VALUE_OF_CELL
+    one = (
+        do.NEGATIVE, do.ABSOLUTE, do.FLOOR, do.SQRT, do.NOT, do.COPY, do.CALL_ONE,
+        do.VALUE_OF_CELL,
+    )  # fmt: skip
     return 1 if operation in one else 2
 
 

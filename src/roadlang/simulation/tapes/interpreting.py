@@ -74,7 +74,9 @@ def once(
     code, lists, loops, called = text
     starts, shifts, table, cells = where
     sample, begin, used = place
-    for number in range(code.shape[0]):
+    number = -1
+    while number + 1 < code.shape[0]:
+        number += 1
         operation, a, b = code[number, 0], code[number, 1], code[number, 2]
         more, to = code[number, 4], code[number, 5]
         if operation == do.CALL_ONE or operation == do.CALL_TWO:
@@ -94,6 +96,9 @@ def once(
         elif operation == do.FINITE:
             if not finite(r, lists[a]):
                 return False
+        elif operation == do.SKIP:
+            if not concerns(r, lists[a]):
+                number += more
         else:
             compute(r, operation, a, b, code[number, 3], to)
     return True
@@ -153,6 +158,9 @@ def compute(r: Any, operation: Any, a: Any, b: Any, c: Any, to: Any) -> None:
     elif operation == do.WHERE:
         for j in range(r.shape[1]):
             r[to, j] = r[b, j] if r[a, j] > 0.5 else r[c, j]
+    elif operation == do.COPY:
+        for j in range(r.shape[1]):
+            r[to, j] = r[a, j]
 
 
 def frame(r: Any, lists: Any, a: Any, starts: Any, table: Any) -> None:
@@ -210,3 +218,12 @@ def finite(r: Any, a: Any) -> Any:
         if not np.isfinite(r[a, j]):
             wrong += 1
     return wrong == 0
+
+
+def concerns(r: Any, a: Any) -> Any:
+    """Whether a truth value is true of any agent."""
+    true = 0
+    for j in range(r.shape[1]):
+        if r[a, j] > 0.5:
+            true += 1
+    return true > 0

@@ -110,6 +110,21 @@ class Registers:
             self._spare[name][:] = number
         return self._spare[name]
 
+    def before(
+        self, condition: int, inside: Sequence[RegisterInstruction], calls: list[Call]
+    ) -> tuple[set[int], set[int]]:
+        """What there is before instructions that are left out where a condition is true of nobody,
+        after calls that put there the numbers over which choices by it write."""
+        for one in inside:
+            if one.operation == do.WHERE and one.takes[0] == condition:
+                self.number(one.takes[2], calls)
+                self._has_truth.discard(one.takes[2])
+        return {*self._has_number}, {*self._has_truth}
+
+    def go_back(self, numbers: set[int], truths: set[int]) -> None:
+        """Only what was there before counts as there."""
+        self._has_number, self._has_truth = numbers, truths
+
     def _row(self, register: int) -> Floats:
         if register not in self.numbers:
             self.numbers[register] = aligned(1, self.count)[0]
@@ -142,9 +157,17 @@ def calls_of(
     """The calls that carry out instructions, in their order. `others`: what adds those of the
     operations that are not here."""
     calls: list[Call] = []
-    for one in instructions:
+    left = iter(instructions)
+    for one in left:
         operation = one.operation
-        if operation in (do.CALL_ONE, do.CALL_TWO):
+        if operation == do.SKIP:
+            mask = memory.truth(one.takes[0], calls)
+            inside = [next(left) for _ in range(one.more)]
+            before = memory.before(one.takes[0], inside, calls)
+            found = calls_of(inside, functions, memory, lines, others)
+            calls.append(partial(_if_any, mask, found))
+            memory.go_back(*before)
+        elif operation in (do.CALL_ONE, do.CALL_TWO):
             _arithmetic(one, functions[one.more], memory, calls)
         elif operation in _FUNCTIONS:
             _arithmetic(one, _FUNCTIONS[operation], memory, calls)
@@ -156,6 +179,9 @@ def calls_of(
             truths = [memory.truth(register, calls) for register in one.takes]
             out = memory.for_truth(one.gives[0])
             calls.append(into(out, _OF_TRUTHS[operation], *truths))
+        elif operation == do.COPY:
+            value = memory.number(one.takes[0], calls)
+            calls.append(partial(np.copyto, memory.for_number(one.gives[0]), value))
         elif operation == do.WHERE:
             _choose(one, memory, calls)
         elif operation == do.BEND:
@@ -212,8 +238,15 @@ def _choose(one: RegisterInstruction, memory: Registers, calls: list[Call]) -> N
     else:
         yes, no = (memory.number(register, calls) for register in either)
         out = memory.for_number(one.gives[0])
-    calls.append(partial(np.copyto, out, no))
+    if no is not out:
+        calls.append(partial(np.copyto, out, no))
     calls.append(partial(np.copyto, out, yes, where=where))
+
+
+def _if_any(mask: Booleans, calls: Sequence[Call]) -> None:
+    if np.count_nonzero(mask):
+        for call in calls:
+            call()
 
 
 def cell_calls(

@@ -6,12 +6,13 @@ from collections.abc import Mapping
 
 (
     ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATIVE, ABSOLUTE, FLOOR, SQRT, LESS, LESS_EQUAL, AND, OR,
-    NOT, WHERE, CALL_ONE, CALL_TWO, FRAME, VALUE_OF_CELL, MOVE, RECORD, FINITE, BEND,
+    NOT, WHERE, COPY, CALL_ONE, CALL_TWO, FRAME, VALUE_OF_CELL, MOVE, RECORD, FINITE, SKIP, BEND,
     CELL, LIMITS, WATCH,
-) = range(25)  # fmt: skip
+) = range(27)  # fmt: skip
 """`CALL_ONE` and `CALL_TWO` call a function of numpy, of one and of two columns. `FRAME` looks up
 lines, `VALUE_OF_CELL` a column of their cells; `MOVE` is some steps of the vehicles; `RECORD` is a
-sample; `FINITE` ends the tape where a number is infinite or NaN. With numpy alone: `BEND` looks up
+sample; `FINITE` ends the tape where a number is infinite or NaN; `SKIP` leaves out the next
+instructions where a truth value is true of nobody. With numpy alone: `BEND` looks up
 curvatures and headings of lines, `CELL` how far into a cell of a line it is, and the first five
 columns of the cell; `LIMITS` and `WATCH` ask whether agents are far from any limit."""
 

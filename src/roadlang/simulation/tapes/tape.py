@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
@@ -11,10 +11,8 @@ import numpy as np
 
 from ...geometry.arrays import Floats, Integers
 from . import operations
+from .guarding import Instruction, guarded
 from .numpy_loops import loop_of
-
-Instruction = tuple[int, tuple[int, ...], tuple[int, ...], int]
-"""Operation, values that it takes, values that it gives, and a number more."""
 
 
 class NotElementwiseError(TypeError):
@@ -194,7 +192,7 @@ def _form_of(
     value is not needed any more, but never for a result of the instruction that needs it last."""
     fixed = [*given, *constants]
     register = {value: place for place, value in enumerate(fixed)}
-    needed = _needed(instructions, gives)
+    needed = guarded(_needed(instructions, gives), gives)
     last = {value: len(needed) for value in gives}
     for place in range(len(needed) - 1, -1, -1):
         for value in needed[place][1]:
@@ -207,8 +205,11 @@ def _form_of(
     code: list[tuple[int, ...]] = []
     lists: list[int] = []
     for place, (operation, takes, results, more) in enumerate(needed):
+        in_place = _in_place(needed[place], last, place, register, len(fixed))
         for value in results:
-            if free:
+            if in_place is not None:
+                register[value] = register[in_place]
+            elif free:
                 register[value] = free.pop()
             else:
                 register[value], count = count, count + 1
@@ -220,6 +221,7 @@ def _form_of(
             code.append((operation, len(lists), 0, 0, more, len(takes)))
             lists += [*places, *(register[value] for value in results)]
         ended = {value for value in takes if last[value] == place and register[value] >= len(fixed)}
+        ended.discard(in_place)
         unused = {value for value in results if value not in last}
         free += [register[value] for value in (*ended, *unused)]
     return _Form(
@@ -231,6 +233,18 @@ def _form_of(
 
 
 _FEW = 3
+
+
+def _in_place(
+    one: Instruction, last: Mapping[int, int], place: int, register: Mapping[int, int], fixed: int
+) -> int | None:
+    """What a choice takes where its condition is false, if nothing needs that any more: it is
+    written over where the condition is true, and left as it is where the choice is left out."""
+    operation, takes, _, _ = one
+    if operation != operations.WHERE or takes[2] in takes[:2]:
+        return None
+    ends = last[takes[2]] == place and register[takes[2]] >= fixed
+    return takes[2] if ends else None
 
 
 def _needed(instructions: Sequence[Instruction], gives: Sequence[int]) -> list[Instruction]:
