@@ -86,6 +86,9 @@ def once(
         elif operation == do.VALUE_OF_CELL:
             for j in range(r.shape[1]):
                 r[to, j] = cells[shifts[j] + starts[j] + int(r[a, j])]
+        elif operation == do.COPY:
+            for j in range(r.shape[1]):
+                r[to, j] = r[a, j]
         elif operation == do.MOVE:
             move(r, lists, a, walking, starts, table, more, dt)
         elif operation == do.RECORD:
@@ -158,9 +161,6 @@ def compute(r: Any, operation: Any, a: Any, b: Any, c: Any, to: Any) -> None:
     elif operation == do.WHERE:
         for j in range(r.shape[1]):
             r[to, j] = r[b, j] if r[a, j] > 0.5 else r[c, j]
-    elif operation == do.COPY:
-        for j in range(r.shape[1]):
-            r[to, j] = r[a, j]
 
 
 def frame(r: Any, lists: Any, a: Any, starts: Any, table: Any) -> None:

@@ -15,8 +15,8 @@ from ..vehicles.free_steps import FEWEST, FreeSteps
 from ..vehicles.vehicle_steps import step_calls
 from . import operations as do
 from .instructions import RegisterInstruction, instructions_of
-from .numpy_calls import Call, Registers, TableRows, calls_of, into
-from .registers import aligned, shared
+from .numpy_calls import TableRows, calls_of, into
+from .registers import Call, Registers, aligned, shared
 from .tape import TapeProgram
 
 WIDE = 3072

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Floats
+from ...geometry.arrays import Booleans, Floats
+from . import operations as do
+from .instructions import RegisterInstruction
+
+Call = Callable[[], Any]
 
 _LINE = 64
 """Bytes that a processor fetches at once: arithmetic of rows that begin within one is slower."""
@@ -28,3 +35,103 @@ def shared(column: Floats) -> Any:
     whole = np.ascontiguousarray(column, dtype=np.float64).view(np.int64)
     is_one = len(whole) > 0 and not np.count_nonzero(whole != whole[0])
     return np.array(column[0], dtype=np.float64) if is_one else None
+
+
+@dataclass
+class Registers:
+    """The memory of a program for some agents: of each register numbers, truth values, or both."""
+
+    count: int
+    """agents"""
+    numbers: dict[int, Any]
+    """(N,) or () by register"""
+    truths: dict[int, Booleans] = field(default_factory=dict)
+    _has_number: set[int] = field(default_factory=set)
+    _has_truth: set[int] = field(default_factory=set)
+    _spare: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._has_number = set(self.numbers)
+
+    def number(self, register: int, calls: list[Call]) -> Any:
+        """The numbers in a register, after calls that put them there."""
+        if register not in self._has_number:
+            calls.append(partial(np.copyto, self._row(register), self.truths[register]))
+            self._has_number.add(register)
+        return self.numbers[register]
+
+    def truth(self, register: int, calls: list[Call]) -> Booleans:
+        """The truth values in a register, after calls that put them there."""
+        if register not in self._has_truth:
+            into = self._truth_row(register)
+            calls.append(partial(np.greater, self.numbers[register], _HALF, into))
+            self._has_truth.add(register)
+        return self.truths[register]
+
+    def is_truth(self, register: int) -> bool:
+        """Whether there are no numbers in a register."""
+        return register not in self._has_number
+
+    def for_number(self, register: int) -> Floats:
+        """Where numbers are put."""
+        self._has_number.add(register)
+        self._has_truth.discard(register)
+        return self._row(register)
+
+    def for_truth(self, register: int) -> Booleans:
+        """Where truth values are put."""
+        self._has_truth.add(register)
+        self._has_number.discard(register)
+        return self._truth_row(register)
+
+    def spare(self, name: str) -> Any:
+        """(N,) numbers for use within one instruction: `cells` are whole, `pairs` complex."""
+        if name not in self._spare:
+            self._spare[name] = _row_of(name, self.count)
+        return self._spare[name]
+
+    def as_row(self, number: Any) -> Any:
+        """(N,) of a number that may be one for all: the lesser and the greater of two are found
+        faster of rows."""
+        if number.ndim:
+            return number
+        name = f"row of {number!r}"
+        if name not in self._spare:
+            self._spare[name] = aligned(1, self.count)[0]
+            self._spare[name][:] = number
+        return self._spare[name]
+
+    def before(
+        self, condition: int, inside: Sequence[RegisterInstruction], calls: list[Call]
+    ) -> tuple[set[int], set[int]]:
+        """What there is before instructions that are left out where a condition is true of nobody,
+        after calls that put there the numbers over which choices by it write."""
+        for one in inside:
+            if one.operation == do.WHERE and one.takes[0] == condition:
+                self.number(one.takes[2], calls)
+                self._has_truth.discard(one.takes[2])
+        return {*self._has_number}, {*self._has_truth}
+
+    def go_back(self, numbers: set[int], truths: set[int]) -> None:
+        """Only what was there before counts as there."""
+        self._has_number, self._has_truth = numbers, truths
+
+    def _row(self, register: int) -> Floats:
+        if register not in self.numbers:
+            self.numbers[register] = aligned(1, self.count)[0]
+        found: Floats = self.numbers[register]
+        return found
+
+    def _truth_row(self, register: int) -> Booleans:
+        if register not in self.truths:
+            self.truths[register] = np.empty(self.count, dtype=bool)
+        return self.truths[register]
+
+
+def _row_of(name: str, count: int) -> Any:
+    if name == "cells":
+        return np.empty(count, np.int64)
+    return np.empty(count, np.complex128) if name == "pairs" else aligned(1, count)[0]
+
+
+_HALF = np.array(0.5)

@@ -204,7 +204,7 @@ def _form_of(
     count = len(fixed)
     code: list[tuple[int, ...]] = []
     lists: list[int] = []
-    for place, (operation, takes, results, more) in enumerate(needed):
+    for place, (_, takes, results, _) in enumerate(needed):
         in_place = _in_place(needed[place], last, place, register, len(fixed))
         for value in results:
             if in_place is not None:
@@ -213,13 +213,7 @@ def _form_of(
                 register[value] = free.pop()
             else:
                 register[value], count = count, count + 1
-        places = [register[value] for value in takes]
-        if len(results) == 1 and len(takes) <= _FEW:
-            first = (*places, 0, 0, 0)[:_FEW]
-            code.append((operation, *first, more, register[results[0]]))
-        else:
-            code.append((operation, len(lists), 0, 0, more, len(takes)))
-            lists += [*places, *(register[value] for value in results)]
+        code.append(_row(needed[place], register, lists))
         ended = {value for value in takes if last[value] == place and register[value] >= len(fixed)}
         ended.discard(in_place)
         unused = {value for value in results if value not in last}
@@ -233,6 +227,17 @@ def _form_of(
 
 
 _FEW = 3
+
+
+def _row(one: Instruction, register: Mapping[int, int], lists: list[int]) -> tuple[int, ...]:
+    """That of an instruction in `TapeProgram.code`; what it takes more is added to the lists."""
+    operation, takes, results, more = one
+    places = [register[value] for value in takes]
+    if len(results) == 1 and len(takes) <= _FEW:
+        return (operation, *(*places, 0, 0, 0)[:_FEW], more, register[results[0]])
+    begin = len(lists)
+    lists += [*places, *(register[value] for value in results)]
+    return operation, begin, 0, 0, more, len(takes)
 
 
 def _in_place(

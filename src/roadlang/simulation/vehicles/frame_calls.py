@@ -11,8 +11,8 @@ import numpy as np
 from ...geometry.arrays import Floats
 from ..lines.lines import CELL, on_arc
 from ..tapes.instructions import instructions_of
-from ..tapes.numpy_calls import Call, Registers, TableRows, calls_of, cell_calls
-from ..tapes.registers import aligned
+from ..tapes.numpy_calls import TableRows, calls_of, cell_calls
+from ..tapes.registers import Call, Registers, aligned
 from ..tapes.tape import Tape, TapeProgram, program_of
 from ..tapes.traced import TracedColumn, value_of
 

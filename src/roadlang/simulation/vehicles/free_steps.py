@@ -14,7 +14,8 @@ import numpy as np
 from ...geometry.arrays import Floats
 from ..tapes import operations as do
 from ..tapes.instructions import RegisterInstruction, instructions_of
-from ..tapes.numpy_calls import Call, Registers, TableRows, calls_of
+from ..tapes.numpy_calls import TableRows, calls_of
+from ..tapes.registers import Call, Registers
 from ..tapes.tape import Tape, TapeProgram, program_of
 from ..tapes.traced import TracedColumn, value_of
 from . import vehicle_dynamics as dynamics

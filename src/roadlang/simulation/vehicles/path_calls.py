@@ -12,8 +12,8 @@ from ...geometry.arrays import Floats, Integers
 from ..lines.lines import beside_chord
 from ..tapes import operations as do
 from ..tapes.instructions import instructions_of
-from ..tapes.numpy_calls import Call, Registers, TableRows, calls_of
-from ..tapes.registers import aligned
+from ..tapes.numpy_calls import TableRows, calls_of
+from ..tapes.registers import Call, Registers, aligned
 from ..tapes.tape import Tape, TapeProgram, program_of
 from ..tapes.traced import TracedColumn, value_of
 

@@ -12,8 +12,8 @@ import numpy as np
 from ...geometry.arrays import Booleans, Floats, Integers
 from ..tapes import operations as do
 from ..tapes.instructions import instructions_of
-from ..tapes.numpy_calls import Call, Registers, TableRows, bend_calls, calls_of
-from ..tapes.registers import aligned
+from ..tapes.numpy_calls import TableRows, bend_calls, calls_of
+from ..tapes.registers import Call, Registers, aligned
 from ..tapes.tape import Tape, TapeProgram, program_of
 from ..tapes.traced import TracedColumn, value_of
 from .vehicle_dynamics import driven, moved, steered, turned, walked
