@@ -166,7 +166,7 @@ HABITS = [
     ("road r from main { crosswalks: [5m] }", "RL220", "`object zebra is crosswalk", None),
     ("road r from main { crosswalk: 5m }", "RL220", "`object NAME is crosswalk on ROAD", None),
     ("agent a is car on main at 5m { sense with lid }", "RL210", "`sense` are `boxes`", None),
-    ("agent a is car on main at 5m { length: 0m }", "RL208", "write more than `0m`", None),
+    ("agent a is car on main at 5m { length: 0m }", "RL208", "write a value of more than `0m`", None),
     ("world { friction: 3 }", "RL208", "more than `0` and at most `2`", None),
     ("agent a is car on main", "RL236", "`at 20m`", None),
     ("agent t is traffic_light on main at 5m", "RL210", "`object NAME is traffic_light`", None),

@@ -46,18 +46,18 @@ def check_limits(
 
 
 def _advice(limits: Constraints, dimension: Dimension, is_drawn: bool) -> str:
-    """What may be written instead: `write 1 to 32`, `write more than 0s`."""
+    """What may be written instead: `write a value from 1 to 32`, `... of more than 0s`."""
     least = limits.minimum if limits.minimum is not None else limits.above
     most = limits.maximum if limits.maximum is not None else limits.below
     low, high = (None if end is None else _quantity(end, dimension) for end in (least, most))
     ends = [f"more than `{low}`" if limits.minimum is None else f"at least `{low}`"] if low else []
     if high:
         ends.append(f"less than `{high}`" if limits.maximum is None else f"at most `{high}`")
-    allowed = " and ".join(ends)
+    allowed = f"of {' and '.join(ends)}"
     if limits.minimum is not None and limits.maximum is not None:
-        allowed = f"`{low}` to `{high}`"
+        allowed = f"from `{low}` to `{high}`"
     drawn = "every value that can be drawn must be allowed: " if is_drawn else ""
-    return f"{drawn}write {allowed}"
+    return f"{drawn}write a value {allowed}"
 
 
 def subtraction_as_range(text: str) -> str | None:
