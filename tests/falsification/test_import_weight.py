@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
+
 CODE = """
 import sys
 import roadlang.session.falsification, roadlang.session.falsification_files, roadlang.session.drives
@@ -35,3 +37,34 @@ def test_parts_of_numpy_that_scipy_names_are_loaded_when_they_are_used() -> None
         [sys.executable, "-c", DEFERRED], capture_output=True, text=True, check=True
     )
     assert found.stdout == "False None\n7.0 A\n"
+
+
+COMPILING = """
+import sys
+from roadlang.geometry import compiling
+compiling.loaded()
+print("coverage" in sys.modules)
+import coverage
+"""
+
+
+def test_loading_numba_does_not_load_coverage() -> None:
+    pytest.importorskip("numba")
+    pytest.importorskip("coverage")
+    found = subprocess.run(
+        [sys.executable, "-c", COMPILING], capture_output=True, text=True, check=True
+    )
+    assert found.stdout == "False\n"
+
+
+NAMES_OF_CHARACTERS = """
+import sys
+import roadlang.session.falsification
+print(sorted({"difflib", "html"} & set(sys.modules)))
+"""
+
+
+def test_a_search_imports_neither_names_of_characters_nor_what_compares_words() -> None:
+    code = [sys.executable, "-c", NAMES_OF_CHARACTERS]
+    found = subprocess.run(code, capture_output=True, text=True, check=True)
+    assert found.stdout == "[]\n"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable
-from difflib import SequenceMatcher, get_close_matches
 from functools import cached_property, lru_cache
 from heapq import nsmallest
 from itertools import takewhile
@@ -111,6 +110,8 @@ def _fewest_edits(word: str, candidates: list[str]) -> str | None:
 def _most_similar(word: str, candidates: list[str]) -> str | None:
     """A name of which the word is a rough copy or the only beginning."""
     candidates = sorted(candidates)
+    from difflib import get_close_matches  # only for those who misspell
+
     similar = get_close_matches(word, candidates, n=1, cutoff=0.7)
     if similar:
         return similar[0]
@@ -133,6 +134,8 @@ def _same_stem(word: str, candidates: list[str]) -> str | None:
 
 def _likeness_to(word: str) -> Callable[[str], tuple[float, int]]:
     """How alike a name is, and how many first letters they share: `tre` is `tree`, not `tire`."""
+    from difflib import SequenceMatcher
+
     return lambda name: (SequenceMatcher(None, word, name).ratio(), _shared_start(word, name))
 
 

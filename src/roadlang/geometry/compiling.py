@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from types import ModuleType
 from typing import Any
@@ -20,9 +22,25 @@ def is_installed() -> bool:
 @cache
 def loaded() -> Any:
     """numba, with its part `extending`."""
-    import numba.extending
+    with _without_coverage():
+        import numba.extending
 
     return numba
+
+
+@contextmanager
+def _without_coverage() -> Iterator[None]:
+    """numba loads the package `coverage` where it is installed, which takes a quarter of its own
+    import, and asks it for nothing but whether it is measuring: then it is loaded already."""
+    name = "coverage"
+    hidden = name not in sys.modules
+    if hidden:
+        sys.modules[name] = None  # type: ignore[assignment]  # an import of it fails
+    try:
+        yield
+    finally:
+        if hidden:
+            del sys.modules[name]
 
 
 def compiled(loop: Callable[..., Any], digest: str) -> Any:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import html
 import math
 import re
 from dataclasses import dataclass
@@ -36,6 +35,8 @@ def gdal_metadata(path: Path) -> GdalMetadata | None:
         data = read_start(beside, _LARGEST)
     except UnreadableFile:
         return None
+    import html  # its names of characters are only for those who open such a file
+
     text = data.decode("utf-8", "replace")
     grid, place = _GRID.search(text), _PLACE.search(text)
     if grid is None:
