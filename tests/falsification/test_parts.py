@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,11 +14,12 @@ from hypothesis import strategies as st
 from roadlang.diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from roadlang.falsification.axes import _ascending, _coordinate
 from roadlang.falsification.distinct import DistinctFailures
-from roadlang.falsification.evaluator import _is_of_draws
+from roadlang.falsification.evaluator import Evaluator, Proposal, _is_of_draws
 from roadlang.falsification.grading import Grading
+from roadlang.falsification.journal import NoJournal
 from roadlang.falsification.outcome import Moment, Outcome
 from roadlang.falsification.outcome_rows import row_of
-from roadlang.falsification.search_loop import equal_parts
+from roadlang.falsification.search_loop import _evaluated, _screened, equal_parts
 from roadlang.falsification.statistics import (
     best_so_far,
     clopper_pearson,
@@ -196,6 +199,35 @@ def test_a_batch_is_divided_among_workers_in_parts_of_eight_at_least(
     parts = equal_parts(candidates, workers)
     assert [part.stop - part.start for part in parts] == sizes
     assert [i for part in parts for i in range(candidates)[part]] == list(range(candidates))
+
+
+class Pool:
+    """Two workers, which are forked when the first jobs are handed out to them."""
+
+    workers = 2
+
+    def __init__(self) -> None:
+        self.sizes: list[list[int]] = []
+
+    @property
+    def will_fork(self) -> bool:
+        return not any(len(sizes) > 1 for sizes in self.sizes)
+
+    def map(self, work: Any, jobs: Any) -> Iterator[Any]:
+        self.sizes.append([len(job) for job in jobs])
+        for job in jobs:
+            yield np.zeros(len(job)) if work is Evaluator.screen else [driven(p.index) for p in job]
+
+
+def test_a_few_candidates_are_driven_before_processes_are_forked() -> None:
+    pool: Any = Pool()
+    assert len(_screened(np.zeros((40, 1)), pool)) == 40
+    for start in (0, 40):
+        proposals = [Proposal(index, (0.5,)) for index in range(start, start + 40)]
+        found = list(_evaluated(proposals, pool, NoJournal()))
+        assert [outcome.index for outcome in found] == [*range(start, start + 40)]
+    assert len(_screened(np.zeros((40, 1)), pool)) == 40
+    assert [sizes for sizes in pool.sizes if sizes] == [[40], [8], [16, 16], [20, 20], [20, 20]]
 
 
 ODD = diagnose(Code.DEGENERATE_ROAD, name="main")

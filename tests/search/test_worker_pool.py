@@ -7,14 +7,16 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from multiprocessing import util
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from roadlang.plugins.termination import end_on_sigterm
 from roadlang.search.worker_pool import WorkerPool, Workers
 
 
@@ -95,6 +97,18 @@ def length(state: bytes, job: int) -> int:
     return len(state) + job
 
 
+@pytest.fixture
+def other_thread() -> Iterator[None]:
+    """A thread beside the one that tests: then processes are not forked."""
+    is_over = threading.Event()
+    thread = threading.Thread(target=is_over.wait)
+    thread.start()
+    yield
+    is_over.set()
+    thread.join()
+
+
+@pytest.mark.usefixtures("other_thread")
 @pytest.mark.skipif(os.name == "nt", reason="processes are started in POSIX's way")
 def test_a_process_killed_before_it_read_what_is_shared_is_replaced(
     monkeypatch: pytest.MonkeyPatch,
@@ -113,6 +127,44 @@ def test_a_process_killed_before_it_read_what_is_shared_is_replaced(
     with WorkerPool(bytes(1_000_000), Workers(2)) as pool:
         assert list(pool.map(length, [1, 2, 3])) == [1_000_001, 1_000_002, 1_000_003]
     assert died
+
+
+class KillingOnce:
+    """A state that kills the first process that reads it."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def __reduce__(self) -> tuple[Callable[[Path], KillingOnce], tuple[Path]]:
+        return _read_or_killed, (self.folder,)
+
+
+def _read_or_killed(folder: Path) -> KillingOnce:
+    try:
+        (folder / "read").touch(exist_ok=False)
+    except FileExistsError:
+        return KillingOnce(folder)
+    os.kill(os.getpid(), signal.SIGTERM)  # which a process hears from its start on
+    pytest.fail("it goes on")
+
+
+def doubled(state: KillingOnce, job: int) -> int:
+    return 2 * job
+
+
+@pytest.mark.skipif(os.name == "nt", reason="SIGTERM is POSIX's")
+def test_a_forked_process_killed_before_it_read_what_is_shared_is_replaced(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    before = signal.getsignal(signal.SIGTERM)
+    end_on_sigterm()  # as the command line does: a copy of it would report the end as an error
+    try:
+        with WorkerPool(KillingOnce(tmp_path), Workers(2)) as pool:
+            assert list(pool.map(doubled, [1, 2, 3])) == [2, 4, 6]
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert (tmp_path / "read").exists()
+    assert capfd.readouterr().err == ""
 
 
 def test_one_process_works_here() -> None:
@@ -194,7 +246,12 @@ def interrupted(state: Any, job: int) -> tuple[Any, int]:
     return state, subprocess.run(program, stderr=subprocess.DEVNULL).returncode
 
 
-def test_interruptions_are_for_whoever_hands_out_the_work() -> None:
+@pytest.mark.parametrize("is_forked", [True, False])
+def test_interruptions_are_for_whoever_hands_out_the_work(
+    is_forked: bool, request: pytest.FixtureRequest
+) -> None:
+    if not is_forked:
+        request.getfixturevalue("other_thread")
     with WorkerPool(Interrupting(), Workers(2)) as pool:
         found = list(pool.map(interrupted, range(8)))
     assert found == [("copied", -signal.SIGINT)] * 8

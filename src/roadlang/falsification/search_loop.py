@@ -82,7 +82,8 @@ def _add(
 
 def _screened(points: Floats, pool: WorkerPool[Evaluator]) -> Floats:
     """Points judged by the requirements alone, where evaluations are done."""
-    parts = [points[part] for part in equal_parts(len(points), pool.workers)]
+    workers = 1 if pool.will_fork else pool.workers
+    parts = [points[part] for part in equal_parts(len(points), workers)]
     return np.concatenate([*pool.map(Evaluator.screen, parts), np.empty(0)])
 
 
@@ -93,12 +94,22 @@ def _evaluated(
     known = {proposal.index: journal.known(proposal) for proposal in proposals}
     new = [proposal for proposal in proposals if known[proposal.index] is None]
     found: dict[int, Outcome] = {}
-    parts = [new[part] for part in equal_parts(len(new), pool.workers)]
-    for outcomes in pool.map(Evaluator.evaluate, parts):
+    for outcomes in _handed_out(new, pool):
         journal.append(outcomes)
         found |= {outcome.index: outcome for outcome in outcomes}
     for proposal in proposals:
         yield known[proposal.index] or found[proposal.index]
+
+
+def _handed_out(
+    proposals: Sequence[Proposal], pool: WorkerPool[Evaluator]
+) -> Iterator[list[Outcome]]:
+    """The outcomes of parts of the proposals. Before processes are forked a few are evaluated here,
+    so that what drives them is loaded once for all."""
+    few = FEWEST_AT_ONCE if pool.will_fork else 0
+    for some, workers in ((proposals[:few], 1), (proposals[few:], pool.workers)):
+        parts = [some[part] for part in equal_parts(len(some), workers)]
+        yield from pool.map(Evaluator.evaluate, parts)
 
 
 def equal_parts(candidates: int, workers: int) -> list[slice]:

@@ -10,6 +10,28 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import ClassVar
 
+_handles: set[int] = set()
+"""What this process holds locks by."""
+
+
+def _close(handle: int) -> None:
+    _handles.discard(handle)
+    os.close(handle)
+
+
+def _leave_to_parent() -> None:
+    """In a process that was forked: a lock is held until all copies of its handle are closed, and
+    would outlive the process that took it. The number stays taken: whoever closes it means it."""
+    nowhere = os.open(os.devnull, os.O_RDONLY)
+    for handle in _handles:
+        os.dup2(nowhere, handle, inheritable=False)
+    os.close(nowhere)
+    _handles.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_leave_to_parent)
+
 
 @contextlib.contextmanager
 def folder_lock(folder: Path) -> Iterator[None]:
@@ -24,12 +46,13 @@ def folder_lock(folder: Path) -> Iterator[None]:
     import fcntl
 
     handle = os.open(folder, os.O_RDONLY)
+    _handles.add(handle)
     try:
         with contextlib.suppress(OSError):
             fcntl.flock(handle, fcntl.LOCK_EX)
         yield
     finally:
-        os.close(handle)
+        _close(handle)
 
 
 def held_lock(folder: Path) -> contextlib.ExitStack:
@@ -82,7 +105,8 @@ class FileLock:
         lock = super().__new__(cls)
         if sys.platform != "win32":
             _lock_at_once(handle)
-            weakref.finalize(lock, os.close, handle)
+            _handles.add(handle)
+            weakref.finalize(lock, _close, handle)
         cls._held[state.st_dev, state.st_ino] = lock
         return lock
 

@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from .ordered_results import Future, results_in_order
+from .start_method import FORK, start_method
 
 if TYPE_CHECKING:
     from .worker_processes import WorkerProcesses
@@ -64,6 +65,13 @@ class WorkerPool(Generic[State]):
     def workers(self) -> int:
         """How many jobs are worked on at a time."""
         return self._count
+
+    @property
+    def will_fork(self) -> bool:
+        """Whether processes are still to be started that are copies of this one: what is loaded
+        here before need not be loaded by each of them."""
+        is_open = self._count > 1 and self._cluster is None and self._processes is None
+        return is_open and start_method() == FORK
 
     def map(
         self, work: Callable[[State, Job], Result], jobs: Sequence[Job], fewest: int = 2

@@ -16,6 +16,7 @@ from typing import Any
 from ..plugins.termination import Terminated, end_on_sigterm
 from .ordered_results import results_in_order
 from .shared_state import Reference, SharedState, read
+from .start_method import FORK, start_method
 
 _RESTARTS = 3
 """How often processes that died are replaced before the work is given up."""
@@ -28,6 +29,7 @@ class WorkerProcesses:
         self._state = state
         self._count = count
         self._executor: ProcessPoolExecutor | None = None
+        self._are_forked = False
         self._shared: SharedState | None = None
         self._other_children = frozenset(multiprocessing.active_children())
 
@@ -37,7 +39,7 @@ class WorkerProcesses:
         done, deaths = 0, 0
         while done < len(jobs):
             try:
-                submit = partial(_submit, self._started(), work)
+                submit = partial(_submit, self._started(), self._are_forked, work)
                 for result in results_in_order(submit, jobs[done:], self._count):
                     done += 1
                     deaths = 0
@@ -64,10 +66,11 @@ class WorkerProcesses:
     def _started(self) -> ProcessPoolExecutor:
         if self._executor is None:
             self._shared = SharedState(self._state)
+            method = start_method()
+            self._are_forked = method == FORK
             self._executor = ProcessPoolExecutor(
                 self._count,
-                # Spawned: a fork may copy the locked locks of threads that OpenCV has started.
-                mp_context=multiprocessing.get_context("spawn"),
+                mp_context=multiprocessing.get_context(method),
                 initializer=_start,
                 initargs=(self._shared.reference,),
             )
@@ -75,14 +78,19 @@ class WorkerProcesses:
 
 
 def _submit(
-    executor: ProcessPoolExecutor, work: Callable[[Any, Any], Any], job: Any
+    executor: ProcessPoolExecutor,
+    are_forked: bool,
+    work: Callable[[Any, Any], Any],
+    job: Any,
 ) -> Future[Any]:
     """Hand out a job. A process that is started for it does not hear Ctrl-C, which goes to all
-    processes of a terminal: whoever hands out the work ends it."""
+    processes of a terminal: whoever hands out the work ends it. Nor does one that is forked hear
+    SIGTERM before it has let go of what is done here when that comes."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         return executor.submit(_run, work, job)
     resource_tracker.ensure_running()  # where it has to be started it lets signals through
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    held = {signal.SIGINT, signal.SIGTERM} if are_forked else {signal.SIGINT}
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, held)
     try:
         return executor.submit(_run, work, job)
     finally:
@@ -102,10 +110,12 @@ _is_idle = threading.Event()
 
 def _start(reference: Reference) -> None:
     """Read the shared state."""
+    gc.freeze()  # what came with a fork: to look through it would copy its memory
     # Not ignored: programs that are started from here would not hear it either.
     signal.signal(signal.SIGINT, lambda number, frame: None)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     if hasattr(signal, "pthread_sigmask"):
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
     _process_state.append(read(reference))
     _is_idle.set()
     end_on_sigterm(_is_idle.is_set)
