@@ -108,8 +108,8 @@ HABITS = [
     ),
     ("agent a is car on main at 5m { drive: stanley }", "RL220", "`drive with KIND", None),
     ("agent a is car on main at 5m { sense with lidar }", "RL210", "`sense with ranges`", None),
-    ("object z is zebra_crossing on main at 5m", "RL210", "`crosswalk`: a marked crosswalk", None),
-    ("object zebra is zebra_crossing on main at 5m", "RL210", "`crosswalk`: a marked", None),
+    ("object z is zebra_crossing on main at 5m", "RL210", "`crosswalk`: a zebra crossing", None),
+    ("object zebra is zebra_crossing on main at 5m", "RL210", "`crosswalk`: a zebra", None),
     ("road r from main { right: [drive, bicycle] }", "RL210", "`bike`", "bike"),
     ("agent a is lorry on main at 5m", "RL210", "`truck`", "truck"),
     (

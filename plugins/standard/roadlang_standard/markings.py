@@ -10,7 +10,7 @@ from roadlang.api import Length, ObjectKind, option
 
 @dataclass(frozen=True)
 class Crosswalk(ObjectKind):
-    """A marked crosswalk without signals (zebra crossing), at which `traffic` yields."""
+    """A zebra crossing, a crosswalk without signals, at which `traffic` yields."""
 
     name: ClassVar[str] = "crosswalk"
     category: ClassVar[str] = "crosswalk"
