@@ -205,9 +205,10 @@ class IndexedScenario:
             for link in self.chain(declaration)
         )
 
-    def is_random(self, road: ScenarioRoad) -> bool:
-        """Whether anything of a road is drawn, by its statement or by the kinds of its passes."""
-        for link in self.ancestry(road):
+    def is_random(self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
+        """Whether anything of a road, network or image is drawn: by its statement, or without any
+        draw by the kinds of its passes (`harmonics`)."""
+        for link in self.ancestry(declaration):
             if any(self.kind(call)[1].is_random for call in link.passes):
                 return True
             if self._is_drawn(link) or self.dependencies.draws(

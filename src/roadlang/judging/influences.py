@@ -40,7 +40,8 @@ def influences_on_start(actor: ScenarioActor, scenario: IndexedScenario) -> Infl
 
 def is_geometry_random(name: str, scenario: IndexedScenario) -> bool:
     """Whether a road, network or image differs between candidates."""
-    return scenario.once(("random thing", name), partial(_is_geometry_random, name, scenario))
+    declaration = scenario.declaration(name)
+    return scenario.once(("random thing", name), partial(scenario.is_random, declaration))
 
 
 def _joined(
@@ -88,14 +89,3 @@ def _names_in(actor: ScenarioActor, scenario: IndexedScenario) -> set[str]:
     values = [actor.at, *(value for value in actor.options.values())]
     named = {entity.name for entity in scenario.dependencies.entities(*values)}
     return named | ({actor.on} if actor.on is not None else set())
-
-
-def _is_geometry_random(name: str, scenario: IndexedScenario) -> bool:
-    for link in scenario.ancestry(scenario.declaration(name)):
-        values = (*(value for value in link.options.values()), *link.passes)
-        if scenario.dependencies.draws(*values) or scenario.is_varying(name):
-            return True
-        # A pass that draws by itself (`harmonics`) differs between candidates without any draw.
-        if any(scenario.kind(call)[1].is_random for call in link.passes):
-            return True
-    return False
