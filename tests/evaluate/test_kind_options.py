@@ -10,7 +10,8 @@ import pytest
 
 from roadlang.api import DiagnosticError, Length, Perturber, option
 from roadlang.diagnostics import Source, Span
-from roadlang.evaluate.kind_instance import check_bounds, row_of_kind, scalar
+from roadlang.evaluate.kind_instance import row_of_kind, scalar
+from roadlang.evaluate.option_bounds import check_bounds
 from roadlang.ir.read_only import FrozenDict
 from roadlang.ir.values import PassCall
 from roadlang.plugins.options import schema_of

@@ -38,7 +38,7 @@ def _scene() -> dict[str, Any]:
     from ..ir.scene_schema import scene_schema
     from ..plugins.json_schema import schema_of_options
     from ..plugins.options import schema_of
-    from ..semantics.infer.weather_options import WorldOptions
+    from ..plugins.world_options import WorldOptions
 
     return scene_schema(schema_of_options(schema_of(WorldOptions)))
 

@@ -7,24 +7,30 @@ import sys
 from typing import Any
 
 from ..ir.scene import Call
-from ..ir.values import Condition, Entity, PassCall
+from ..ir.values import Condition, ConstantValue, Entity, PassCall
 from ..plugins.options import schema_of
 from ..stl.formats.evaluation_json import evaluation_to_json
 from ..stl.formats.json_form import to_json
 from .candidates import CandidateBatch
 from .evaluation import evaluate
 from .kind_instance import scalar
+from .option_bounds import check_bounds, options_of
 
 
 def call_of(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Call:
-    """A call with every option concrete, defaults included."""
+    """A call with every option concrete, defaults included. Raises RL473 for a number that is drawn
+    or computed and out of bounds."""
     entry, kind = candidates.scenario.kind(call)
+    known = options_of(kind, call.verb)
     options = {
         option.name: concrete(option.default) for option in schema_of(kind) if not option.required
     }
     for name, value in (*call.options.items(), *call.common.items()):
         if not isinstance(value, Condition):
-            options[name] = concrete(evaluate(value, candidates, element), candidates, element)
+            found = scalar(evaluate(value, candidates, element))
+            if name in known and not isinstance(value, ConstantValue):
+                check_bounds(known[name], found, call)
+            options[name] = concrete(found, candidates, element)
     conditions = {
         name: condition_json(value, candidates, element)
         for name, value in (*call.options.items(), *call.common.items())

@@ -37,7 +37,8 @@ from ..plugins.options import OptionSchema, draws_numbers, schema_of
 from ..plugins.results import real_numbers
 from .candidates import CandidateBatch
 from .indexed_scenario import IndexedScenario
-from .kind_instance import KindInstance, check_bounds, scalar
+from .kind_instance import KindInstance, scalar
+from .option_bounds import check_bounds
 
 Resolve = Callable[[Entity], Any]
 

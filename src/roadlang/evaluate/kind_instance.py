@@ -9,11 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Kind
-from ..plugins.options import OptionSchema
 from ..plugins.registry import KindEntry
 
 
@@ -61,33 +59,3 @@ def scalar(value: Any) -> Any:
     if isinstance(value, dict):
         return {key: scalar(item) for key, item in value.items()}
     return value
-
-
-def check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:
-    """Constants are checked with the file; drawn and computed values here. Raises RL473."""
-    if not isinstance(value, float | int | np.ndarray) or isinstance(value, bool):
-        return
-    numbers = np.asarray(value)
-    if numbers.dtype.kind not in "fiu":
-        return
-    limits = option.constraints
-    wrong = np.isnan(numbers)
-    for bound, outside in (
-        (limits.minimum, np.less),
-        (limits.maximum, np.greater),
-        (limits.above, np.less_equal),
-        (limits.below, np.greater_equal),
-    ):
-        if bound is not None:
-            wrong = wrong | outside(numbers, bound)
-    if wrong.any():
-        found = float(numbers[wrong].reshape(-1)[0])
-        raise DiagnosticError(
-            diagnose(
-                Code.DRAWN_VALUE_OUT_OF_BOUNDS,
-                call.option_spans.get(option.name, call.span),
-                option=option.name,
-                kind=call.kind.rpartition(".")[2],
-                value=f"{found:g}",
-            )
-        )

@@ -46,13 +46,23 @@ class Constraints:
         first = self.example.split("..")[0]  # of `5m..9m`
         return first.lstrip("0123456789.") if first[:1].isdigit() else ""
 
+    @property
+    def least(self) -> float | None:
+        """What is not below the minimum: unit conversion leaves the last digit to chance, as `5cm`
+        is 0.05 and `0.3ft` is not exact."""
+        return None if self.minimum is None else self.minimum - 1e-12 * abs(self.minimum)
+
+    @property
+    def most(self) -> float | None:
+        """What is not above the maximum, in the same way."""
+        return None if self.maximum is None else self.maximum + 1e-12 * abs(self.maximum)
+
     def allow(self, number: float) -> bool:
         """Whether a number, in SI units, is within the bounds."""
-        # Unit conversion leaves the last digit to chance: `5cm` is 0.05, `0.3ft` is not exact.
-        low, high = self.minimum, self.maximum
+        low, high = self.least, self.most
         return (
-            (low is None or number >= low - 1e-12 * abs(low))
-            and (high is None or number <= high + 1e-12 * abs(high))
+            (low is None or number >= low)
+            and (high is None or number <= high)
             and (self.above is None or number > self.above)
             and (self.below is None or number < self.below)
         )

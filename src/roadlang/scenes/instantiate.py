@@ -15,13 +15,12 @@ from ..diagnostics import Diagnostic, DiagnosticError
 from ..evaluate.candidates import CandidateBatch, fixed_candidate
 from ..evaluate.concrete import call_of
 from ..evaluate.draw_names import draw_place
-from ..evaluate.evaluation import evaluate, named
+from ..evaluate.evaluation import named
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.read_only import FrozenDict
 from ..ir.recorded_names import recorded_name
 from ..ir.scenario import Input, ScenarioConstraint
 from ..ir.scene import Call, Provenance, Scene, SceneSignal, Verdict
-from ..ir.times_of_day import TIMES_OF_DAY
 from ..ir.values import Condition, PassCall, Value
 from ..judging.profiles import scene_signals, with_profiles
 from ..judging.verdicts import verdict, verdicts
@@ -39,6 +38,7 @@ from .scene_rows import SceneRows
 from .start_gaps import slowed_behind
 from .start_meetings import slowed_before_meetings
 from .start_speeds import headways_kept
+from .worlds import world_columns
 
 
 @dataclass(frozen=True)
@@ -143,9 +143,6 @@ def _driven(
     """Members of the scenes by name, without what was drawn; a list (V,) of each."""
     source, candidates = rows.scenario.source, rows.candidates
     values = {item.name: rows.plain(named(item.name, candidates)) for item in source.values}
-    world = {name: rows.plain(evaluate(value, candidates)) for name, value in source.world.items()}
-    if "time_of_day" in world:
-        world["time_of_day"] = [TIMES_OF_DAY.get(time, time) for time in world["time_of_day"]]
     placed, legend = scene_actors(source.objects, rows), legend_objects(candidates)
     if legend:
         placed = [(*found, *legend) for found in placed]
@@ -165,7 +162,7 @@ def _driven(
         "agents": [*map(slowed_behind, agents, objects, headways, networks, roads)],
         "objects": objects,
         "markings": markings,
-        "world": _maps(world, rows),
+        "world": _maps(world_columns(rows), rows),
         "simulate": rows.same(None) if simulate is None else _calls(simulate, rows),
     }
 

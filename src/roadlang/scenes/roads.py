@@ -11,12 +11,14 @@ import numpy as np
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
+from ..evaluate.option_bounds import check_number, common_option
 from ..geometry import Edge
 from ..ir.batch import RoadBatch
 from ..ir.contained_values import values_in
 from ..ir.scenario import LANE_OPTIONS, ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..ir.scene_road import SpeedZone
+from ..ir.values import ConstantValue
 from ..world.junction_control import controls_of, right_of_way_rules
 from ..world.lane_plan import lane_plan, traffic_side
 from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
@@ -160,7 +162,11 @@ def _speed_limits(
     value = lane_plan(source, candidates.scenario).speed_limit
     if value is None:
         return [None]
-    return np.asarray(evaluate(value, candidates), float).reshape(-1).tolist()
+    found = np.asarray(evaluate(value, candidates), float)
+    if not isinstance(value, ConstantValue):
+        span = source.option_spans.get("speed_limit", source.span)
+        check_number(common_option("lane", "speed_limit"), found, source.name, span)
+    return found.reshape(-1).tolist()
 
 
 def _speed_zones(

@@ -11,7 +11,6 @@ import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
-from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Booleans, Floats
 from ..geometry.bend_speeds import square_before, squares_in_bends
@@ -21,15 +20,15 @@ from ..ir.scenario import ScenarioActor
 from ..ir.scene import Call
 from ..ir.scene_actor import SceneActor
 from ..ir.surroundings import DEFAULT_SPEED
-from ..ir.values import Value
 from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard, wrong_result
 from ..plugins.kinds import STANDING_GAP, Controller, InitialSpeed
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from ..plugins.results import real_numbers
+from ..world.actor_numbers import number_of_copies
 from ..world.bends import bends_of_route
-from ..world.copies import counts, element_of, most_copies
+from ..world.copies import counts, most_copies
 from ..world.named_roads import name_of_road, named_lanes, named_road
 from ..world.placement import placed_routes
 from ..world.road_places import to_root
@@ -58,7 +57,7 @@ def start_speeds(
         return rows.same([])
     written = actor.options.get("start_speed")
     if written is not None:
-        return _written_speeds(actor, written, most, rows)
+        return _written_speeds(actor, most, rows)
     if rows.differ(*actor.drive) or not _is_simple(actor, rows.candidates):
         return [
             _speeds_of_one(actor, drives[row], _of_candidate(where, row), rows.alone(row))
@@ -70,16 +69,13 @@ def start_speeds(
     return [list(row) for row in zip(*columns, strict=True)]
 
 
-def _written_speeds(
-    actor: ScenarioActor, written: Value, most: int, rows: SceneRows
-) -> list[list[float]]:
+def _written_speeds(actor: ScenarioActor, most: int, rows: SceneRows) -> list[list[float]]:
     candidates = rows.candidates
     copies = CopyBatch.every(candidates, most)
-    value = np.asarray(evaluate(written, copies, element_of(actor)), float).reshape(-1)
+    value = number_of_copies(actor, "start_speed", copies, 0.0)
     present = np.arange(1, most + 1) <= counts(actor, candidates)[:, None]
     copies.record_in(rows.record, present.reshape(-1))
-    table = np.broadcast_to(value, (rows.count * most,)).reshape(rows.count, most)
-    speeds: list[list[float]] = table.tolist()
+    speeds: list[list[float]] = value.reshape(rows.count, most).tolist()
     return [speeds[row][:count] for row, count in enumerate(present.sum(axis=1).tolist())]
 
 

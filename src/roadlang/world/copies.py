@@ -16,7 +16,8 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.evaluation import build, converted, evaluate
-from ..evaluate.kind_instance import KindInstance, check_bounds, scalar
+from ..evaluate.kind_instance import KindInstance, scalar
+from ..evaluate.option_bounds import check_bounds
 from ..geometry.arrays import Booleans, Floats
 from ..ir.category import PAINTED, PEDESTRIAN
 from ..ir.read_only import frozen

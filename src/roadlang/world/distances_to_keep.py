@@ -11,6 +11,7 @@ from ..geometry import Footprints
 from ..geometry.arrays import Floats
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
+from .actor_numbers import number_of_copies
 from .copies import CopyKinds, element_of, kinds_of
 from .poses import poses_of
 from .room_between import PlacedRectangles, missing_room
@@ -20,10 +21,7 @@ def distances_to_keep(actor: ScenarioActor, copies: CopyBatch, kinds: CopyKinds)
     """(R,) meters that copies keep from everything: NaN where nothing is said, -inf where they may
     overlap."""
     options = actor.options
-    apart = np.full(copies.count, np.nan)
-    if "apart" in options:
-        value = np.asarray(evaluate(options["apart"], copies, element_of(actor)), float)
-        apart[:] = value.reshape(-1)
+    apart = number_of_copies(actor, "apart", copies, np.nan).copy()
     if "overlap" in options:
         value = np.asarray(evaluate(options["overlap"], copies, element_of(actor)), bool)
         apart[np.broadcast_to(value.reshape(-1), (copies.count,))] = -np.inf

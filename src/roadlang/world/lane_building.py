@@ -11,17 +11,16 @@ from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..evaluate.kind_instance import check_bounds, scalar
+from ..evaluate.kind_instance import scalar
+from ..evaluate.option_bounds import check_bounds, common_option
 from ..geometry import CrossSection, Lane, WidthProfile
 from ..geometry.arrays import Floats
 from ..geometry.lanes import DEFAULT_LANES, Direction, Marking
 from ..ir.values import ConstantValue, PassCall, Value
-from ..plugins.common_options import common_options
 from ..plugins.kinds import LaneKind
 from .cross_sections import LaneBatch
 from .lane_plan import LanePlan, lane_calls, traffic_side
 
-_OPTIONS = {option.name: option for option in common_options("lane")}
 _UNIT = WidthProfile.constant(1.0)
 _DOUBLE = 4
 """From so many driving lanes on the directions are parted by a double line."""
@@ -200,7 +199,7 @@ def _number(name: str, call: PassCall, candidates: CandidateBatch, default: floa
     if isinstance(value, ConstantValue):
         return value.value
     found = evaluate(value, candidates)
-    check_bounds(_OPTIONS[name], found, call)
+    check_bounds(common_option("lane", name), found, call)
     return found
 
 

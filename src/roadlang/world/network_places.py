@@ -16,13 +16,14 @@ from ..geometry.routes.nearest_lanes import NearRoads, near_roads
 from ..geometry.routes.shortest import shortest_route
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
+from .actor_numbers import column
 from .begins_with_turns import begins_with_turns
 from .copies import element_of
 from .lane_choices import LaneChoice, allowed_lanes, is_for_vehicles, lane_choices
 from .lane_graphs import lanes_of_network
 from .lane_places import is_on_side, lanes_by_word
 from .network_walks import LaneWalks
-from .positions import Others, column, names_another, row_distances
+from .positions import Others, names_another, row_distances
 from .road_places import from_root
 from .road_poses import LaneStart, WrittenPlace
 from .route_points import FARTHEST, RoutePoints, route_points

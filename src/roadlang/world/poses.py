@@ -12,17 +12,17 @@ from ..geometry.arrays import Floats, Integers
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
 from ..plugins.kinds import Standing
+from .actor_numbers import column, number_of_copies
 from .copies import element_of
 from .lane_places import lanes_by_word
 from .network_places import begins_in_network
-from .positions import Others, column, standing_of, starts_of
+from .positions import Others, standing_of, starts_of
 from .relative_lanes import over_the_middle
 from .road_poses import (
     NO_ROAD,
     LaneStart,
     RoadPoses,
     WrittenPlace,
-    number_option,
     option_value,
     poses_on_road,
 )
@@ -51,7 +51,7 @@ def _in_the_world(actor: ScenarioActor, copies: CopyBatch, widths: Floats) -> Ro
     x, y = (column(part, copies) for part in evaluate(actor.at, copies, element_of(actor)))
     nothing = np.full(copies.count, np.nan)
     none = np.zeros(copies.count, np.int64)
-    heading = number_option(actor, "heading", copies)
+    heading = number_of_copies(actor, "heading", copies, 0.0)
     road = np.full(copies.count, NO_ROAD)
     no = none.astype(bool)
     width = np.where(np.isnan(widths), WIDTH_WITHOUT_ROAD, widths)

@@ -17,6 +17,7 @@ from ..ir.scenario import ScenarioActor
 from ..ir.values import Entity, PassCall
 from ..plugins.guard import wrong_result
 from ..plugins.kinds import Standing
+from .actor_numbers import column, number_of_copies
 from .copies import element_of, is_group, kinds_of_copies
 from .roads import road_batch
 
@@ -123,7 +124,7 @@ def row_distances(actor: ScenarioActor, copies: CopyBatch) -> list[list[float]]:
     if value is None:
         return [[0.0]] * copies.count
     if not copies.scenario.dependencies.draws(value):
-        steps = column(evaluate(value, copies, element_of(actor)), copies).tolist()
+        steps = number_of_copies(actor, "spacing", copies, 0.0).tolist()
         numbers = copies.copies.tolist()
         return [
             [step * k for k in range(number)] for step, number in zip(steps, numbers, strict=True)
@@ -133,11 +134,6 @@ def row_distances(actor: ScenarioActor, copies: CopyBatch) -> list[list[float]]:
         ends[group, :number].tolist()
         for group, number in zip(which.tolist(), copies.copies.tolist(), strict=True)
     ]
-
-
-def column(value: Any, copies: CopyBatch) -> Floats:
-    """A value of the copies as numbers (R,)."""
-    return np.broadcast_to(np.asarray(value, dtype=np.float64).reshape(-1), (copies.count,))
 
 
 def _of_copies(
@@ -164,14 +160,13 @@ def _from_the_first(actor: ScenarioActor, copies: CopyBatch) -> Floats:
     those behind it; of a row that is placed by another, toward that."""
     value = actor.options["spacing"]
     if not copies.scenario.dependencies.draws(value):
-        return (copies.copies - 1) * column(evaluate(value, copies, element_of(actor)), copies)
+        return (copies.copies - 1) * number_of_copies(actor, "spacing", copies, 0.0)
     ends, which = _row_ends(actor, copies)
     return np.asarray(ends[which, copies.copies - 1])
 
 
 def _row_ends(actor: ScenarioActor, copies: CopyBatch) -> tuple[Floats, Integers]:
     """Arc lengths (G, N) from the first copy of each row to all, and the row of each copy (R,)."""
-    value = actor.options["spacing"]
     most = int(copies.copies.max(initial=1))
     rows, which = np.unique(np.stack([copies.rows, copies.tries]), axis=1, return_inverse=True)
     every = CopyBatch(
@@ -180,7 +175,7 @@ def _row_ends(actor: ScenarioActor, copies: CopyBatch) -> tuple[Floats, Integers
         np.tile(np.arange(1, most + 1), rows.shape[1]),
         np.repeat(rows[1], most),
     )
-    steps = column(evaluate(value, every, element_of(actor)), every).reshape(-1, most)
+    steps = number_of_copies(actor, "spacing", every, 0.0).reshape(-1, most)
     ends = np.cumsum(steps, axis=1) - steps[:, :1]
     return ends, which.reshape(-1)
 

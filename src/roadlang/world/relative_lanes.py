@@ -10,10 +10,10 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Integers
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Measure, Value
+from .actor_numbers import column
 from .copies import element_of
 from .lane_plan import is_fixed as has_fixed_lanes
 from .lane_plan import lane_plan
-from .positions import column
 
 
 def may_be_missing(actor: ScenarioActor, scenario: IndexedScenario) -> bool:

@@ -15,9 +15,9 @@ from ..evaluate.evaluation import evaluate
 from ..evaluate.kind_instance import scalar
 from ..geometry.arrays import Booleans, Floats, Integers
 from ..ir.scenario import ScenarioActor
+from .actor_numbers import number_of_copies
 from .copies import element_of
 from .lane_places import LaneOffsets, lane_places
-from .positions import column
 from .road_places import places_along
 from .spots import NoPlace
 
@@ -92,7 +92,9 @@ class WrittenPlace:
     @classmethod
     def of(cls, actor: ScenarioActor, copies: CopyBatch) -> WrittenPlace:
         """What the statement says for its copies."""
-        heading, offset = (number_option(actor, name, copies) for name in ("heading", "offset"))
+        heading, offset = (
+            number_of_copies(actor, name, copies, 0.0) for name in ("heading", "offset")
+        )
         side, facing = (word_option(actor, name, copies) for name in ("side", "facing"))
         return cls(heading, offset, side, facing)
 
@@ -105,12 +107,6 @@ def option_value(actor: ScenarioActor, name: str, copies: CopyBatch) -> Any:
     """An option for these copies, None where it is not written."""
     value = actor.options.get(name)
     return None if value is None else evaluate(value, copies, element_of(actor))
-
-
-def number_option(actor: ScenarioActor, name: str, copies: CopyBatch) -> Floats:
-    """(R,) an option, 0 where it is not written."""
-    value = option_value(actor, name, copies)
-    return np.zeros(copies.count) if value is None else column(value, copies)
 
 
 def word_option(actor: ScenarioActor, name: str, copies: CopyBatch) -> NDArray[np.str_]:

@@ -18,8 +18,8 @@ from ..geometry.routes.next_turns import NextTurn
 from ..geometry.routes.shortest import Stage
 from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall
+from .actor_numbers import column
 from .copies import element_of
-from .positions import column
 from .route_positions import lane_places_of
 
 TURNS = {"left": "left", "straight": "straight", "right": "right", "turn_around": "u"}

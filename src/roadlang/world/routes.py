@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
-from ..evaluate.evaluation import evaluate
 from ..geometry.routes.lane_graph import LaneGraph, TravelLane
 from ..geometry.routes.legs import ONWARD, PlannedRoute, RoutePlace
 from ..geometry.routes.next_turns import NextTurn
@@ -18,9 +17,10 @@ from ..geometry.routes.shortest import Stage, shortest_route
 from ..geometry.routes.walking import following_legs, straight_route
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
-from .copies import element_of, kinds_of
+from .actor_numbers import number_of_copies
+from .copies import kinds_of
 from .lane_graphs import lanes_of_network
-from .positions import Others, column, names_another, other_of_copies
+from .positions import Others, names_another, other_of_copies
 from .road_places import to_root
 from .route_points import route_points
 from .spots import Spots
@@ -76,8 +76,8 @@ def _plan(
     copies = CopyBatch.every(candidates, where.x.shape[1])
     starts = start_places(actor, where, lanes, copies)
     points = route_points(actor, copies, lanes)
-    numbers = _number(actor, "route", copies, 0.0) if points is None else None
-    lengths = _number(actor, "route_length", copies, ONWARD)
+    numbers = number_of_copies(actor, "route", copies, 0.0) if points is None else None
+    lengths = number_of_copies(actor, "route_length", copies, ONWARD)
     leads = leading_routes(actor, copies, others) if "route" not in actor.options else None
     if candidates.record is not None:
         copies.record_in(candidates.record)
@@ -155,10 +155,3 @@ def _beside(lanes: LaneGraph, place: TravelLane) -> TravelLane:
     same = [lanes.lanes[number] for number in lanes.of_edge.get(place.edge, ())]
     same = [lane for lane in same if lane.backward == place.backward] if place.lane else []
     return min(same, key=lambda lane: (abs(lane.lane - place.lane), lane.lane), default=place)
-
-
-def _number(actor: ScenarioActor, name: str, copies: CopyBatch, default: float) -> Any:
-    value = actor.options.get(name)
-    if value is None:
-        return np.full(copies.count, default)
-    return column(evaluate(value, copies, element_of(actor)), copies)

@@ -12,6 +12,7 @@ from ...plugins.common_options import (
     PlacementOptions,
     SenseOptions,
 )
+from ...plugins.world_options import WorldOptions
 from ..infer.statement_options import (
     FormulaOptions,
     ImageOptions,
@@ -19,7 +20,6 @@ from ..infer.statement_options import (
     RoadOptions,
 )
 from ..infer.statement_spec import StatementSpec
-from ..infer.weather_options import WorldOptions
 from .actors import lower_actor
 from .constraints import lower_constraint
 from .geometry import lower_geometry

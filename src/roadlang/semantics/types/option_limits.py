@@ -74,8 +74,7 @@ def _finite_ends(low: float, high: float) -> tuple[float, float]:
 
 
 def _below(limits: Constraints, low: float) -> tuple[str, float, float] | None:
-    # Unit conversion leaves the last digit to chance: `5cm` is 0.05, `0.3ft` is not exact.
-    if limits.minimum is not None and low < limits.minimum - 1e-12 * abs(limits.minimum):
+    if limits.minimum is not None and limits.least is not None and low < limits.least:
         return "at least", limits.minimum, low
     if limits.above is not None and low <= limits.above:
         return "greater than", limits.above, low
@@ -83,7 +82,7 @@ def _below(limits: Constraints, low: float) -> tuple[str, float, float] | None:
 
 
 def _above(limits: Constraints, high: float) -> tuple[str, float, float] | None:
-    if limits.maximum is not None and high > limits.maximum + 1e-12 * abs(limits.maximum):
+    if limits.maximum is not None and limits.most is not None and high > limits.most:
         return "at most", limits.maximum, high
     if limits.below is not None and high >= limits.below:
         return "less than", limits.below, high

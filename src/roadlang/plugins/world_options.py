@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from ...ir.times_of_day import TIMES_OF_DAY
-from ...plugins.annotations import Angle, Duration, Length, Number, Speed, Word
-from ...plugins.option_types import RecordType
-from ...plugins.options import option
+from ..ir.times_of_day import TIMES_OF_DAY
+from .annotations import Angle, Duration, Length, Number, Speed, Word
+from .option_types import RecordType
+from .options import option
 
 
 @dataclass(init=False, repr=False, eq=False)
