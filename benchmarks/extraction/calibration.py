@@ -83,15 +83,16 @@ def joined(parts: Sequence[Samples]) -> Samples:
     return Samples(*(np.concatenate(values) for values in columns))
 
 
-def fitted(samples: Samples) -> Floats:
+def fitted(samples: Samples, ridge: Floats | float = 1e-6) -> Floats:
     """The log odds (k,) of the facts, as `NAMES`, under which what is right is likeliest, each
-    pixel of road counting the same: logistic regression by Newton's method."""
+    pixel of road counting the same: logistic regression by Newton's method. `ridge`, one for each
+    fact or for all, keeps them small."""
     weights = np.zeros(samples.facts.shape[1])
     for _ in range(_ROUNDS):
         sure = stated(samples, weights)
-        slope = samples.facts.T @ (samples.length * (sure - samples.right))
+        slope = samples.facts.T @ (samples.length * (sure - samples.right)) + ridge * weights
         pull = samples.length * sure * (1 - sure)
-        bend = (samples.facts * pull[:, None]).T @ samples.facts + 1e-6 * np.eye(len(weights))
+        bend = (samples.facts * pull[:, None]).T @ samples.facts + ridge * np.eye(len(weights))
         step = np.linalg.solve(bend, slope)
         weights = weights - step
         if np.abs(step).max() < 1e-8:
@@ -104,7 +105,7 @@ def stated(samples: Samples, weights: Floats) -> Floats:
     return np.asarray(1 / (1 + np.exp(-(samples.facts @ weights + samples.given))))
 
 
-def stated_when_left_out(samples: Samples, seed: int) -> Floats:
+def stated_when_left_out(samples: Samples, seed: int, ridge: Floats | float = 1e-6) -> Floats:
     """The confidences (n,), each under what is fitted without an eighth of the groups of every
     source, its own among them; the seed says which."""
     rng = np.random.default_rng(seed)
@@ -115,7 +116,7 @@ def stated_when_left_out(samples: Samples, seed: int) -> Floats:
         for index, group in enumerate(groups):
             fold[samples.group == group] = index % _FOLDS
     for left_out in np.unique(fold):
-        weights = fitted(samples.of(fold != left_out))
+        weights = fitted(samples.of(fold != left_out), ridge)
         sure[fold == left_out] = stated(samples.of(fold == left_out), weights)
     return sure
 

@@ -32,6 +32,8 @@ from roadlang_standard.extraction.road_likeness import LIKENESS, likeness_facts
 
 _HARD, _EASY = 3.0, 0.5
 """What is no road counts so many times if the other rules leave it sure, and if they do not."""
+_RIDGE = 1.0
+"""Of weights that are for one standard deviation of each of the facts."""
 _ODDS = (-2.5, -2.0, -1.5, -1.0, -0.5, 0.0)
 
 
@@ -75,12 +77,13 @@ def report(judged: list[Judged]) -> None:
     samples = Samples(
         facts, np.zeros(len(judged)), is_roads, weight, index, index, np.zeros(len(judged))
     )
-    for name, value in zip(LIKENESS, fitted(samples).tolist(), strict=True):
+    ridge = _RIDGE * facts.var(axis=0) + 1e-9
+    for name, value in zip(LIKENESS, fitted(samples, ridge).tolist(), strict=True):
         print(f'    "{name}": {value:.2f},')
     kinds = {"roads": is_roads, "none": ~is_roads, "none, sure": ~is_roads & sure}
     print("below   " + "".join(f"{name:>12s}" for name in kinds))
     print("of      " + "".join(f"{np.count_nonzero(kind):12d}" for kind in kinds.values()))
-    believed = stated_when_left_out(samples, 0)
+    believed = stated_when_left_out(samples, 0, ridge)
     odds = np.log(believed / np.maximum(1 - believed, 1e-12))
     for least in _ODDS:
         counts = [np.count_nonzero(odds[kind] < least) for kind in kinds.values()]

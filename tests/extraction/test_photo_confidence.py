@@ -19,7 +19,7 @@ def _seen(
         along = np.linspace(sure, 0.1, 151) if fading else np.full(151, sure)
         mean = float(along.mean())
         found.append(FoundRoad(start, end, line, np.full(151, width), 0.0, mean, 0.0, along))
-    return FoundNetwork(np.zeros((8, 2)), tuple(found), np.zeros((side, side), bool))
+    return FoundNetwork(np.zeros((20, 2)), tuple(found), np.zeros((side, side), bool))
 
 
 def _sure(found: FoundNetwork, doubt_alone: bool = True) -> list[float]:
@@ -28,7 +28,7 @@ def _sure(found: FoundNetwork, doubt_alone: bool = True) -> list[float]:
 
 def test_a_faint_road_is_not_sure_where_the_picture_shows_nothing_else() -> None:
     (only,) = _sure(_seen(320, (0, 1, 0.62)))
-    joined = _sure(_seen(320, (0, 1, 0.62), (1, 2, 0.62), (2, 3, 0.8)))
+    joined = _sure(_seen(320, (0, 1, 0.62), (1, 2, 0.62), (2, 3, 0.95)))
     beside, *_ = _sure(_seen(320, (0, 1, 0.62), *((k, k + 1, 0.9) for k in range(2, 5))))
     assert only < 0.5
     assert joined[:2] == [pytest.approx(0.72, abs=0.02)] * 2
@@ -41,8 +41,11 @@ def test_many_faint_roads_are_not_sure_where_none_is_clear() -> None:
     web = _seen(320, *((k, k + 1, 0.5) for k in range(7)))
     assert max(_sure(web)) < 0.5
     assert min(_sure(web, doubt_alone=False)) > 0.6
+    rows = _seen(320, *((2 * k, 2 * k + 1, 0.8) for k in range(9)))
+    assert max(_sure(rows)) < 0.6 < min(_sure(_seen(320, *((k, k + 1, 0.8) for k in range(3)))))
     (fainter, *_), (clearer, *_) = (
-        _sure(_seen(320, (0, 1, 0.5), (1, 2, 0.5), (2, 3, clear))) for clear in (0.7, 0.98)
+        _sure(_seen(320, (0, 1, 0.5), (1, 2, 0.5), (2, 3, clear), (3, 4, clear)))
+        for clear in (0.7, 0.98)
     )
     assert fainter < 0.6 < clearer
 

@@ -27,9 +27,12 @@ _SHORT, _SIDE = 1.15, 512
 a larger picture, only this many pixels of its side count."""
 _CLEAR, _FAINT = 0.8, 0.5
 """Mean evidence from which on what is alone is not doubted, and at which it is doubted in full."""
-_CLEAR_IN_ALL = 0.68
-"""The first of them for all roads of a picture: of 36 photos with roads, those below it were wrong
-on more than half of the length that was found."""
+_CLEAR_IN_ALL, _FAINT_IN_ALL = 0.72, 0.55
+"""The same for all roads of a picture: of 36 photos with roads, two were below the second one, both
+wrong on more than half of the length that was found."""
+_MANY, _MEET = 8, 0.1
+"""So many roads or more are rows, such as waves in sand, if they have fewer junctions than this
+share of their number: then all are doubted in full."""
 _STRETCH = 15
 """Evidence counts over so many points of a road."""
 _CERTAIN = 0.98
@@ -66,7 +69,7 @@ def road_facts(found: FoundNetwork, doubt_alone: bool = True) -> list[RoadFacts]
     short = _SHORT * min(*found.mask.shape, _SIDE)
     little = doubt_alone and sum(road.length for road in found.roads) < short
     doubts = _doubts(found) if little else {}
-    of_all = _doubt(found.roads, _CLEAR_IN_ALL) if doubt_alone else 0.0
+    of_all = _doubt_of_all(found.roads) if doubt_alone else 0.0
     return [
         RoadFacts(
             _evidence(road),
@@ -81,17 +84,26 @@ def _doubts(found: FoundNetwork) -> dict[int, float]:
     """How doubtful each road is, 0 to 1, by the evidence of all that it is connected to."""
     doubts: dict[int, float] = {}
     for part in connected_parts(found.roads):
-        doubt = _doubt(part, _CLEAR)
+        doubt = _doubt(part, _CLEAR, _FAINT)
         doubts.update((id(road), doubt) for road in part)
     return doubts
 
 
-def _doubt(roads: Sequence[FoundRoad], clear: float) -> float:
-    """How doubtful roads are, 0 to 1, by their mean evidence, 0 where that is `clear`."""
+def _doubt_of_all(roads: Sequence[FoundRoad]) -> float:
+    """How doubtful all roads of a picture are, 0 to 1, by their evidence and how few meet."""
+    nodes = np.array([(road.start, road.end) for road in roads], np.intp)
+    junctions = np.count_nonzero(np.bincount(nodes.ravel()) > 2)
+    if len(roads) >= _MANY and junctions < _MEET * len(roads):
+        return 1.0
+    return _doubt(roads, _CLEAR_IN_ALL, _FAINT_IN_ALL)
+
+
+def _doubt(roads: Sequence[FoundRoad], clear: float, faint: float) -> float:
+    """How doubtful roads are, 0 to 1, by their mean evidence from `clear` to `faint`."""
     lengths = np.array([road.length for road in roads])
     known = float(lengths @ np.array([road.confidence for road in roads]))
     mean = known / max(float(lengths.sum()), 1e-9)
-    return float(np.clip((clear - mean) / (clear - _FAINT), 0.0, 1.0))
+    return float(np.clip((clear - mean) / (clear - faint), 0.0, 1.0))
 
 
 def _evidence(road: FoundRoad) -> Floats:

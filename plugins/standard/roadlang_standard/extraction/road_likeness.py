@@ -1,8 +1,8 @@
 """How much the network of a drawing is like roads, by what a logistic model weighs: diagrams, faces
-and cracks are thin, end within the picture, hang together in many parts and vary in width.
+and cracks are thin, wind tightly, seldom leave the picture, and vary in width.
 
-No single one of these tells: streets are thin as well, and end within a picture. `python -m
-benchmarks.extraction.likeness` fits the weights.
+No single one of these tells: streets are thin as well, and a town may end within the picture.
+`python -m benchmarks.extraction.likeness` fits the weights.
 """
 
 from __future__ import annotations
@@ -20,31 +20,31 @@ from .line_art import ends_at_rim
 from .smoothing import resample
 
 LIKENESS = {
-    "always": 3.94,
-    "thin": -2.60,
-    "dead ends": -0.05,
-    "joins": -1.02,
-    "crossings": -0.87,
-    "exits": 1.61,
-    "uneven": -7.54,
-    "tight": -0.72,
-    "straight": 5.14,
-    "unlike": -5.89,
-    "parts": -2.93,
-    "upright": -3.70,
-    "colored": -4.10,
+    "always": 2.46,
+    "thin": -1.96,
+    "joins": -0.59,
+    "crossings": -0.59,
+    "exits": 1.11,
+    "uneven": -15.47,
+    "tight": -3.17,
+    "straight": 1.73,
+    "unlike": -3.46,
+    "parts": -1.27,
+    "upright": -1.06,
+    "colored": -2.69,
 }
-"""Log odds of being roads for each of what `likeness_facts` gives, fitted to 110 networks of
+"""Log odds of being roads for each of what `likeness_facts` gives, fitted to 149 networks of
 pictures without roads and 275 of drawings of roads, tests among them."""
-_UNLIKELY, _LIKELY, _NO_ROAD = -2.6, -1.6, 0.45
+_UNLIKELY, _LIKELY, _NO_ROAD = -2.1, -1.2, 0.45
 """Up to the first log odds roads have this confidence, from the second ones on any: left out of the
-fit, 4 of the 275 and 17 of the 24 that other rules leave sure without being roads are below."""
+fit, 5 of the 275 and 28 of the 49 that other rules leave sure without being roads are below."""
 _SLIM = 0.015
 """Lines thinner than this share of the picture's shorter side are thin."""
 _BLOT = 3.0
 """What is not so many times as long as wide, such as a parking lot, does not count in widths."""
 _LEAST_WIDTH = 2.0
-"""Turns are measured from width to width, but over so many pixels at least."""
+"""Turns are measured from width to width, and widths vary by a share of it: so many pixels at
+least."""
 _TIGHT, _STRAIGHT = 0.35, 0.02
 """Radians by which a line turns within a width where it is tight, and where it is straight."""
 
@@ -66,7 +66,9 @@ def likeness_facts(found: FoundNetwork, colored: bool) -> dict[str, float]:
     slender = np.where(lengths >= _BLOT * widths, lengths, 1e-9)
     usual = max(float(slender @ widths / slender.sum()), 1e-9)
     apart = np.log(np.maximum(widths, 0.5) / max(usual, 0.5))
-    deviations = [np.std(road.widths) / max(float(np.mean(road.widths)), 1.0) for road in roads]
+    deviations = [
+        np.std(road.widths) / max(float(np.mean(road.widths)), _LEAST_WIDTH) for road in roads
+    ]
     nodes = np.array([(road.start, road.end) for road in roads], np.intp)
     degree = np.bincount(nodes.ravel())
     free = degree[nodes] == 1
@@ -74,9 +76,8 @@ def likeness_facts(found: FoundNetwork, colored: bool) -> dict[str, float]:
     turns, along = _turns(roads, widths)
     length = max(float(along.sum()), 1.0)
     return {
-        "always": 1.0,
+        "always": 2.46,
         "thin": max(0.0, float(np.log(_SLIM * min(found.mask.shape) / usual))),
-        "dead ends": float(np.log1p(np.count_nonzero(free & ~rim))),
         "joins": float(np.log1p(np.count_nonzero(degree == 3))),
         "crossings": float(np.log1p(np.count_nonzero(degree > 3))),
         "exits": float(np.log1p(np.count_nonzero(free & rim))),
