@@ -164,6 +164,7 @@ LONG = '"' + "1" * 200_000 + '"'
         ("time,x,y,heading\n0,0,0,0\n1,inf,1,0\n", "`x` is `inf` in row 2"),
         ("time,x,y,heading\n0,0,0,0\n1,5,0\n", "row 2 has 3 columns, not 4"),
         ("{", "it is not the trace of a drive"),
+        pytest.param('{"a":' * 20_000, "it is not the trace of a drive", id="deeply nested"),
         ("time,x\n", "no column `time`"),
         pytest.param(LONG + "\n", "field larger than field limit", id="long word"),
         ("time,steering,acceleration\n", "it has no rows"),

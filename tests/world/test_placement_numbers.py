@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import pytest
 
-from roadlang import loads
+from roadlang import DiagnosticError, loads
 from roadlang.scenes.sampling import SamplingResult
 from tests.straight_road import STRAIGHT
 
@@ -72,3 +72,21 @@ def test_one_thing_is_not_compared_with_itself() -> None:
     text = STRAIGHT + "agent ego is car on main at 20m\nrequire r: distance(ego, ego) > 5m\n"
     (found,) = loads(text).check()
     assert "ego" in found.message
+
+
+@pytest.mark.parametrize("pair", ["cars[0], cars", "cars, cars[0]", "cars[1], cars"])
+@pytest.mark.parametrize(("number", "least"), [("distance", 15.0), ("gap", 10.5)])
+def test_a_member_is_not_compared_with_itself_in_its_group(
+    sample: Sample, pair: str, number: str, least: float
+) -> None:
+    row = STRAIGHT + "agent cars is car on main at 20m { count: 3, spacing: 15m }\n"
+    condition = f"{number}({pair})"
+    (scene,) = sample(row + f"require apart: {condition} > {least - 0.1}m\n").scenes
+    assert scene.requirements[0].robustness == pytest.approx(0.1)
+    with pytest.raises(DiagnosticError):
+        loads(row + f"require apart: {condition} > {least + 0.1}m\n").sample(1)
+
+
+def test_a_member_alone_in_its_group_is_far_from_all_others(sample: Sample) -> None:
+    text = STRAIGHT + "agent cars is car on main at 20m { count: 1 }\n"
+    assert len(sample(text + "require apart: distance(cars[0], cars) > 1km\n").scenes) == 1

@@ -67,7 +67,7 @@ def _of_trace(file: Path, text: str) -> dict[str, dict[str, Floats]]:
         document = json.loads(text)
         time, agents = document["time"], document["agents"]
         found = {name: {"time": time, **values} for name, values in agents.items()}
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise table_fault(file, "it is not the trace of a drive") from error
     try:
         return {

@@ -13,6 +13,7 @@ from ..evaluate.copies import CopyBatch
 from ..evaluate.evaluation import build
 from ..geometry.arrays import Floats
 from ..ir.batch import RoadBatch
+from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioNetwork
 from ..ir.values import Condition, Entity, PassCall, Value
 from ..plugins.guard import wrong_result
@@ -144,9 +145,10 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
             if entity.copy:
                 return placed_copy(actor, candidates, entity.copy)
             if getattr(candidates.scenario.kind(call)[1], "of_groups", False):
-                return candidates.once(
+                every = candidates.once(
                     ("all of", entity.name), lambda: placed(actor, candidates), inherited=False
                 )
+                return _without_named(every, entity, call, candidates)
             return placed_copy(actor, candidates, element)
         return EvaluatedRoad().resolve(entity, candidates)
 
@@ -163,6 +165,20 @@ def measured(call: PassCall, candidates: CandidateBatch, element: int = 0) -> Fl
         return values.reshape(-1, 1)
 
     return candidates.once(("number", call_key(call), element), make)
+
+
+def _without_named(
+    every: PlacedBatch, group: Entity, call: PassCall, candidates: CandidateBatch
+) -> PlacedBatch:
+    """All copies of a group but those that the call names by themselves: nothing is compared with
+    itself, as in `distance(cars[0], cars)`."""
+    named = candidates.scenario.dependencies.entities(call)
+    copies = {e.copy for e in named if e.name == group.name and e.copy}
+    if not copies:
+        return every
+    present = every.present.copy()
+    present[:, [copy - 1 for copy in copies if copy <= present.shape[1]]] = False
+    return replace(every, present=present)
 
 
 def _of_copies(call: PassCall, copies: CopyBatch) -> Floats:

@@ -72,7 +72,7 @@ class RoadNumber(Signal):
     verb: ClassVar[str] = "number"
     of_groups: ClassVar[bool] = False
     """a field that names a group holds all of its copies, (variants, copies), instead of the one
-    that a formula is judged for"""
+    that a formula is judged for; those that another field names by itself are not `present`"""
 
 
 class DriveSignal(Signal):
