@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 FAILURES, SAFE = "failures", "safe"
@@ -36,7 +37,9 @@ def run_name(number: int) -> str:
 
 
 def numbered_runs(folder: Path) -> list[Path]:
-    """The folders of runs in a folder, in order."""
+    """The folders of runs in a folder, in order; none where there is no such folder."""
+    if not os.path.isdir(folder):  # `glob` raises where a name is too long for a folder
+        return []
     names = ((path, path.name.removeprefix(_RUN)) for path in folder.glob(f"{_RUN}[0-9]*"))
     numbers = {path: int(name) for path, name in names if name.isdecimal() and path.is_dir()}
     return sorted(numbers, key=lambda path: (numbers[path], path))
