@@ -4,13 +4,16 @@ one."""
 from __future__ import annotations
 
 import math
+from xml.etree.ElementTree import Element, fromstring
 
 import numpy as np
 import pytest
 
+from roadlang import testing
 from roadlang.api import SceneConnection
 from roadlang.geometry import poses_along
 from roadlang.ir.scene_junctions import SceneLaneEnd
+from roadlang_formats.emit_opendrive import OpenDriveBackend
 from roadlang_formats.opendrive.connecting_roads import pieces_of
 
 START = (2.0, -1.0, 0.3)
@@ -56,3 +59,23 @@ def test_each_piece_begins_where_the_one_before_ends() -> None:
         pose = np.array([one.x, one.y, one.heading])
         after = poses_along(pose, (curvature, curvature), np.array([0.0, length]))[-1]
         assert (other.x, other.y, other.heading) == pytest.approx(tuple(after))
+
+
+def test_a_lane_with_its_own_limit_has_it_on_the_roads_that_lead_to_it() -> None:
+    """As the engine has it: the limit of a lane counts before that of its road."""
+    (scene,) = testing.sample(
+        'image plan from """\n...#...\n#######\n...#...\n""" { scale: 30m/px }\n'
+        "network town from plan { right: [drive(3.5m, speed_limit: 10m/s)], left: [drive(3.5m)],"
+        " speed_limit: 15m/s }\n"
+    )
+    document = fromstring(OpenDriveBackend().files(scene.record)["xodr"])
+    through = [road for road in document.iterfind("road") if road.attrib["junction"] != "-1"]
+    limits = {
+        (road.find("type/speed").attrib["max"], _lane_after(road))  # type: ignore[union-attr]
+        for road in through
+    }
+    assert limits == {("10", "-1"), ("15", "1")}
+
+
+def _lane_after(road: Element) -> str:
+    return next(link.attrib["id"] for link in road.iterfind(".//lane/link/successor"))

@@ -14,6 +14,7 @@ from roadlang.drive.standing import with_objects, without_objects
 from roadlang.ir.encoding import scene_from_json
 from roadlang.ir.scene import SceneActor
 from roadlang.ir.scene_junctions import SceneControl, SignalPhase
+from roadlang.ir.scene_road import SpeedZone
 from roadlang.ir.trace import AgentTrace, Trace
 
 ROAD = {
@@ -144,3 +145,14 @@ def test_what_turns_or_moves_is_no_object_that_stands() -> None:
     assert set(again.agents) == {"h", "d", "g"}
     assert again.agents["h"].x.tolist() == [1.0, 1.0, 1.0]
     assert again.agents["d"].heading.tolist() == time.tolist()
+
+
+def test_the_limit_of_a_lane_counts_before_those_of_the_zones_of_its_road() -> None:
+    road = replace(least().roads[0], speed_limit=9.0)
+    assert [road.limit_at(station) for station in (-1.0, 0.0, 99.0)] == [9.0] * 3
+    assert road.limit_at(0.0, 5.0) == 5.0
+    zones = (SpeedZone(0.0, None), SpeedZone(20.0, 8.0), SpeedZone(50.0, None))
+    zoned = replace(road, speed_limit=None, speed_zones=zones)
+    found = [zoned.limit_at(station) for station in (-1.0, 0.0, 19.9, 20.0, 49.0, 50.0)]
+    assert found == [None, None, None, 8.0, 8.0, None]
+    assert zoned.limit_at(30.0, 5.0) == 5.0

@@ -23,7 +23,6 @@ def _limit(scene: Scene, actor: SceneActor) -> float:
     road = next((road for road in scene.roads if road.name == actor.road), None)
     if road is None:
         return LanePlace.default_speed
-    lanes = [lane.speed_limit for lane in road.lane_list if lane.id == actor.lane]
-    zones = [zone.speed_limit for zone in road.zones() if zone.start <= (actor.start or 0.0)]
-    limits = [limit for limit in (*lanes, *zones[-1:]) if limit is not None]
-    return limits[0] if limits else LanePlace.default_speed
+    own = next((lane.speed_limit for lane in road.lane_list if lane.id == actor.lane), None)
+    limit = road.limit_at(actor.start or 0.0, own)
+    return LanePlace.default_speed if limit is None else limit

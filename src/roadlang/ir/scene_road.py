@@ -110,6 +110,13 @@ class SceneRoad(_OfRows):
         """At least one, the first from the start of the road."""
         return self.speed_zones or (SpeedZone(0.0, self.speed_limit),)
 
+    def limit_at(self, station: float, of_lane: float | None = None) -> float | None:
+        """m/s: the limit of a lane if it has its own (`of_lane`), else that of the road at an arc
+        length; None where nothing is said."""
+        zones = self.zones()
+        there = [zone.speed_limit for zone in zones if zone.start <= station or zone is zones[0]]
+        return there[-1] if of_lane is None else of_lane
+
     def cross_section(self) -> CrossSection:
         """The lanes as geometry has them, by arc length along this road.
 

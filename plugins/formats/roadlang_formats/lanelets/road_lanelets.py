@@ -123,8 +123,7 @@ def _crosses_itself(ring: Floats) -> bool:
 def _limit(surface: RoadSurface, first: int, last: int) -> float | None:
     """The speed limit of the road between two stations, m/s."""
     middle = (surface.stations[first] + surface.stations[last]) / 2.0
-    zones = surface.road.zones()
-    return [zone.speed_limit for zone in zones if zone.start <= middle or zone is zones[0]][-1]
+    return surface.road.limit_at(float(middle))
 
 
 def _add_part(

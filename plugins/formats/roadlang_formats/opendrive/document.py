@@ -145,14 +145,12 @@ def _heights(part: OpenDriveRoad) -> list[tuple[float, ...]]:
 
 
 def _speed(connecting: ConnectingRoad) -> float:
-    """The limit of the road that it leads to at the end where it joins, or else of its lane there,
-    else infinite."""
+    """The limit of the lane that it leads to at the end where it joins, infinite without one."""
     part, end = connecting.target.part, connecting.target.end
-    limit = part.road.zones()[0 if end == "start" else -1].speed_limit
-    if limit is None:
-        limit = next(
-            lane.speed_limit
-            for lane in part.section.lanes
-            if part.numbers.ids[lane.id] == connecting.target.lane
-        )
+    own = next(
+        lane.speed_limit
+        for lane in part.section.lanes
+        if part.numbers.ids[lane.id] == connecting.target.lane
+    )
+    limit = part.road.limit_at(0.0 if end == "start" else part.road.length, own)
     return np.inf if limit is None else limit

@@ -180,10 +180,8 @@ def _of_direction(section: CrossSection, forward: bool) -> Iterator[Lane]:
 
 
 def _speed(road: SceneRoad, lane: Lane, station: float) -> float:
-    zones = [zone.speed_limit for zone in road.zones() if zone.start <= station]
-    if lane.speed_limit is not None:
-        return lane.speed_limit
-    return SPEED if not zones or zones[-1] is None else zones[-1]
+    limit = road.limit_at(station, lane.speed_limit)
+    return SPEED if limit is None else limit
 
 
 def in_order(edges: Sequence[SumoEdge], forward: bool) -> list[SumoEdge]:
