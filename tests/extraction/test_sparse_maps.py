@@ -6,8 +6,9 @@ import cv2
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction.map_contrast import with_contrast
 from roadlang_standard.extraction.map_halos import are_written_alike
-from roadlang_standard.extraction.map_tones import LOSSY, with_contrast, without_jpeg_noise
+from roadlang_standard.extraction.map_tones import LOSSY, without_jpeg_noise
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import LIGHT, as_jpeg, drawn_map, shaped
 from tests.extraction.test_dark_maps import FAINT

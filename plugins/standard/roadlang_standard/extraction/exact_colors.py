@@ -33,6 +33,10 @@ _SAME_SHARE, _SAME_IN_ALL, _WINDOW = 0.01, 0.4, 1024
 so many pixels a side, and all of them on more than the other share."""
 _LAND, _PURE = 0.5, 5
 """Or it has one exactly on more than this share, which is off black and white by so much."""
+_SOME_LAND, _NEXT, _MOSTLY_FLAT = 0.35, 0.15, 0.55
+"""Or one exactly on more than the first share, but the colors next to it on less than the second
+share of that: paper, and what is even in a photo, has these just as often, but may have a margin of
+one color. A map has no texture on more than the third share."""
 _EACH, _ALL, _TINTED = 0.03, 0.3, 5
 """Or some that are off black and white, each on more than the first share and all of them on more
 than the second, and no shades of one color, but so many gray levels off those: what is flat in a
@@ -63,7 +67,9 @@ def has_exact_colors(image: Image) -> bool:
     even one that was saved as JPEG and is full of houses."""
     part = _middle(image)
     found = flat_colors(part)[:_COLORS]
-    if _is_lossless(part, found):
+    if _is_lossless(part, found) or (
+        _has_exact_land(part, found) and flatness(image) > _MOSTLY_FLAT
+    ):
         return True
     small = np.ascontiguousarray(thinned(image, _SAMPLE))
     colors = flat_colors(small)[:_COLORS]
@@ -119,6 +125,17 @@ def _is_lossless(part: Image, colors: list[NDArray[np.float64]]) -> bool:
     if sum(share for share, _ in frequent) <= _ALL:
         return False
     return float(np.ptp([tint for _, tint in frequent], axis=0).max()) > _TINTED
+
+
+def _has_exact_land(part: Image, colors: list[NDArray[np.float64]]) -> bool:
+    """Whether much of a picture has exactly one color, and hardly anything has one next to that:
+    JPEG keeps an even land so."""
+    for color in colors[:1]:
+        away = away_from(part, color)
+        same, beside = float((away == 0).mean()), float((away == 1).mean())
+        tinted = color.min() >= _PURE and color.max() <= 255 - _PURE
+        return bool(tinted and same > _SOME_LAND and beside < _NEXT * same)
+    return False
 
 
 def _near(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
+from .map_contrast import with_contrast
 from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
 from .map_lines import THIN, holes, parts_touching, short_parts
@@ -24,7 +25,6 @@ from .map_tones import (
     color_masks,
     flat_colors,
     tolerance_of,
-    with_contrast,
     without_jpeg_noise,
 )
 from .map_water import masks_without_water
@@ -71,26 +71,44 @@ def roads_of_map(
     """
     tolerance = tolerance_of(image)
     plain = without_jpeg_noise(image) if tolerance is LOSSY else image
-    raised = with_contrast(plain, tolerance)
-    return _roads_of_map(raised, tolerance, width, is_plan if raised is plain else None)
+    names = letters_of_map(plain, LARGER)
+    raised = with_contrast(plain, tolerance, names)
+    # Nobody draws with so little contrast as faint maps have.
+    may_be_plan = is_plan if raised is plain else None
+    return _roads_of_map(raised, _Lettered(plain, names), tolerance, width, may_be_plan)
+
+
+@dataclass(frozen=True)
+class _Lettered:
+    """A map (h, w, 3) before its contrast is raised, of which noise would become letters, and what
+    is written on it (h, w): on roads, names leave no even strips of their color."""
+
+    image: Image
+    names: Booleans
+
+    def letters(self, width: float) -> Booleans:
+        """What is written (h, w) where roads are usually so many pixels wide."""
+        return self.names if width <= LARGER else letters_of_map(self.image, width)
 
 
 def _roads_of_map(
-    image: Image, tolerance: Tolerance, width: float | None, is_plan: Callable[[], bool] | None
+    image: Image,
+    lettered: _Lettered,
+    tolerance: Tolerance,
+    width: float | None,
+    is_plan: Callable[[], bool] | None,
 ) -> FoundNetwork | None:
-    # Faint maps come without `is_plan`: nobody draws with so little contrast.
-    names = letters_of_map(image, LARGER)  # on roads they leave no even strips of their color
-    plain = without_letters(image, names)
+    plain = without_letters(image, lettered.names)
     colors = flat_colors(plain, tolerance)
-    lettered = _differing(plain, image)
-    if len(colors) < _COLORS or (len(colors) == _COLORS and lettered < LETTERED):
+    written = _differing(plain, image)
+    if len(colors) < _COLORS or (len(colors) == _COLORS and written < LETTERED):
         return None
     chosen, thin = chosen_roads(plain, colors, tolerance)
     if not chosen.roads:
         return None
     usual = chosen.width(lambda tone: tone.width)
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
-    letters = names if typical <= LARGER else letters_of_map(image, typical)
+    letters = lettered.letters(typical)
     shown = [tone.color for tone in chosen.tones]
     if is_plan is not None and _is_drawn(chosen, letters, len(shown), is_plan):
         return None

@@ -23,17 +23,6 @@ _LEVELS = 256 >> _BITS
 _BLOCK, _NOISY = 9, 0.26
 """Within a block of an edge, JPEG leaves noise on more than this share of what is even; farther
 from edges it may leave none."""
-_SAME_TONE, _MARKED, _FAINT, _CLEAR, _MOST_STRETCH = 3, 0.9, 20, 60, 3.0
-"""A map is faint where what differs from its land by more than the first, in gray levels, does so
-by no more than the third in the share of the second; that share is to differ by the fourth, but
-contrast is not raised by more than the last factor."""
-_BROAD, _MARKED_THIN = 11, 0.75
-"""So is one where that holds, in the second share, of what holds no square of so many pixels: a
-river or woods of full contrast leave the streets as faint as they are."""
-_FAINT_LOSSY, _THIN_LOSSY = 50, 30
-"""JPEG's noise gets more contrast, too: it is raised only where all that differs, and all of it
-that is thin, is off a gray land by no more gray levels in the share of the second: the colors of
-parks would part into several."""
 _ROUNDS, _NEAR, _NOISE, _REACH = 2, 7, 10.0, 2.0
 """A JPEG is smoothed so often, by neighbors in squares of so many pixels that differ by about so
 many gray levels and are about so many pixels away: edges of streets differ by more."""
@@ -160,35 +149,6 @@ def without_jpeg_noise(image: Image) -> Image:
     for _ in range(_ROUNDS):
         smooth = cv2.bilateralFilter(smooth, _NEAR, _NOISE, _REACH)
     return np.asarray(smooth)
-
-
-def with_contrast(image: Image, tolerance: Tolerance = EXACT) -> Image:
-    """A map (h, w, 3), with more contrast about its land where it has little: lines that differ
-    from it by ten gray levels have no edges of a mixed color else.
-
-    JPEG's noise gets more, too: there, all of the map is to be faint.
-    """
-    land = flat_colors(image)[:1]
-    if not land:
-        return image
-    away = away_from(image, land[0])
-    differing = (away > _SAME_TONE).astype(np.uint8)
-    broad = cv2.morphologyEx(differing, cv2.MORPH_OPEN, np.ones((_BROAD, _BROAD), np.uint8))
-    thin = away[differing > broad]
-    if not thin.size:
-        return image
-    whole, most, usual = (
-        float(np.quantile(seen, share))
-        for seen, share in ((away[differing > 0], _MARKED), (thin, _MARKED), (thin, _MARKED_THIN))
-    )
-    differs = min(whole, usual)
-    is_faint = differs <= _FAINT
-    if tolerance.is_lossy:
-        is_faint = whole <= _FAINT_LOSSY and most <= _THIN_LOSSY and is_faint and is_gray(land[0])
-    if not is_faint:
-        return image
-    stretch = min(_MOST_STRETCH, _CLEAR / differs)
-    return np.clip(land[0] + (image - land[0]) * stretch, 0, 255).round().astype(np.uint8)
 
 
 def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:

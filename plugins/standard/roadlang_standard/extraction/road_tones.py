@@ -27,7 +27,7 @@ _VERY_STEADY, _FEW_RIBBONS = 0.9, 0.6
 _PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
 """The same of black, gray and white: wide and narrow roads have it where a map has one color for
 all."""
-_SATURATED, _WARM, _WARM_STEADY = 0.22, (70 / 360, 320 / 360), 0.12
+_SATURATED, _WARM, _WARM_STEADY = 0.22, (70 / 360, 320 / 360), 0.08
 """Main roads are often at least so saturated and of hues not between these; such tones may keep
 their width along less of their surface."""
 _ALSO_EVEN = 0.4
