@@ -60,6 +60,7 @@ def test_what_somebody_said_to_be_roads_is_not_judged() -> None:
 def test_each_sign_is_what_it_says() -> None:
     facts = likeness_facts(_network(*_tree()), colored=True)
     assert list(facts) == list(LIKENESS)
+    assert facts["always"] == 1.0
     assert facts["crossings"] == pytest.approx(np.log1p(5))
     assert facts["joins"] == facts["exits"] == facts["tight"] == 0.0
     assert facts["unlike"] == pytest.approx(0.0)

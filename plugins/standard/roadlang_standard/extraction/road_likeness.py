@@ -76,7 +76,7 @@ def likeness_facts(found: FoundNetwork, colored: bool) -> dict[str, float]:
     turns, along = _turns(roads, widths)
     length = max(float(along.sum()), 1.0)
     return {
-        "always": 2.46,
+        "always": 1.0,
         "thin": max(0.0, float(np.log(_SLIM * min(found.mask.shape) / usual))),
         "joins": float(np.log1p(np.count_nonzero(degree == 3))),
         "crossings": float(np.log1p(np.count_nonzero(degree > 3))),
