@@ -21,6 +21,7 @@ from .hints import leave_out, paint, paths_through
 from .hysteresis import hysteresis
 from .linking import link
 from .masks import without_holes, without_specks
+from .negative import exposures
 from .photo_evidence import Seen, look, typical_width
 from .road_net import Net, road_net
 from .scale import resized, view_scales
@@ -114,7 +115,8 @@ def roads_of_photo(
     """The road network of a photo (h, w, 3)."""
     net = net or road_net()
     scales = view_scales(image, request.meters_per_pixel)
-    views = [_view(image, scale, request, net) for scale in scales]
+    looks = exposures(image)
+    views = [_view(look, scale, request, net) for look in looks for scale in scales]
     # A smaller view has to show roads more clearly: the net misses narrow roads in it.
     return max(views, key=lambda found: found.confidence)
 

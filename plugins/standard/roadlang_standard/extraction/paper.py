@@ -16,6 +16,7 @@ from .found_network import FoundNetwork
 from .grain import without_grain
 from .hysteresis import hysteresis
 from .masks import roads_of_surface
+from .pale_spots import pale_spots
 from .ruling import without_ruling
 from .sheet_outline import sheet_outline
 from .skeleton import skeleton
@@ -44,6 +45,9 @@ _MOST_INK = 0.2
 _TOP, _STRONG, _WEAK = 0.02, 0.7, 0.45
 """The darkest strokes, a share of all; ink is at least so dark as they are, and goes on while it is
 at least a little less dark: ruled lines are lighter."""
+_SNOW, _FEW_SPOTS, _DOUBTED = 40, 12, 0.5
+"""More pale spots than the first are trees and houses in snow; so are more than the second where
+no road is surer than the third."""
 _SHORTEST, _LITTLE = 0.12, 0.3
 """Shares of the shorter side: shorter strokes are letters; less in all is no road."""
 
@@ -114,7 +118,20 @@ def roads_on_paper(
     sheet = sheet or sheet_of(image, textured=textured)
     if sheet is None:
         return None
-    marked = _strokes(sheet)
+    least = max(_NOISE * sheet.noise, _FAINTEST)
+    ink = without_ruling(sheet.ink, least)
+    spots = pale_spots(ink, least, sheet.noise)
+    if spots > _SNOW:
+        return None
+    found = _roads_of_ink(ink, least, width)
+    if found is None or (spots > _FEW_SPOTS and found.confidence < _DOUBTED):
+        return None
+    return found
+
+
+def _roads_of_ink(ink: Layer, least: float, width: float | None) -> FoundNetwork | None:
+    """The roads of the ink (h, w) of a sheet; None if there is too much of it."""
+    marked = _strokes(ink, least)
     if not marked.any():
         remark = "no line on the paper is long enough to be a road"
         return FoundNetwork(np.zeros((0, 2)), (), marked, "paper", (remark,))
@@ -158,10 +175,8 @@ def _carried_on(image: Image, seen: Booleans) -> Image:
     return np.asarray(colors[nearest])
 
 
-def _strokes(sheet: Sheet) -> Booleans:
-    """Where long strokes are (h, w)."""
-    least = max(_NOISE * sheet.noise, _FAINTEST)
-    ink = without_ruling(sheet.ink, least)
+def _strokes(ink: Layer, least: float) -> Booleans:
+    """Where long strokes of the ink (h, w) are."""
     seen = ink[ink > least]
     if not len(seen):
         return np.zeros(ink.shape, bool)

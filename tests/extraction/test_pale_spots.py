@@ -1,0 +1,47 @@
+"""A photo of snow is no sheet of paper: trees and houses are paler than ink, and many."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from benchmarks.extraction.conditions import snow
+from roadlang.ir.picture import Picture
+from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.pale_spots import pale_spots
+from roadlang_standard.extraction.paper import roads_on_paper
+from tests.extraction.paper_drawings import drawn, photographed, ruled, sheet, wave
+from training.rendering.aerial import render_aerial
+
+
+@pytest.mark.parametrize("plan", ["suburb", "village"])
+def test_a_photo_of_snow_is_read_as_a_photo(plan: str) -> None:
+    rendering = render_aerial(plan, 88001, 512)
+    image = snow(rendering, 1, deep=0.99)
+    assert Auto().extract(Picture(image, 1.0)).remarks[0] == "read as a photo"
+
+
+def test_colored_fields_and_printed_lines_are_still_paper() -> None:
+    colored = sheet()
+    rng = np.random.default_rng(2)
+    for _ in range(14):
+        x, y = (int(value) for value in rng.uniform((30, 30), (450, 330)))
+        cv2.circle(colored, (x, y), int(rng.uniform(10, 40)), (190, 220, 205), -1, cv2.LINE_AA)
+    for image in (colored, ruled(sheet(), squared=True)):
+        found = roads_on_paper(photographed(drawn(image, wave(), 4)))
+        assert found is not None
+        assert len(found.roads) == 1
+
+
+def test_spots_are_broad_paler_than_ink_and_away_from_it() -> None:
+    ink = np.zeros((100, 100), np.float32)
+    assert pale_spots(ink, 0.1, 0.01) == 0
+    ink[50:53] = 0.8
+    ink[10] = 0.3
+    ink[53:58, 10:20] = 0.3
+    assert pale_spots(ink, 0.1, 0.01) == 0
+    for x in (10, 40, 70):
+        ink[70:80, x : x + 10] = 0.3
+    assert pale_spots(ink, 0.1, 0.01) == 3
+    assert pale_spots(ink, 0.1, 0.2) == 0
