@@ -24,9 +24,9 @@ from benchmarks.extraction.calibration import (
     Samples,
     by_road,
     by_stretch,
-    fitted,
     joined,
     samples_of,
+    shrunk,
     stated_when_left_out,
 )
 from benchmarks.extraction.scores import Case
@@ -44,8 +44,8 @@ def main() -> None:
     told = parser.parse_args()
     cv2.setNumThreads(1)
     samples, sources = _read(told.manifests)
-    print(", ".join(f"{n} {v:.3f}" for n, v in zip(NAMES, fitted(samples), strict=True)))
-    sure = [stated_when_left_out(samples, seed) for seed in _SEEDS]
+    print(", ".join(f"{n} {v:.3f}" for n, v in zip(NAMES, shrunk(samples), strict=True)))
+    sure = [stated_when_left_out(samples, seed, shrunk) for seed in _SEEDS]
     everything = np.ones(len(samples.length), bool)
     _print("all sources", samples, sure, everything)
     for index, source in enumerate(sources):

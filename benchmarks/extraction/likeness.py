@@ -83,7 +83,7 @@ def report(judged: list[Judged]) -> None:
     kinds = {"roads": is_roads, "none": ~is_roads, "none, sure": ~is_roads & sure}
     print("below   " + "".join(f"{name:>12s}" for name in kinds))
     print("of      " + "".join(f"{np.count_nonzero(kind):12d}" for kind in kinds.values()))
-    believed = stated_when_left_out(samples, 0, ridge)
+    believed = stated_when_left_out(samples, 0, lambda rest: fitted(rest, ridge))
     odds = np.log(believed / np.maximum(1 - believed, 1e-12))
     for least in _ODDS:
         counts = [np.count_nonzero(odds[kind] < least) for kind in kinds.values()]

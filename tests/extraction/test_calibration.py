@@ -14,6 +14,7 @@ from benchmarks.extraction.calibration import (
     fitted,
     joined,
     samples_of,
+    shrunk,
     stated,
     stated_when_left_out,
 )
@@ -57,6 +58,12 @@ def test_photos_that_are_left_out_have_no_say() -> None:
     before, after = (stated_when_left_out(one, 0) for one in (samples, worse))
     assert (before[there] == after[there]).all()
     assert after[~there].mean() < before[~there].mean()
+
+
+def test_what_is_fitted_to_few_points_is_drawn_together() -> None:
+    few = [drawn(120, seed) for seed in range(8)]
+    assert np.mean([shrunk(s)[1] for s in few]) < 0.95 * np.mean([fitted(s)[1] for s in few])
+    assert shrunk(drawn()) == pytest.approx(fitted(drawn()), abs=0.05)
 
 
 def test_bands_weigh_by_length() -> None:

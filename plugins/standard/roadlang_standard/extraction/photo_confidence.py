@@ -13,11 +13,11 @@ from roadlang.geometry import Floats
 from .connected_roads import connected_parts
 from .found_network import FoundNetwork, FoundRoad
 
-_LEAST, _EVIDENCE, _WIDE = 0.635, 0.599, -0.477
+_LEAST, _EVIDENCE, _WIDE = 0.882, 0.466, -0.371
 """Log odds of being right: without anything, for each log odd of the evidence, and for each ten
 pixels of width beyond `_NARROW`. `python -m benchmarks.extraction.confidence` fits them; these are
 of 26 photos at 1 m/px and 25 of towns."""
-_ONLY = -1.6
+_ONLY = -1.9
 """For full doubt: of what is alone where the picture shows nothing else, and of all roads where all
 are faint. Not fitted, for those photos show roads: in a picture without them, lines are faint."""
 _NARROW = 12.0
@@ -27,7 +27,7 @@ _SHORT, _SIDE = 1.15, 512
 a larger picture, only this many pixels of its side count."""
 _CLEAR, _FAINT = 0.8, 0.5
 """Mean evidence from which on what is alone is not doubted, and at which it is doubted in full."""
-_CLEAR_IN_ALL, _FAINT_IN_ALL = 0.72, 0.55
+_CLEAR_IN_ALL, _FAINT_IN_ALL = 0.66, 0.52
 """The same for all roads of a picture: of 36 photos with roads, two were below the second one, both
 wrong on more than half of the length that was found."""
 _MANY, _MEET = 8, 0.1
