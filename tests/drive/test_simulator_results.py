@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,9 +14,18 @@ import pytest
 from roadlang import DiagnosticError, testing
 from roadlang.api import Controller, Scene, Simulator, option
 from roadlang.drive.batches import DriveTask
-from roadlang.drive.simulators import drive_scenes, embedded_engine, engine_settings, simulator_call
+from roadlang.drive.simulators import (
+    drive_scenes,
+    embedded_engine,
+    engine_settings,
+    scenes_at_once,
+    simulator_call,
+)
 from roadlang.plugins.entry_points import Origin
 from roadlang.plugins.registry import BrokenPlugin, Registry
+from roadlang.search.worker_pool import WorkerPool, Workers
+from roadlang.session import drives_in_parts
+from roadlang.simulation.vehicles import compiled
 
 SCENE = testing.sample("""
 road main { draw with waypoints { points: [(0m, 0m), (80m, 0m)] } }
@@ -121,3 +131,60 @@ def test_workers_share_scenes_evenly_but_take_no_more_than_the_simulator_does_at
     scenes: int, workers: int, parts: list[range]
 ) -> None:
     assert DriveTask(REGISTRY, "faulty").parts([SCENE] * scenes, workers) == parts
+
+
+@pytest.mark.parametrize(
+    ("scenes", "few", "first", "others"),
+    [
+        (9, 2, range(2), [range(2, 5), range(5, 8), range(8, 9)]),
+        (9, 3, range(0), [range(3), range(3, 6), range(6, 9)]),  # as many as in one call
+        (2, 2, range(0), [range(1), range(1, 2)]),
+        (0, 2, range(0), []),
+    ],
+)
+def test_the_first_scenes_are_a_part_where_the_simulator_drives_more_at_once(
+    scenes: int, few: int, first: range, others: list[range]
+) -> None:
+    task = DriveTask(REGISTRY, "faulty")
+    assert task.first_part([SCENE] * scenes, few) == first
+    assert task.parts([SCENE] * scenes, 2, len(first)) == others
+
+
+def test_the_first_simulator_drives_many_scenes_at_once() -> None:
+    assert scenes_at_once(with_simulators("faulty"), None) == 3
+    assert scenes_at_once(REGISTRY, "builtin") == 64
+
+
+class Quick(Faulty):
+    """Drive many in one call."""
+
+    name: ClassVar[str] = "quick"
+    at_once: ClassVar[int] = 64
+
+
+@pytest.mark.parametrize(
+    ("scenes", "calls"), [(127, [[64, 63]]), (130, [[8], [61, 61]]), (0, [[]]), (1, [[1]])]
+)
+def test_a_few_of_many_scenes_are_driven_before_processes_are_forked(
+    scenes: int, calls: list[list[int]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    handed_out: list[list[int]] = []
+
+    class Pool(WorkerPool[Any]):
+        will_fork = True
+
+        def map(self, work: Any, jobs: Any, fewest: int = 2) -> Iterator[Any]:
+            handed_out.append([len(job) for job in jobs])
+            yield from (work(self.state, job) for job in jobs)
+
+    monkeypatch.setattr(drives_in_parts, "WorkerPool", Pool)
+    monkeypatch.setattr(compiled, "expect", lambda times: None)
+    task = DriveTask(testing.registry_with(Quick), "quick")
+    numbered: Any = [SimpleNamespace(record=replace(SCENE, index=n)) for n in range(scenes)]
+    found = [
+        drive
+        for part in drives_in_parts.drive_in_parts(numbered, task, Workers(2))
+        for drive in part
+    ]
+    assert [drive.scene.record.index for drive in found] == [*range(scenes)]
+    assert handed_out == calls

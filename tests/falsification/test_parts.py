@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.diagnostics import Code, Diagnostic, DiagnosticError, diagnose
+from roadlang.falsification import search_loop
 from roadlang.falsification.axes import _ascending, _coordinate
 from roadlang.falsification.distinct import DistinctFailures
 from roadlang.falsification.evaluator import Evaluator, Proposal, _is_of_draws
@@ -208,6 +210,10 @@ class Pool:
 
     def __init__(self) -> None:
         self.sizes: list[list[int]] = []
+        scenario = SimpleNamespace(simulate=SimpleNamespace(kind="slow"))
+        self.state = SimpleNamespace(
+            task=SimpleNamespace(scenario=scenario, registry=None, engine=None)
+        )
 
     @property
     def will_fork(self) -> bool:
@@ -219,15 +225,22 @@ class Pool:
             yield np.zeros(len(job)) if work is Evaluator.screen else [driven(p.index) for p in job]
 
 
-def test_a_few_candidates_are_driven_before_processes_are_forked() -> None:
+@pytest.mark.parametrize(("at_once", "first"), [(64, [[8], [16, 16]]), (8, [[20, 20]])])
+def test_a_few_candidates_are_driven_before_processes_are_forked(
+    at_once: int, first: list[list[int]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Unless each of them takes long."""
     pool: Any = Pool()
+    monkeypatch.setattr(
+        search_loop, "scenes_at_once", lambda registry, engine: {"slow": at_once}[engine]
+    )
     assert len(_screened(np.zeros((40, 1)), pool)) == 40
     for start in (0, 40):
         proposals = [Proposal(index, (0.5,)) for index in range(start, start + 40)]
         found = list(_evaluated(proposals, pool, NoJournal()))
         assert [outcome.index for outcome in found] == [*range(start, start + 40)]
     assert len(_screened(np.zeros((40, 1)), pool)) == 40
-    assert [sizes for sizes in pool.sizes if sizes] == [[40], [8], [16, 16], [20, 20], [20, 20]]
+    assert [sizes for sizes in pool.sizes if sizes] == [[40], *first, [20, 20], [20, 20]]
 
 
 ODD = diagnose(Code.DEGENERATE_ROAD, name="main")

@@ -201,7 +201,7 @@ class RunBatch:
     ) -> None:
         """Drive what is not finished, write and print it as it comes, and count all. `origin`: what
         stands for all that the drives depend on, and the text of `provenance.json`."""
-        from ..session.drives import drive_in_parts
+        from ..session.drives_in_parts import drive_in_parts
         from ..session.run_files import RunFolder
         from .drive_lines import print_drive
         from .progress import ProgressBar

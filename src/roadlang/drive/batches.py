@@ -33,12 +33,20 @@ class DriveTask:
             places=self.places,
         )
 
-    def parts(self, scenes: Sequence[Scene], workers: int) -> list[range]:
-        """The places of scenes in parts, each of which a worker drives together."""
+    def first_part(self, scenes: Sequence[Scene], few: int) -> range:
+        """The places of the first `few` scenes, where there are more and the simulator drives more
+        than those in one call; else none."""
         if not scenes:
+            return range(0)
+        _, simulator = simulator_of(scenes[0], self.registry, self.engine, self.options)
+        return range(few if few < min(simulator.at_once, len(scenes)) else 0)
+
+    def parts(self, scenes: Sequence[Scene], workers: int, start: int = 0) -> list[range]:
+        """The places of scenes from `start` on in parts, each of which a worker drives together."""
+        if not scenes[start:]:
             return []
         _, simulator = simulator_of(scenes[0], self.registry, self.engine, self.options)
-        share = -(-len(scenes) // max(workers, 1))
+        share = -(-(len(scenes) - start) // max(workers, 1))
         size = max(1, min(simulator.at_once, share))
-        starts = range(0, len(scenes), size)
-        return [range(start, min(start + size, len(scenes))) for start in starts]
+        starts = range(start, len(scenes), size)
+        return [range(first, min(first + size, len(scenes))) for first in starts]

@@ -70,6 +70,15 @@ def _first_engine(registry: Registry) -> str:
     return first.qualified
 
 
+def scenes_at_once(registry: Registry, engine: str | None) -> int:
+    """The greatest number of scenes that the simulator called `engine`, else the first there is,
+    drives in one call. Raises as `simulator_call`."""
+    entry = entry_of(registry, "simulate", engine or _first_engine(registry))
+    with plugin_guard(entry, None):
+        kind: Any = entry.load()
+    return int(kind.at_once)
+
+
 def engine_settings(registry: Registry) -> EngineSettings:
     """How the embedded engine drives, for who steps it.
 

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..drive.simulators import scenes_at_once
 from ..geometry.arrays import Floats
 from ..plugins.kinds import Axis
 from ..search.worker_pool import WorkerPool
 from .distinct import DistinctFailures
-from .evaluator import Evaluator, Proposal
+from .evaluator import Evaluator, Proposal, Task
 from .grading import Grading
 from .islands import Islands
 from .journal import Journal
@@ -105,11 +106,19 @@ def _handed_out(
     proposals: Sequence[Proposal], pool: WorkerPool[Evaluator]
 ) -> Iterator[list[Outcome]]:
     """The outcomes of parts of the proposals. Before processes are forked a few are evaluated here,
-    so that what drives them is loaded once for all."""
-    few = FEWEST_AT_ONCE if pool.will_fork else 0
+    so that what drives them is loaded once for all; not by a simulator that drives only a few in
+    one call, as those do that take long or are programs of their own."""
+    is_worth_it = pool.will_fork and _scenes_at_once(pool.state.task) > FEWEST_AT_ONCE
+    few = FEWEST_AT_ONCE if is_worth_it else 0
     for some, workers in ((proposals[:few], 1), (proposals[few:], pool.workers)):
         parts = [some[part] for part in equal_parts(len(some), workers)]
         yield from pool.map(Evaluator.evaluate, parts)
+
+
+def _scenes_at_once(task: Task) -> int:
+    """How many scenes the simulator of a search drives in one call."""
+    stated = task.scenario.simulate
+    return scenes_at_once(task.registry, task.engine or (None if stated is None else stated.kind))
 
 
 def equal_parts(candidates: int, workers: int) -> list[slice]:

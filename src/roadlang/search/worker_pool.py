@@ -49,7 +49,8 @@ class WorkerPool(Generic[State]):
     """
 
     def __init__(self, state: State, workers: Workers = ALONE) -> None:
-        self._state = state
+        self.state = state
+        """what the jobs share, as it is here"""
         self._count = max(1, workers.jobs)
         self._cluster = workers.executor
         self._processes: WorkerProcesses | None = None
@@ -83,16 +84,16 @@ class WorkerPool(Generic[State]):
         again and again.
         """
         if self._cluster is not None:
-            shared = _Shared(self._state)
+            shared = _Shared(self.state)
             submit = partial(self._cluster.submit, _run_shared, shared, work)
             yield from results_in_order(submit, jobs, self._count)
         elif self._count == 1 or len(jobs) < fewest:
-            yield from (work(self._state, job) for job in jobs)
+            yield from (work(self.state, job) for job in jobs)
         else:
             if self._processes is None:
                 from .worker_processes import WorkerProcesses
 
-                self._processes = WorkerProcesses(self._state, self._count)
+                self._processes = WorkerProcesses(self.state, self._count)
             yield from self._processes.map(work, jobs)
 
 

@@ -10,7 +10,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
 from ..diagnostics import arguments
-from ..drive.batches import DriveTask
 from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
 from ..drive.standing import without_objects
@@ -21,7 +20,6 @@ from ..ir.result_columns import OF_DRIVES, robustness_column, value_columns
 from ..judging.badness import badness, says_how_near
 from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
 from ..judging.robustness_series import robustness_series
-from ..search.worker_pool import ALONE, WorkerPool, Workers
 from .expectations import Expectation, expectations_of
 from .tables import columns_of, frame_of
 
@@ -55,22 +53,6 @@ def drive(
     return DriveSet(
         Drive(scene, found, places) for scene, found in zip(scenes, driven, strict=True)
     )
-
-
-def drive_in_parts(
-    scenes: Sequence[Scene],
-    task: DriveTask,
-    workers: Workers = ALONE,
-) -> Iterator[DriveSet]:
-    """The drives of parts of the scenes, in order, each part as soon as it and those before it are
-    done."""
-    each = [scene.record for scene in scenes]
-    parts = task.parts(each, workers.jobs)
-    records = [[each[number] for number in part] for part in parts]
-    with WorkerPool(task, workers) as pool:
-        for part, driven in zip(parts, pool.map(DriveTask.drive, records), strict=True):
-            pairs = zip(part, driven, strict=True)
-            yield DriveSet(Drive(scenes[number], found, task.places) for number, found in pairs)
 
 
 class Drive:
