@@ -290,7 +290,10 @@ func _are_all_told() -> bool:
 
 
 func _all_at_end() -> bool:
+	var any_on_road := false
 	for member in _members:
-		if member.agent.path != null and not member.agent.at_end():
-			return false
-	return not _members.is_empty()
+		if member.agent.path != null:
+			any_on_road = true
+			if not member.agent.at_end():
+				return false
+	return any_on_road

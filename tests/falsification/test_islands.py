@@ -80,6 +80,14 @@ def numbers(proposals: Sequence[Proposal]) -> list[tuple[int, float | None]]:
     return [(p.index, None if p.is_random else p.point[0]) for p in proposals]
 
 
+def test_searches_without_a_first_point_are_a_fault_of_the_searcher() -> None:
+    found = islands(Rise(left=0), islands=2)
+    with pytest.raises(DiagnosticError, match="gave no points to begin with") as caught:
+        found.ask(0, 12)
+    assert caught.value.diagnostics[0].code == "RL474"
+    assert found.ask(12, 12) == []  # later it is the end of the search
+
+
 def test_every_search_gives_a_batch_and_the_last_one_what_is_left() -> None:
     searcher = Rise(size=3)
     found = islands(searcher, islands=2)
@@ -104,7 +112,6 @@ def test_the_random_share_is_drawn_by_the_number_of_the_candidate() -> None:
 @pytest.mark.parametrize(
     ("left", "random", "given"),
     [
-        (0, 0.0, []),
         (2, 0.0, [(0, 0.0), (1, 0.001)]),
         (4, 0.25, [(0, 0.0), (1, 0.001), (2, 0.002), (3, None), (4, 0.003)]),
         (3, 0.25, [(0, 0.0), (1, 0.001), (2, 0.002)]),  # no random one after the last

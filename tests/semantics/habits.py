@@ -400,6 +400,8 @@ HABITS = [
         "a network is made from an image",
         None,
     ),
+    ('scenario until "A bend"', "RL011", "choose another name", None),
+    (f"require since: always {GENTLE}", "RL011", "choose another name", None),
     ("param paved = choice(asphalt, 9m)", "RL101", '`"asphalt"`', None),
     ("param wet = choice(9m, wet)", "RL104", '`"wet"`', None),
     (EGO + "agent c is car at right_of(ego)", "RL225", "`beside(ego, right)`", None),

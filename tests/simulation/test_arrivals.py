@@ -50,6 +50,25 @@ def test_who_begins_at_the_end_of_its_road_stays() -> None:
     assert (one.trace.agents["walker"].present == 1.0).all()
 
 
+LOOSE = "agent NAME is car at (0m, PLACE) { drive with lane_follow { speed: 5m/s } }\n"
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_where_nobody_is_on_a_road_time_ends_the_drive(count: int) -> None:
+    cars = [LOOSE.replace("NAME", f"car{i}").replace("PLACE", f"{9 * i}m") for i in range(count)]
+    ((one,)) = testing.sample("".join(cars), 1).run("builtin", duration=3.0)
+    assert one.trace.agents["car0"].time[-1] == pytest.approx(3.0)
+    assert one.trace.agents["car0"].x[-1] > 5.0
+
+
+def test_who_is_on_no_road_does_not_hold_up_the_end() -> None:
+    text = ROW.replace("KIND", "lane_follow { speed: 36km/h }") + LOOSE.replace(
+        "NAME", "other"
+    ).replace("PLACE", "50m")
+    ((one,)) = testing.sample(text, 1).run("builtin", duration=30.0)
+    assert one.trace.agents["other"].time[-1] < 12.0
+
+
 def test_the_distance_to_who_has_left_is_infinite() -> None:
     ((one,)) = driven("traffic")
     trace = one.trace

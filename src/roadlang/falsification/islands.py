@@ -37,7 +37,7 @@ class Islands:
 
     def ask(self, first: int, most: int) -> list[Proposal]:
         """The candidates of the next round, at most `most`, numbered from `first`; none where all
-        searches have come to their ends."""
+        searches have come to their ends. Raises RL474 where not one begins."""
         self._pending = []
         proposals: list[Proposal] = []
         for search in self._searches:
@@ -52,6 +52,9 @@ class Islands:
             chosen = dict(zip(searched, points.tolist(), strict=True))
             self._pending.append((search, [index - first for index in searched], points))
             proposals += (self._proposal(index, chosen.get(index)) for index in range(start, end))
+        if not proposals and first == 0:
+            fault = "gave no points to begin with"
+            raise wrong_result(self._plan.entry, self._plan.span, fault)
         return proposals
 
     def tell(self, outcomes: Sequence[Outcome], values: Floats) -> None:

@@ -45,11 +45,14 @@ class Arrivals:
 
 def all_arrived(at_end: Booleans, has_road: Booleans, filled: Booleans, slots: int) -> Booleans:
     """(..., S) scenes of `slots` agents (..., N) each in which every one with a road is at its
-    end."""
-    there: Booleans = at_end | (~has_road | ~filled)
+    end; not those of agents without any road, which drive on."""
+    there: Booleans = at_end | ~(has_road & filled)
     if slots == 1:
-        return there
-    return np.asarray(there.reshape(*there.shape[:-1], -1, slots).all(axis=-1))
+        return np.asarray(there & (has_road | ~filled))
+    arrived = there.reshape(*there.shape[:-1], -1, slots).all(axis=-1)
+    roadless = filled.reshape(-1, slots).any(axis=-1)
+    roadless &= ~(has_road & filled).reshape(-1, slots).any(axis=-1)
+    return np.asarray(arrived & ~roadless)
 
 
 def _stop_lines(scene: Scene) -> dict[Lane, list[float]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...diagnostics import Code, Fix, diagnose
+from ..words import RESERVED_KINDS
 from .error_position import Edit, ErrorPosition, Mistake
 from .statement_habits import OPENSCENARIO
 from .token_names import finding
@@ -230,6 +231,8 @@ def title_of_scenario(place: ErrorPosition) -> Mistake | None:
     """`scenario "A bend"` and `scenario hairpin A bend`; `scenario sut.cut_in:` of OpenSCENARIO."""
     if place.first_kind != "SCENARIO" or place.index not in (1, 2):
         return None
+    if place.index == 1 and place.kind() in RESERVED_KINDS:
+        return None  # a name that is taken
     if place.index == 2 and place.word() in (".", ":", "(", "inherits"):
         return unexpected(place, OPENSCENARIO, hopeless=True)
     return unexpected(place, 'a scenario has a name and a title: `scenario hairpin "A bend"`')

@@ -83,8 +83,8 @@ def missing_name(place: ErrorPosition) -> Mistake | None:
         return None
     if place.kind() in ("EQUAL", "NAME", END) or (place.kind() == "WITH" and place.index == 2):
         return None
-    if place.index == 1 and (place.kind(), place.kind(1)) == ("WITH", "COLON"):  # a name like that
-        return None
+    if place.index == 1 and place.kind() in RESERVED_KINDS and place.kind(1) == "COLON":
+        return None  # a name like that
     if place.index == 2 and (place.kind() in ("COLON", "STRING", "NUMBER") or _word_then(place)):
         return None
     statement = place.tokens[0]
