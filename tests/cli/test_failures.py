@@ -216,6 +216,15 @@ class TestRefused:
         shutil.copy(failure, "alone.json")
         assert self.refused(command, "alone.json", code="RL722", capsys=capsys) == 2
 
+    def test_a_scene_file(
+        self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        Path("some.rl").write_text("road main {}")
+        assert run([command, "some.rl"]) == 2
+        written = capsys.readouterr().err
+        assert "RL722" in written
+        assert "`roadlang falsify some.rl -o DIR` searches for failures" in written
+
     def test_a_safe_scene(
         self, command: str, failure: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:

@@ -18,7 +18,7 @@ from ..diagnostics import (
     did_you_mean,
     page,
 )
-from ..ir.result_files import FAILURES, is_scene_file_name, numbered_scenes
+from ..ir.result_files import FAILURES, SCENARIO, is_scene_file_name, numbered_scenes
 from .commands import COMMANDS
 from .console import echo, style
 from .named_kinds import kinds_text, named_kinds, other_names
@@ -52,7 +52,7 @@ def command(words: tuple[str, ...], scene_file: str | None) -> None:
     and which random values matter, one at a time and in pairs.
     """
     wanted = " ".join(words)
-    if is_scene_file_name(wanted):
+    if is_scene_file_name(wanted) or Path(wanted).suffix.lower() == SCENARIO:
         from .explain_failure import explain_failure
 
         explain_failure(wanted, scene_file)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from ..falsification.evaluator import AFTER_VIOLATION, Evaluator, Proposal, Task
 from ..falsification.outcome import Outcome
 from ..falsification.search_loop import SearchResult
 from ..falsification.settings import plan_of
-from ..ir.result_files import FAILURES, INDEX, SCENE, SHRUNK
+from ..ir.result_files import FAILURES, INDEX, SCENARIO, SCENE, SHRUNK
 from ..ir.results_record import RESULTS_FILE, ResultsRecord
 from ..ir.scene import Scene as SceneRecord
 from ..report.reading import read_record, read_typed
@@ -40,6 +41,10 @@ def failure_in(file: str | Path, scene_file: str | Path | None = None) -> Failur
     scene now, and what `load` raises.
     """
     path = Path(file)
+    if path.suffix.lower() == SCENARIO and path.is_file():
+        command = f"roadlang falsify {shlex.quote(str(path))} -o DIR"
+        help = f"`{command}` searches for failures and writes them to DIR/{FAILURES}"
+        raise _no_failure(path, "it is a scene file", help)
     scene = Scene.from_json(read_scene_file(str(path)), str(path)).record
     record = _record(path)
     loaded = load(record.source if scene_file is None else scene_file).with_params(record.params)
@@ -140,7 +145,7 @@ def _evaluated(
     )
 
 
-def _no_failure(path: Path, reason: str) -> DiagnosticError:
+def _no_failure(path: Path, reason: str, help: str = "") -> DiagnosticError:
     return DiagnosticError(
-        diagnose(Code.NOT_A_FAILURE, path=str(path), file=str(path), reason=reason)
+        diagnose(Code.NOT_A_FAILURE, path=str(path), file=str(path), reason=reason, help=help)
     )
