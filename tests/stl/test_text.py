@@ -114,6 +114,13 @@ def test_nonsense_is_refused_at_its_place(
     assert found.help
 
 
+@pytest.mark.parametrize("text", ["gap(ego, lead) > 0m", "always (e < distance(a, b))"])
+def test_signals_of_several_things_are_for_scene_files(text: str) -> None:
+    with pytest.raises(DiagnosticError, match="write the formula as an `expect`") as refusal:
+        stl.parse(text)
+    assert refusal.value.diagnostics[0].code == "RL322"
+
+
 def test_all_faults_are_told_at_once() -> None:
     with pytest.raises(DiagnosticError) as refusal:
         stl.parse("always[2, 1] (x) and abbs(y) < 3mtr")

@@ -87,7 +87,7 @@ class FormulaReader:
         if isinstance(node, ast.CallExpression) and _dotted(node.function) not in get_args(
             t.FunctionName
         ):
-            self._unknown_function(node.function)
+            self._unknown_function(node)
             return _NOTHING
         if isinstance(node, _NUMBER_NODES):
             text = " ".join(node.span.text.split())
@@ -185,7 +185,7 @@ class FormulaReader:
         known = get_args(t.FunctionName)
         arguments = [self.term(argument.value) for argument in node.arguments]
         if name not in known:
-            self._unknown_function(node.function)
+            self._unknown_function(node)
             return _ZERO
         fits = len(arguments) == 1 if name == "abs" else len(arguments) >= 2
         if not fits or any(argument.key for argument in node.arguments):
@@ -197,10 +197,18 @@ class FormulaReader:
             return _ZERO
         return t.Apply(cast(t.FunctionName, name), tuple(arguments))
 
-    def _unknown_function(self, node: ast.Name | ast.Member) -> None:
-        name, known = _dotted(node), get_args(t.FunctionName)
+    def _unknown_function(self, call: ast.CallExpression) -> None:
+        node, known = call.function, get_args(t.FunctionName)
+        name = _dotted(node)
         found = nearest(name, known)
-        hints = (*did_you_mean(name, known), f"the functions are {', '.join(known)}")
+        hints = [*did_you_mean(name, known), f"the functions are {', '.join(known)}"]
+        things = [a.value for a in call.arguments if isinstance(a.value, ast.Name)]
+        if found is None and len(things) == len(call.arguments) > 1:
+            hints.append(
+                f"a signal of several agents or roads, such as `{call.span.text}`, is not in a "
+                "trace: write the formula as an `expect` of the scene file, which `roadlang run` "
+                "evaluates"
+            )
         fixes = (Fix(node.span, found),) if found else ()
         self._fault(Code.UNKNOWN_FORMULA_FUNCTION, node.span, help=hints, fixes=fixes, name=name)
 
