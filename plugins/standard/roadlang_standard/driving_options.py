@@ -22,6 +22,8 @@ def target_speed_option() -> Any:
         maximum=120,
         help="target speed; by default the speed limit, or 50 km/h without one",
         example="40km/h",
+        if_negative="`facing: back` in the block of the agent drives the other way, "
+        "`drive with reverse` backs up",
     )
 
 
