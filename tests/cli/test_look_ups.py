@@ -94,6 +94,10 @@ def test_a_name_of_several_verbs_gives_the_schemas_of_all(
 
 
 def test_a_kind_of_another_verb_is_not_meant(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["schema", "nope"]) == 2
+    assert "there are scene, manifest, trace, " in capsys.readouterr().err
+    assert run(["plugins", "show", "nope"]) == 2
+    assert "`roadlang plugins` lists all" in capsys.readouterr().err
     assert run(["schema", "emit", "sine"]) == 2
     assert "there is no schema called `emit sine`" in capsys.readouterr().err
 

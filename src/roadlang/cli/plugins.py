@@ -142,7 +142,7 @@ def _find(registry: Registry, words: tuple[str, ...]) -> list[KindEntry]:
         hints = other_names(registry, words) or did_you_mean(
             words[-1], {entry.name for entry in registry.entries}
         )
-        hints = hints or registry.hints
+        hints = hints or registry.hints or ("`roadlang plugins` lists all",)
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_KIND_OR_PLUGIN, name=" ".join(words), help=hints)
         )

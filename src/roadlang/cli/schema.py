@@ -89,7 +89,9 @@ def _kind(words: tuple[str, ...], schemas: dict[str, Callable[[], Any]]) -> Any:
             with plugin_guard(entry, None):
                 found.append(schema_of_kind(entry))
     if not found:
-        hints = did_you_mean(name, [*schemas, *(entry.name for entry in entries)])
+        hints = did_you_mean(name, [*schemas, *(entry.name for entry in entries)]) or (
+            f"there are {', '.join(schemas)}, and kinds, which `roadlang plugins` lists",
+        )
         raise DiagnosticError(
             diagnose(Code.UNKNOWN_CHOICE, what="schema", name=" ".join(words), help=hints)
         )

@@ -26,7 +26,8 @@ def current(record: Any) -> Any:
         return record
     if found == "roadlang.scene/1":
         return {**_renamed(record), "schema": SCENE_SCHEMA}
-    raise UnknownSceneSchema(f"the schema is {found!r}, not {SCENE_SCHEMA!r} or 'roadlang.scene/1'")
+    named = "it names no schema" if found is None else f"the schema is {found!r}"
+    raise UnknownSceneSchema(f"{named}, not {SCENE_SCHEMA!r} or 'roadlang.scene/1'")
 
 
 def with_categories(scene: Scene) -> Scene:
