@@ -403,6 +403,12 @@ HABITS = [
     ('scenario until "A bend"', "RL011", "choose another name", None),
     (f"require since: always {GENTLE}", "RL011", "choose another name", None),
     (EGO.replace("12m/s", "-5m/s"), "RL208", "`drive with reverse` backs up", None),
+    (
+        EGO.replace("pure_pursuit", "choice(pure_pursuit, stanley)"),
+        "RL001",
+        "the kind after `with` is not drawn at random",
+        None,
+    ),
     ("param paved = choice(asphalt, 9m)", "RL101", '`"asphalt"`', None),
     ("param wet = choice(9m, wet)", "RL104", '`"wet"`', None),
     (EGO + "agent c is car at right_of(ego)", "RL225", "`beside(ego, right)`", None),

@@ -202,10 +202,17 @@ def source_in_parentheses(place: ErrorPosition) -> Mistake | None:
 
 
 def options_in_parentheses(place: ErrorPosition) -> Mistake | None:
-    """`emit svg(size: 800px)`, `perturb with sine(amplitude: 2m)`."""
+    """`emit svg(size: 800px)`, `perturb with sine(amplitude: 2m)`, `drive with choice(a, b)`."""
     if place.kind() != "LPAR" or not place.expects("LBRACE") or place.kind(-1) != "NAME":
         return None
     kind = place.word(-1)
+    has_names = (place.kind(1), place.kind(2)) == ("NAME", "COMMA")
+    if has_names and place.kind(-2) == "WITH":
+        return unexpected(
+            place,
+            "the kind after `with` is not drawn at random: write one, and draw its options, as in "
+            "`speed: choice(8m/s, 12m/s)`",
+        )
     return unexpected(place, f"options are written in braces: `{kind} {{ option: value }}`")
 
 
