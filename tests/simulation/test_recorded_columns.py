@@ -15,7 +15,8 @@ from roadlang.api import AgentTrace, Trace
 from roadlang.drive.controllers import python_controllers
 from roadlang.drive.simulators import simulator_of
 from roadlang.plugins.discovery import load_registry
-from roadlang.simulation.signals.recorded_columns import RECORDED, RecordedPart, _rate
+from roadlang.simulation.signals.recorded_columns import RecordedPart, _rate
+from roadlang.simulation.signals.recorded_samples import RECORDED, RecordedSample
 
 BEND = """
 road main { draw with segments { pieces: [straight(20m), arc(20m, 90deg), straight(20m)] } }
@@ -99,8 +100,8 @@ class Unread:
 def test_quantities_that_nobody_reads_are_not_made_columns() -> None:
     """A search reads two or three of the sixteen of most drives."""
     seen: set[int] = set()
-    samples: Any = [Unread(seen)] * 3
-    part = RecordedPart(samples, np.arange(2), lanes=None)  # type: ignore[arg-type]
+    rows: Any = Unread(seen)
+    part = RecordedPart([RecordedSample(rows)] * 3, np.arange(2), lanes=None)  # type: ignore[arg-type]
     speed = RECORDED.index("speed")
     assert part.column(1, "speed").tolist() == [speed + 0.5] * 3
     assert seen == {speed}

@@ -105,7 +105,8 @@ class BendSpeeds:
         more = np.zeros((count - len(free), self._plans.shape[1]))
         places = np.append(free, len(self._plans) + np.arange(len(more)))
         if len(more):
-            self._plans = np.concatenate((self._plans, more))
+            before = self._plans
+            self._plans = np.concatenate((before, more)) if len(before) else more
         self._plan_of[agents] = places[group]
         return places
 
@@ -144,6 +145,10 @@ def _bend_beside(world: World, row: Integers, guide: Integers) -> Floats | None:
     return world.followed.guides.ahead(guide[:, None], along)[2]
 
 
+_AT_ONCE = 48
+"""Lines whose speeds are planned together with numpy, so few that they fit into the caches."""
+
+
 def planned(
     lines: Lines, row: Integers, lateral: Floats, braking: Floats, bend: Floats | None = None
 ) -> Floats:
@@ -153,6 +158,19 @@ def planned(
     if compiled.is_loaded() and bend is None and not np.count_nonzero(lines.closed[row]):
         first = row * lines.cells
         return compiled.planned(lines.table, first, (lateral, gain), lines.cells)
+    out = np.empty((len(row), lines.cells))
+    for begin in range(0, len(row), _AT_ONCE):
+        part = slice(begin, begin + _AT_ONCE)
+        more = None if bend is None else bend[part]
+        out[part] = _planned(lines, row[part], lateral[part], gain[part], more)
+    return out
+
+
+def _planned(
+    lines: Lines, row: Integers, lateral: Floats, gain: Floats, bend: Floats | None
+) -> Floats:
+    """The same of some lines. `gain`: (N,) by how much squared speeds may grow from one cell to the
+    one before."""
     curvature = lines.column(lines.seen_curvature)[row]
     curvature = curvature if bend is None else curvature + bend
     limits = squares_in_bends(curvature, lateral[:, None])

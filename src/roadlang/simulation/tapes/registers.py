@@ -85,7 +85,8 @@ class Registers:
         return self._truth_row(register)
 
     def spare(self, name: str) -> Any:
-        """(N,) numbers for use within one instruction: `cells` are whole, `pairs` complex."""
+        """(N,) numbers for use within one instruction: `cells` are whole, what begins with
+        `pairs` complex."""
         if name not in self._spare:
             self._spare[name] = _row_of(name, self.count)
         return self._spare[name]
@@ -131,7 +132,7 @@ class Registers:
 def _row_of(name: str, count: int) -> Any:
     if name == "cells":
         return np.empty(count, np.int64)
-    return np.empty(count, np.complex128) if name == "pairs" else aligned(1, count)[0]
+    return np.empty(count, np.complex128) if name.startswith("pairs") else aligned(1, count)[0]
 
 
 _HALF = np.array(0.5)

@@ -12,7 +12,7 @@ from ...geometry.arrays import Floats
 from ..lines.lines import CELL, on_arc
 from ..tapes.instructions import instructions_of
 from ..tapes.numpy_calls import TableRows, calls_of, cell_calls
-from ..tapes.registers import Call, Registers, aligned
+from ..tapes.registers import Call, Registers
 from ..tapes.tape import Tape, TapeProgram, program_of
 from ..tapes.traced import TracedColumn, value_of
 
@@ -32,15 +32,18 @@ def frame_calls(
 ) -> None:  # fmt: skip
     """Add the calls that fill five rows as `poses.line_frames` does. `takes`: as of
     `cell_calls`."""
-    cells, rest = cell_calls(takes, memory, lines, calls)
-    count, width = memory.count, len(CELL)
-    found, columns = np.empty((count, width)), aligned(width, count)
+    width = len(CELL) // 2
+    cells, rest = cell_calls(takes, memory, lines, calls, parts=width)
+    pairs = [memory.spare(f"pairs {place}") for place in range(width)]
+    columns = [half for pair in pairs for half in (pair.real, pair.imag)]
     numbers = [*columns, rest, takes[3], *(np.array(one) for one in arc_program().numbers)]
-    inside = Registers(count, dict(enumerate(numbers)))
+    inside = Registers(memory.count, dict(enumerate(numbers)))
     steps, gives = instructions_of(arc_program(), 0)
     calls += [
-        partial(lines.table.take, cells, axis=0, out=found, mode="clip"),
-        partial(np.copyto, columns, found.T),
+        *(
+            partial(lines.pairs[place:].take, cells, out=pair, mode="clip")
+            for place, pair in enumerate(pairs)
+        ),
         *calls_of(steps, arc_program().functions, inside, lines),
     ]
     calls += [

@@ -99,10 +99,10 @@ def axle_forces(tangent: Any, used: Any, share: Any, grip: Any) -> Any:
     """What `forces` gives. `share`, of the front and the rear axle: of the grip that they use to
     the side; `grip`: what they have of it, m/s^2."""
     cosine = 1.0 / np.sqrt(1.0 + tangent * tangent)
-    along, left = used * grip[0], -share[0] * grip[0]
+    along, right = used * grip[0], share[0] * grip[0]
     return (
-        (along - left * tangent) * cosine,
-        (left + along * tangent) * cosine,
+        (along + right * tangent) * cosine,
+        (along * tangent - right) * cosine,
         used * grip[1],
         -share[1] * grip[1],
     )
@@ -171,7 +171,7 @@ def turned(cosine: Any, sine: Any, angle: Any) -> Any:
     half = 0.5 * angle
     square = half * half
     scale = 1.0 / (1.0 + square)
-    along, across = (1.0 - square) * scale, 2.0 * half * scale
+    along, across = (1.0 - square) * scale, angle * scale
     return cosine * along - sine * across, sine * along + cosine * across
 
 
