@@ -68,7 +68,8 @@ def desert(rendering: Rendering, seed: int) -> Image:
     image = rendering.image.astype(np.float32)
     sand = image.mean(axis=2, keepdims=True) * np.array([0.95, 1.25, 1.5]) + 20
     share = np.clip(0.25 + _green(image), 0, 1)[..., None]
-    return np.clip(image * (1 - share) + sand * share, 0, 255).astype(np.uint8)
+    mixed: Image = np.clip(image * (1 - share) + sand * share, 0, 255).astype(np.uint8)
+    return mixed
 
 
 CONDITIONS: dict[str, Callable[[Rendering, int], Image]] = {

@@ -48,7 +48,8 @@ def test_white_streets_get_more_contrast_on_light_land() -> None:
 
 
 def test_a_pale_park_does_not_make_streets_pale() -> None:
-    style = replace(LIGHT, park=tuple(value - 8 for value in LIGHT.land))
+    red, green, blue = (value - 8 for value in LIGHT.land)
+    style = replace(LIGHT, park=(red, green, blue))
     image = drawn_map(style, names=False)
     cv2.rectangle(image, (0, 120), (110, 235), style.park[::-1], -1)
     cv2.rectangle(image, (150, 110), (320, 235), style.park[::-1], -1)
