@@ -80,3 +80,10 @@ def test_main_roads_whose_width_varies_are_yellow(steady: float, is_road: bool) 
     seen = tones(xffffff=lines(9, *STREETS[:2]), xf6fabf=lines(13, *STREETS[2:]))
     seen[2] = shaped(seen[2], steady=steady, even=0.6, ribbons=1.0, spread=1.6)
     assert (len(road_tones(seen, SIDE)) == 2) is is_road
+
+
+def test_a_few_faint_pixels_beside_a_broad_road_are_no_faint_map() -> None:
+    image = np.full((300, 400, 3), 30, np.uint8)
+    cv2.line(image, (0, 250), (400, 40), (90, 90, 90), 40)
+    image[10:200:40, 20] = 40
+    assert with_contrast(image) is image

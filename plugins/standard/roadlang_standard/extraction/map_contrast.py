@@ -17,6 +17,8 @@ contrast is not raised by more than the last factor."""
 _BROAD = 11
 """What holds a square of so many pixels is not looked at: a river or woods of full contrast leave
 the streets as faint as they are, and a pale park does not make streets pale."""
+_FEWEST = 0.001
+"""Less than this share of a picture is no streets, such as a few pixels beside a broad road."""
 _NEARLY_ALL, _FAINT_LOSSY, _THIN_LOSSY = 0.9, 50, 30
 """JPEG's noise gets more contrast, too: it is raised only where all that differs, and all of it
 that is thin, is off a gray land by no more gray levels in the first share: the colors of parks
@@ -52,7 +54,7 @@ def _faint(away: Image, marked: Image, tolerance: Tolerance, on_gray: bool) -> f
     `away` (h, w) from that; None if the map is not faint."""
     broad = cv2.morphologyEx(marked, cv2.MORPH_OPEN, np.ones((_BROAD, _BROAD), np.uint8))
     thin = away[marked > broad]
-    if not thin.size:
+    if thin.size <= _FEWEST * away.size:
         return None
     usual = float(np.quantile(thin, _MARKED))
     is_faint = usual <= _FAINT

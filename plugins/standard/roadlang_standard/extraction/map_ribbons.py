@@ -17,6 +17,8 @@ Pixels = NDArray[np.intp]
 
 _WIDTHS = (1.0, 4.5, 9.0, 18.0, 36.0, 72.0)
 """Ribbons are looked at by width, between two of these, in pixels."""
+_AROUND = 15
+"""Pixels of the side of the square in which the mean width about a pixel is taken."""
 _NEAR, _VARIES, _JAGGED = 0.4, 0.35, 2.1
 """Within so many of the larger widths to each side, the width of a ribbon varies by less than this
 share of it, or by less than so many pixels; that of land, parks and buildings grows and shrinks."""
@@ -47,8 +49,9 @@ def ribbons(thin: Booleans, inner: Layer) -> RibbonLines:
     across, least = np.zeros(thin.shape, np.float32), np.full(thin.shape, 1e3, np.float32)
     across.ravel()[at] = least.ravel()[at] = widths
     found = np.zeros(thin.shape, bool)
+    usual = _usual(across, thin, at)
     for low, high in pairwise(_WIDTHS):
-        some = at[(widths >= low) & (widths < high)]
+        some = at[(usual >= low) & (usual < high)]
         if len(some) > _LONG * low:
             found.ravel()[_ribbons(some, across, least, high)] = True
     total = float(widths.sum(dtype=np.float64))
@@ -56,6 +59,17 @@ def ribbons(thin: Booleans, inner: Layer) -> RibbonLines:
     wide = float(np.quantile(even, _WIDE)) if even.size else 0.0
     share = float(even.sum(dtype=np.float64)) / max(total, 1.0)
     return RibbonLines(found, float(even.size), wide, share)
+
+
+def _usual(across: Layer, thin: Booleans, at: Pixels) -> Layer:
+    """The mean width about each pixel of a skeleton: that of a strip as wide as the bound between
+    two classes jumps from one to the other."""
+    side = (_AROUND, _AROUND)
+    total = cv2.boxFilter(across, -1, side, normalize=False, borderType=cv2.BORDER_CONSTANT)
+    count = cv2.boxFilter(
+        thin.astype(np.float32), -1, side, normalize=False, borderType=cv2.BORDER_CONSTANT
+    )
+    return np.asarray(total.ravel()[at] / np.maximum(count.ravel()[at], 1))
 
 
 def _ribbons(some: Pixels, across: Layer, least: Layer, high: float) -> Pixels:
