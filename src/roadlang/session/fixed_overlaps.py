@@ -57,7 +57,7 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
 
 
 def _missing(first: _OccupiedRange, second: _OccupiedRange, scenario: IndexedScenario) -> float:
-    """Meters that two lack to each other in every scene; 0 where nothing is certain."""
+    """Meters of room that two lack in every scene; 0 where nothing is certain."""
     if scenario.is_random(scenario.roads[str(first.actor.on)]):
         is_same = _LONGEST_LANE * (second.at - first.at) < first.inner + second.inner
         return math.inf if is_same else 0.0

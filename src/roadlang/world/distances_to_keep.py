@@ -1,4 +1,4 @@
-"""How far agents and objects are to be from everything, and how much two of them lack."""
+"""How far agents and objects are to be from everything, and how much room two of them lack."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def distances_to_keep(actor: ScenarioActor, copies: CopyBatch, kinds: CopyKinds)
 def missing_between(
     first: ScenarioActor, second: ScenarioActor, candidates: CandidateBatch
 ) -> float:
-    """Meters that two lack to each other in the first candidate, 0 where both fit. Neither is a
-    group or placed by another. Raises DiagnosticError where their road cannot be made."""
+    """Meters of room that two lack in the first candidate, 0 where both fit. Neither is a group or
+    placed by another. Raises DiagnosticError where their road cannot be made."""
     placed = PlacedRectangles()
     for number, actor in enumerate((first, second)):
         copies, kinds = CopyBatch.every(candidates, 1), kinds_of(actor, candidates)

@@ -28,8 +28,8 @@ would part into several."""
 def with_contrast(
     image: Image, tolerance: Tolerance = EXACT, letters: Booleans | None = None
 ) -> Image:
-    """A map (h, w, 3), with more contrast about its land where it has little: lines that differ
-    from it by ten gray levels have no edges of a mixed color else.
+    """A map (h, w, 3), with more contrast about its land where it has little: otherwise lines that
+    differ from it by ten gray levels have no edges of a mixed color.
 
     Its `letters` (h, w) are not looked at: maps are faint, but not their names. JPEG's noise gets
     more contrast, too: there, all of the map is to be faint.
@@ -44,7 +44,7 @@ def with_contrast(
     if differs is None:
         return image
     stretch = min(_MOST_STRETCH, _CLEAR / differs)
-    # Light land gets darker: white streets could not differ more from it else.
+    # Light land gets darker: otherwise white streets could not differ more from it.
     base = land[0] - max(0.0, float(land[0].max()) + _CLEAR - 255)
     return np.clip(base + (image - land[0]) * stretch, 0, 255).round().astype(np.uint8)
 
