@@ -14,7 +14,8 @@ from roadlang.syntax import parse
 from roadlang.syntax.recovery.foreign_notation import SYMBOLS
 from tests.golden.comparing import SCENES
 from tests.golden.language_views import said
-from tests.semantics.habits import EGO, HABITS, ROAD
+from tests.semantics.habit_statements import EGO, ROAD
+from tests.semantics.habits import HABITS
 from tests.syntax.test_mistakes import FAULTS, SAMPLES
 
 _TOKEN = re.compile(r'"[^"\n]*"|[\w.]+|\.\.|[^\w\s]')

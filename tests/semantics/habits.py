@@ -3,15 +3,8 @@ error, words of the help, and the text that mends it, if a fix does."""
 
 from __future__ import annotations
 
-ROAD = (
-    "road main { draw with waypoints { points: [(0m, 0m), (80m, 20m), (160m, 0m)] }, lanes: 2 }\n"
-)
-EGO = "agent ego is car on main at 5m { drive with pure_pursuit { speed: 12m/s } }\n"
-LEAD = "agent lead is car on main at 25m { drive with lane_follow { speed: 9m/s } }\n"
-PLAN = 'image plan from "town.png" { scale: 1m/px }\n'
-BARE = "road other { draw with waypoints { points: [(0m, 0m), (80m, 20m)] }"
-BENT = "road bent from main { perturb with bump { at: 50m, height: 1m, length: 9m } }"
-GENTLE = "(curvature(main) < 1/m)"
+from .habit_statements import BARE, BENT, EGO, GENTLE, LEAD, PLAN
+from .habits_of_declarations import DECLARATIONS
 
 HABITS = [
     # What is written, the code, a part of the help, what the fix puts in its place.
@@ -390,26 +383,5 @@ HABITS = [
         "to turn right, make the angle negative",
         None,
     ),
-    ("scenario sut.cut_in_ahead:", "RL001", "roadlang does not read OpenSCENARIO DSL", None),
-    ("scenario top:\n    v1: vehicle with:\n        keep(it.speed > 1mps)\n", "RL001", "DSL", None),
-    ("modifier near:\n    near: car", "RL002", "roadlang does not read OpenSCENARIO DSL", None),
-    (EGO + LEAD + "require r: start(lead) > 4m", "RL225", "write `lead.start`", None),
-    (
-        "network t from [main, other]\nagent a is car on t { route: [(1m, 2m), left] }",
-        "RL001",
-        "a network is made from an image",
-        None,
-    ),
-    ('scenario until "A bend"', "RL011", "choose another name", None),
-    (f"require since: always {GENTLE}", "RL011", "choose another name", None),
-    (EGO.replace("12m/s", "-5m/s"), "RL208", "`drive with reverse` backs up", None),
-    (
-        EGO.replace("pure_pursuit", "choice(pure_pursuit, stanley)"),
-        "RL001",
-        "the kind after `with` is not drawn at random",
-        None,
-    ),
-    ("param paved = choice(asphalt, 9m)", "RL101", '`"asphalt"`', None),
-    ("param wet = choice(9m, wet)", "RL104", '`"wet"`', None),
-    (EGO + "agent c is car at right_of(ego)", "RL225", "`beside(ego, right)`", None),
+    *DECLARATIONS,
 ]

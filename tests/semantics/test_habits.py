@@ -11,7 +11,8 @@ from roadlang.diagnostics import Diagnostic
 from roadlang.plugins.discovery import load_registry
 from roadlang.semantics import check_text
 
-from .habits import EGO, HABITS, ROAD
+from .habit_statements import EGO, ROAD
+from .habits import HABITS
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
