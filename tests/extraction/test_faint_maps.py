@@ -12,6 +12,7 @@ from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_contrast import with_contrast
 from roadlang_standard.extraction.map_letters import LARGER, letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
+from roadlang_standard.extraction.map_tones import EXACT, LOSSY
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import (
     LIGHT,
@@ -87,3 +88,19 @@ def test_a_few_faint_pixels_beside_a_broad_road_are_no_faint_map() -> None:
     cv2.line(image, (0, 250), (400, 40), (90, 90, 90), 40)
     image[10:200:40, 20] = 40
     assert with_contrast(image) is image
+
+
+@pytest.mark.parametrize("land", [(245, 245, 245), (225, 235, 245)])
+@pytest.mark.parametrize("line", [(237, 237, 237), (160, 160, 160)])
+def test_a_jpeg_gets_more_contrast_only_on_gray_land_and_if_all_of_it_is_faint(
+    land: tuple[int, int, int], line: tuple[int, int, int]
+) -> None:
+    """Other maps do where most of what is thin is faint."""
+    image = np.full((300, 400, 3), land, np.uint8)
+    for row in range(20, 280, 40):
+        cv2.line(image, (0, row), (399, row), tuple(value - 10 for value in land), 3)
+    cv2.line(image, (20, 0), (20, 299), line, 3)
+    cv2.line(image, (60, 0), (60, 299), line, 3)
+    assert with_contrast(image, EXACT) is not image
+    is_raised = with_contrast(image, LOSSY) is not image
+    assert is_raised is (land == (245, 245, 245) and line == (237, 237, 237))

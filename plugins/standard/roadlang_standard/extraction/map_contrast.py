@@ -18,7 +18,7 @@ _BROAD = 11
 """What holds a square of so many pixels is not looked at: a river or woods of full contrast leave
 the streets as faint as they are, and a pale park does not make streets pale."""
 _FEWEST = 0.001
-"""Streets cover more than this share of a picture; a few faint pixels beside a broad road do not."""
+"""Streets cover more than this share of a picture; faint pixels beside a broad road cover less."""
 _NEARLY_ALL, _FAINT_LOSSY, _THIN_LOSSY = 0.9, 50, 30
 """JPEG's noise gets more contrast, too: it is raised only where all that differs, and all of it
 that is thin, is off a gray land by no more gray levels in the first share: the colors of parks
