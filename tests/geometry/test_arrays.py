@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from roadlang.geometry.arrays import wrapped
+from roadlang.geometry.arrays import wrapped, wrapped_angle
 
 
 @pytest.mark.parametrize("most", [3.0, math.pi, 4.0, 20.0])
@@ -26,3 +26,9 @@ def test_one_angle_and_what_is_no_number() -> None:
     angles = np.zeros(1000)
     angles[5] = math.nan
     assert np.isnan(wrapped(angles)).tolist() == [i == 5 for i in range(1000)]
+
+
+def test_one_angle_is_wrapped_as_those_of_columns() -> None:
+    angles = [*np.random.default_rng(2).uniform(-20.0, 20.0, 1000).tolist(), math.pi, -math.pi]
+    alone = np.array([wrapped_angle(angle) for angle in angles])
+    assert alone.tobytes() == wrapped(np.array(angles)).tobytes()

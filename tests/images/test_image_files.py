@@ -15,8 +15,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.images.image_file import MOST_PIXELS, OpenedImage, open_image
+from roadlang.images.image_file import OpenedImage, open_image
 from roadlang.images.image_header import ImageHeader, read_header
+from roadlang.images.placed_pixels import MOST_PIXELS
 from tests.images.geotiffs import written_geotiff
 
 

@@ -9,9 +9,9 @@ import pytest
 
 from roadlang import testing
 from roadlang.geometry.arrays import Floats
+from roadlang.geometry.bend_room import LONG
 from roadlang.ir.scene import SceneRoad
 from roadlang.simulation.bends.kept_in_lane import kept_in_lane
-from roadlang.simulation.bends.leaning import LONG
 from roadlang.simulation.lines.line_sources import LineSource
 from roadlang.simulation.lines.route_lines import LineLeg, RouteLine, route_line
 

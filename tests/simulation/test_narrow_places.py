@@ -8,9 +8,9 @@ import math
 import numpy as np
 import pytest
 
+from roadlang.geometry.bend_room import PASSING_GAP
 from roadlang.simulation.traffic.narrow_places import COARSE, WIDEST, narrow_places
 from roadlang.simulation.traffic.sampled_ways import SPACING, SampledWays
-from roadlang.simulation.traffic.wide_places import MARGIN
 from roadlang.simulation.vehicles import compiled
 
 HALF, REACH, APART = 5.0, 40.0, 30.0
@@ -54,7 +54,7 @@ def test_two_that_are_too_wide_for_their_lanes_meet_where_their_lines_pass(
     direction: float,
 ) -> None:
     """Each sees the other on its left; their right sides do not count."""
-    narrow = 3.0 + MARGIN
+    narrow = 3.0 + PASSING_GAP
     assert found(direction, narrow + 0.01, right=(3.0, 3.0)) is None
     both = found(direction, narrow - 0.2, right=(3.0, 3.0))
     assert both is not None
@@ -66,10 +66,12 @@ def test_two_that_are_too_wide_for_their_lanes_meet_where_their_lines_pass(
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("left", [(2.5, 0.5), (0.5, 2.5)])
 def test_the_sides_that_face_each_other_add_up(direction: float, left: tuple[float, float]) -> None:
-    assert found(direction, 3.0 + MARGIN - 0.2, left=left) is not None
-    assert found(direction, 3.0 + MARGIN + 0.01, left=left) is None
-    assert found(direction, -3.0 - MARGIN + 0.2, left=left) is not None, "their right sides face"
-    assert found(direction, -3.0 - MARGIN - 0.01, left=left) is None
+    assert found(direction, 3.0 + PASSING_GAP - 0.2, left=left) is not None
+    assert found(direction, 3.0 + PASSING_GAP + 0.01, left=left) is None
+    assert found(direction, -3.0 - PASSING_GAP + 0.2, left=left) is not None, (
+        "their right sides face"
+    )
+    assert found(direction, -3.0 - PASSING_GAP - 0.01, left=left) is None
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)

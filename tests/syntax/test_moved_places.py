@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 import roadlang
+from roadlang.geometry.warp import RADIUS
+from roadlang.plugins.options import schema_of
+from roadlang.semantics.infer.statement_options import NetworkOptions
 from roadlang.syntax.moved_places import LENGTH, MovedPlaces, moved_places_of, with_moved_places
-from roadlang.syntax.network_edits import RADIUS
-from roadlang.world import moved_networks
 from roadlang_standard.perturb_nudges import Nudges
 
 ONE = MovedPlaces((40.0,), ((1.5, -2.0),))
@@ -96,4 +97,5 @@ def test_a_road_of_another_file_cannot_be_changed() -> None:
 def test_places_move_as_much_road_as_the_options_say_by_default() -> None:
     """The text is edited without the plugins, whose defaults hold where nothing is written."""
     assert Nudges.length == LENGTH
-    assert moved_networks.RADIUS == RADIUS
+    said = {option.name: option.help for option in schema_of(NetworkOptions)}
+    assert f"by default {RADIUS:g}m" in said["moved_radius"]

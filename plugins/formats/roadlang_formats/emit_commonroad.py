@@ -5,25 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene, Trace
+    from roadlang.api import Scene, Trace
 
 
 @dataclass(frozen=True)
-class CommonRoadBackend(Backend):
+class CommonRoadBackend(RoadBackend):
     """Scenes as CommonRoad scenarios (2020a), with a planning problem for the ego. `roadlang run`
     writes the other agents as dynamic obstacles, as they were driven."""
 
     name: ClassVar[str] = "commonroad"
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .commonroad.document import document

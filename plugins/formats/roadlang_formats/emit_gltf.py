@@ -5,16 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Literal
 
-from roadlang.api import Backend, option
+from roadlang.api import option
+
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene, Trace
+    from roadlang.api import Scene, Trace
 
 
 @dataclass(frozen=True)
-class GltfBackend(Backend):
+class GltfBackend(RoadBackend):
     """A scene as binary glTF 2.0, which Blender, Godot, Unity and Unreal Engine open. Drives are
     written as animations."""
 
@@ -25,11 +27,6 @@ class GltfBackend(Backend):
         help="how solid meshes are named: with the suffixes `-col` and `-convcol` of Godot, by "
         "convex meshes with the prefix `UCX_` of Unreal Engine, or not at all",
     )
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, bytes]:
         from .gltf.document import document

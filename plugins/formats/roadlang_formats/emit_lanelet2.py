@@ -5,18 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from roadlang.api import ANGLE, Backend, option, pair_of
+from roadlang.api import ANGLE, option, pair_of
 
 from .place_on_earth import stated_origin
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene
+    from roadlang.api import Scene
 
 
 @dataclass(frozen=True)
-class Lanelet2Backend(Backend):
+class Lanelet2Backend(RoadBackend):
     """The roads of a scene as a Lanelet2 map: lanelets, line types, speed limits, right of way and
     traffic lights. Agents are not part of the format."""
 
@@ -29,11 +30,6 @@ class Lanelet2Backend(Backend):
     def __post_init__(self) -> None:
         """Raises RL480 for an origin that is not on Earth."""
         stated_origin(self.origin)
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .lanelet2.document import document

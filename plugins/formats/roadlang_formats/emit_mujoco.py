@@ -5,24 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene
+    from roadlang.api import Scene
 
 
 @dataclass(frozen=True)
-class MujocoBackend(Backend):
+class MujocoBackend(RoadBackend):
     """Roads, obstacles and a car with four wheels as an MJCF model, which MuJoCo simulates."""
 
     name: ClassVar[str] = "mujoco"
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .mjcf.document import document

@@ -5,16 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Literal
 
-from roadlang.api import Backend, Length, String, option
+from roadlang.api import Length, String, option
+
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene
+    from roadlang.api import Scene
 
 
 @dataclass(frozen=True)
-class OpenDriveBackend(Backend):
+class OpenDriveBackend(RoadBackend):
     """The roads, lanes, junctions, signals and objects of a scene as ASAM OpenDRIVE, which CARLA,
     esmini, SUMO and others read. Agents are not part of the format."""
 
@@ -36,11 +38,6 @@ class OpenDriveBackend(Backend):
         help="left-hand traffic: a road for each direction, which all tools drive, or roads with "
         '`rule="LHT"`, which CARLA, netconvert and Scenic do not support',
     )
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .opendrive.document import document

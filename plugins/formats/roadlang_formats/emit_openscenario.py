@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Literal
 
-from roadlang.api import Backend, option
+from roadlang.api import option
+
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene, Trace
+    from roadlang.api import Scene, Trace
 
     from .openscenario.document import ScenarioFiles
 
@@ -18,7 +20,7 @@ _ROADS = "road.xodr"
 
 
 @dataclass(frozen=True)
-class OpenScenarioBackend(Backend):
+class OpenScenarioBackend(RoadBackend):
     """Scenes as ASAM OpenSCENARIO XML with their roads as OpenDRIVE, which esmini, CARLA's scenario
     runner and others play. `roadlang run` writes what was driven as trajectories."""
 
@@ -26,11 +28,6 @@ class OpenScenarioBackend(Backend):
     also_called: ClassVar[tuple[str, ...]] = ("xosc", "osc")
     version: Literal["1.2", "1.3"] = option("1.3", help="of the format")
     opendrive: Literal["1.6", "1.7", "1.8"] = option("1.8", help="version of the road file")
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of agents on roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         writer = self._files(scene)

@@ -5,18 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend, Flag, String, option
+from roadlang.api import Flag, String, option
+
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene
+    from roadlang.api import Scene
 
 _MAP = "scenic.xodr"
 
 
 @dataclass(frozen=True)
-class ScenicBackend(Backend):
+class ScenicBackend(RoadBackend):
     """A scene as a Scenic 3 program, with an OpenDRIVE map beside it: agents and objects have the
     poses of the scene, and may be made random again there."""
 
@@ -27,11 +29,6 @@ class ScenicBackend(Backend):
     behaviors: Flag = option(
         True, help="whether agents get Scenic behaviors where these match their controllers"
     )
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .scenic.program import ScenicProgram

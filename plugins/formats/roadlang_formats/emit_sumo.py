@@ -5,16 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from roadlang.api import Backend, Duration, Flag, option
+from roadlang.api import Duration, Flag, option
+
+from .road_backend import RoadBackend
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
-    from roadlang.api import ScenarioContents, Scene, Trace
+    from roadlang.api import Scene, Trace
 
 
 @dataclass(frozen=True)
-class SumoBackend(Backend):
+class SumoBackend(RoadBackend):
     """Scenes as networks of SUMO with signals, vehicles and their routes: `sumo -c
     scene-0000.sumocfg` runs one. `roadlang run` writes drives as floating car data."""
 
@@ -22,11 +24,6 @@ class SumoBackend(Backend):
     also_called: ClassVar[tuple[str, ...]] = ("net",)
     step: Duration = option(0.1, minimum=0.01, maximum=1, help="time step in the configuration")
     objects: Flag = option(False, help="whether objects are written, as polygons")
-
-    def unsupported(self, contents: ScenarioContents) -> Iterable[str]:
-        """It is of roads."""
-        if not (contents.roads or contents.networks):
-            yield "it has no road"
 
     def files(self, scene: Scene) -> Mapping[str, str]:
         from .sumo.configuration import configuration_text

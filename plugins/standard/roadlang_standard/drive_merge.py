@@ -18,6 +18,7 @@ from roadlang.api import (
 
 from .drive_brake import HOLDING, STANDING
 from .drive_change_lane import ABORT_GAP_SHARE, SIGHT, has_returned
+from .drive_traffic import HARDEST
 from .lane_traffic import (
     REACTION,
     SETTLING_TIME,
@@ -35,8 +36,6 @@ if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
     from roadlang.geometry import Floats
 
-HARDEST = 8.0
-"""m/s^2: deceleration in an emergency."""
 HEADWAY, GAP = 0.8, 2.0
 """Seconds and meters that it keeps to who it merges behind."""
 GENTLE = 0.5

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from roadlang.api import Acceleration, Controller, Length, option
 
 from .drive_brake import HOLDING, STANDING
+from .drive_car_follow import HARDEST
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
     from roadlang.api import ControlBatch, ObservationBatch
     from roadlang.geometry import Floats
 
-HARDEST = 9.0
-"""m/s^2"""
 MOST_DRAG = 1.0
 """m/s^2"""
 CLOSE = 0.05

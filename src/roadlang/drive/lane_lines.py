@@ -11,13 +11,11 @@ from ..geometry.arrays import Floats
 from ..geometry.cross_section import CrossSection
 from ..geometry.simplifying import all_simplified
 from ..geometry.strokes_of_lanes import LaneStroke, lane_strokes
-from ..geometry.unfolding import unfolded_lines
+from ..geometry.unfolding import SEEN_FROM, unfolded_lines
 from ..ir.scene import SceneRoad
 
 TOLERANCE = 0.1
 """How far a drawn line may be from the road's, meters."""
-_LOOPS_SEEN_FROM = 0.35
-"""Pixels"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +61,7 @@ def painted_lines(part: ShownPart, pixels_per_meter: float) -> Iterator[tuple[Fl
     lane = part.width * pixels_per_meter / driven
     for stroke in lane_strokes(section.lanes, section.markings, lane, pixels_per_meter):
         line = part.beside(part.borders[stroke.border] + stroke.shift / pixels_per_meter)
-        for piece in unfolded_lines(line, part.points, _LOOPS_SEEN_FROM / pixels_per_meter):
+        for piece in unfolded_lines(line, part.points, SEEN_FROM / pixels_per_meter):
             yield piece, stroke
 
 

@@ -158,6 +158,10 @@ class IndexedScenario:
             yield link
             link = self.source_of(link)
 
+    def roads_below(self, road: ScenarioRoad) -> Iterator[ScenarioRoad]:
+        """A road, the road that it is made from, and so on."""
+        return (link for link in self.chain(road) if isinstance(link, ScenarioRoad))
+
     def is_joined(self, declaration: ScenarioImage | ScenarioNetwork | ScenarioRoad) -> bool:
         """Whether a road is made of several, end to end."""
         return "then" in declaration.options

@@ -8,10 +8,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..ir.batch import mix
+from ..ir.batch import mix, numbered
 
 Words = NDArray[np.uint64]
-_GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 _SILVER = np.uint64(0xD1B54A32D192ED03)
 
 
@@ -19,15 +18,14 @@ def variant_keys(seed: int, scenes: NDArray[np.int64], attempts: NDArray[np.int6
     """(V,) one word for each candidate."""
     with np.errstate(over="ignore"):
         words = mix(np.full(1, seed % 2**64, np.uint64) ^ _SILVER)
-        words = mix(words + scenes.astype(np.uint64) * _GOLDEN)
+        words = mix(numbered(words, scenes))
         return mix(words + attempts.astype(np.uint64) * _SILVER)
 
 
 def place_keys(variants: Words, place: str, element: ArrayLike = 0) -> Words:
     """(V,) one word for each candidate at a place; `element`, a number or (V,), numbers its roads
     or copies."""
-    with np.errstate(over="ignore"):
-        return mix(mix(variants ^ _word(place)) + np.asarray(element, np.uint64) * _GOLDEN)
+    return mix(numbered(mix(variants ^ _word(place)), np.asarray(element)))
 
 
 def retried(words: Words, tries: NDArray[np.int64]) -> Words:

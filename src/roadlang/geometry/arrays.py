@@ -77,6 +77,11 @@ def wrapped(angles: Floats) -> Floats:
 _TURN, _MANY = 2.0 * np.pi, 256
 
 
+def wrapped_angle(angle: float) -> float:
+    """One angle in [-pi, pi), to the bits of `wrapped`."""
+    return (angle + np.pi) % _TURN - np.pi
+
+
 def inverse_index(rows: Integers, count: int) -> Integers:
     """(count,) where each of `count` rows is in a selection `rows`; -1 for those that are not."""
     place = np.full(count, -1)

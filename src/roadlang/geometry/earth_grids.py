@@ -6,12 +6,11 @@ import math
 from collections.abc import Callable
 from typing import TypeAlias
 
-from .local_projection import LocalProjection
+from .local_projection import EQUATOR_RADIUS, LocalProjection
 
 ToDegrees: TypeAlias = Callable[[float, float], tuple[float, float]]
 """From x and y to latitude and longitude in degrees."""
 
-_RADIUS = 6_378_137.0
 _GEOGRAPHIC = {4326, 4979, 4258, 4269, 4167, 7844}
 """WGS84, ETRS89, NAD83, NZGD2000, GDA2020: the same within 2 m."""
 _MERCATOR = {3857, 3785, 900913}
@@ -48,8 +47,8 @@ def _swapped(x: float, y: float) -> tuple[float, float]:
 
 
 def _from_web_mercator(x: float, y: float) -> tuple[float, float]:
-    latitude = math.atan(math.sinh(y / _RADIUS))
-    return math.degrees(latitude), math.degrees(x / _RADIUS)
+    latitude = math.atan(math.sinh(y / EQUATOR_RADIUS))
+    return math.degrees(latitude), math.degrees(x / EQUATOR_RADIUS)
 
 
 def _utm(zone: int, south: bool) -> ToDegrees:

@@ -14,8 +14,8 @@ import numpy as np
 
 from .arrays import Floats
 
-_RADIUS = 6_378_137.0
-"""Meters at the equator."""
+EQUATOR_RADIUS = 6_378_137.0
+"""Meters, of the ellipsoid of WGS84."""
 _SQUARED = 0.00669437999014
 """The square of the eccentricity."""
 
@@ -35,7 +35,7 @@ class LocalProjection:
         phi = math.radians(latitude)
         sine, cosine, tangent = math.sin(phi), math.cos(phi), math.tan(phi)
         second = _SQUARED / (1.0 - _SQUARED)
-        n = _RADIUS / math.sqrt(1.0 - _SQUARED * sine * sine)
+        n = EQUATOR_RADIUS / math.sqrt(1.0 - _SQUARED * sine * sine)
         t, c = tangent * tangent, second * cosine * cosine
         away = math.remainder(longitude - self.longitude, 360.0)
         a = math.radians(away) * cosine
@@ -52,7 +52,7 @@ class LocalProjection:
         for _ in range(_CORRECTIONS):
             east, north = self.point(latitude, longitude)
             sine, cosine = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
-            n = _RADIUS / math.sqrt(1.0 - _SQUARED * sine * sine)
+            n = EQUATOR_RADIUS / math.sqrt(1.0 - _SQUARED * sine * sine)
             r = n * (1.0 - _SQUARED) / (1.0 - _SQUARED * sine * sine)
             latitude += math.degrees((y - north) / r)
             longitude += math.degrees((x - east) / (n * cosine))
@@ -67,7 +67,7 @@ class LocalProjection:
 def _meridian(phi: float) -> float:
     """Meters along the meridian from the equator to a latitude in radians (3-21)."""
     e2, e4, e6 = _SQUARED, _SQUARED**2, _SQUARED**3
-    return _RADIUS * (
+    return EQUATOR_RADIUS * (
         (1.0 - e2 / 4.0 - 3.0 * e4 / 64.0 - 5.0 * e6 / 256.0) * phi
         - (3.0 * e2 / 8.0 + 3.0 * e4 / 32.0 + 45.0 * e6 / 1024.0) * math.sin(2.0 * phi)
         + (15.0 * e4 / 256.0 + 45.0 * e6 / 1024.0) * math.sin(4.0 * phi)

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from .paths import Path
 
 _JOINED = 1e-6
-_WIDTHS = 64
+WIDTHS = 64
+"""Places of a road at which its width is known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +73,7 @@ class Edge(SharedArrays):
     @classmethod
     def of(cls, id: int, start: int, end: int, curve: Curve, section: CrossSection) -> Edge:
         """An edge with these lanes, sure."""
-        widths = section.drivable_profile().at(curve.stations(count=_WIDTHS))
+        widths = section.drivable_profile().at(curve.stations(count=WIDTHS))
         return cls(id, start, end, curve, widths, cross_section=section)
 
     @property

@@ -11,13 +11,12 @@ import numpy as np
 from .arrays import Floats, norm
 from .curve import Curve
 from .edge_parts import EdgePart
-from .network import Edge, Node, RoadNetwork
+from .network import WIDTHS, Edge, Node, RoadNetwork
 
 _STRAIGHT = np.radians(60.0)
 """Roads that go on in one another are joined where they turn by less."""
 _APART = 1e-3
 """Meters between places of one road at which it is cut."""
-_WIDTHS = 64
 
 
 @dataclass(frozen=True)
@@ -138,7 +137,7 @@ def _ring_bounds(edge: Edge, places: Sequence[float]) -> list[float]:
 
 def _reversed(edge: Edge) -> Edge:
     forward = None if edge.forward is None else not edge.forward
-    widths = edge.width.at(np.linspace(edge.length, 0.0, _WIDTHS))
+    widths = edge.width.at(np.linspace(edge.length, 0.0, WIDTHS))
     return replace(
         edge,
         start=edge.end,
@@ -163,7 +162,7 @@ def _joined(before: Edge, after: Edge) -> Edge:
     else:
         curve = Curve.through(points)
     length = before.length + after.length
-    s = np.linspace(0.0, length, _WIDTHS)
+    s = np.linspace(0.0, length, WIDTHS)
     early = np.minimum(s, before.length)
     widths = np.where(
         s <= before.length,

@@ -6,13 +6,17 @@ import numpy as np
 
 from .arrays import Floats
 
+SEEN_FROM = 0.35
+"""Pixels, in figures: smaller loops are not seen."""
 
-def unfolded_lines(line: Floats, center: Floats, tolerance: float) -> list[Floats]:
+
+def unfolded_lines(line: Floats, center: Floats, tolerance: float = SEEN_FROM) -> list[Floats]:
     """What is left of an offset line (n, 2) without the loops that it makes inside bends tighter
     than the offset; (m, 2) each.
 
     A point belongs to it if no point of the center line (n, 2) is nearer than its own by more than
-    `tolerance`. All in one unit of length.
+    `tolerance`. All in one unit of length: in pixels, unless the
+    tolerance is given.
     """
     forward = (np.diff(line, axis=0) * np.diff(center, axis=0)).sum(axis=1)
     if (forward >= 0).all():

@@ -21,6 +21,9 @@ _GRID = 41
 _STEEPEST = 1.72
 """Greatest slope of (1 - r^2)^3: the plane folds where a move is longer than the radius by it."""
 
+RADIUS = 80.0
+"""Meters around a place that move with it, where nothing is said."""
+
 
 @dataclass(frozen=True)
 class Warp:
@@ -36,9 +39,13 @@ class Warp:
 
     @classmethod
     def of(
-        cls, at: Sequence[tuple[float, float]], by: Sequence[tuple[float, float]], radius: float
+        cls,
+        at: Sequence[tuple[float, float]],
+        by: Sequence[tuple[float, float]],
+        radius: float | None = None,
     ) -> Warp:
-        """Of points as tuples."""
+        """Of points as tuples; without a radius, with `RADIUS`."""
+        radius = RADIUS if radius is None else radius
         if len(at) != len(by):
             raise GeometryError(f"there are {len(at)} places, but {len(by)} displacements")
         moves = np.array(by, dtype=np.float64).reshape(-1, 2)

@@ -8,6 +8,10 @@ from typing import Literal, TypeAlias
 Sort: TypeAlias = Literal["waypoint", "place", "object", "agent", "junction", "street"]
 
 
+SPACING = 30.0
+"""Meters from one handle of a road to the next, about."""
+
+
 @dataclass(frozen=True)
 class Handle:
     """A place that can be dragged, meters east and north. `number`: which of the waypoints it is;

@@ -22,11 +22,9 @@ from ..syntax.scene_edits import (
 )
 from ..syntax.text_edits import Place, declared, place_of
 from ..syntax.tree.nodes import Actor, Geometry
-from .handle import Handle, Sort
+from .handle import SPACING, Handle, Sort
 from .networks import network_dragged, network_handles, network_restored
 
-SPACING = 30.0
-"""Meters from one handle of a road to the next, about."""
 MOST = 60
 """Maximum number of handles of a road, besides those that were already moved."""
 NEAREST = 0.5

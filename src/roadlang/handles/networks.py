@@ -19,10 +19,8 @@ from ..syntax.network_edits import (
     with_network_moves,
 )
 from ..syntax.text_edits import Place
-from .handle import Handle
+from .handle import SPACING, Handle
 
-SPACING = 30.0
-"""Meters between handles along a road, about."""
 NEAR = 1.0
 """Meters: handles closer than this would coincide."""
 SAME = 0.02

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from .tiff import TiffError, TiffTags
 
-_PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
-_MODEL_TYPE, _RASTER_TYPE, _GEOGRAPHIC, _PROJECTED_CODE = 1024, 1025, 2048, 3072
-_PROJECTED, _IN_DEGREES, _POINTS = 1, 2, 2
+PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
+MODEL_TYPE, _RASTER_TYPE, _GEOGRAPHIC, _PROJECTED_CODE = 1024, 1025, 2048, 3072
+PROJECTED, _IN_DEGREES, _POINTS = 1, 2, 2
 _OWN = 32767
 """The code of a grid that the file itself describes."""
 _DEGREES = "EPSG:4326"
@@ -39,7 +39,7 @@ def geotiff_reference(content: bytes) -> Georeference | None:
     """Of a GeoTIFF (OGC 19-008r4, annex C and requirements 9 to 11); None if it has no place."""
     try:
         tags = TiffTags(content)
-        scale, ties = tags.numbers(_PIXEL_SCALE), tags.numbers(_TIE_POINT)
+        scale, ties = tags.numbers(PIXEL_SCALE), tags.numbers(_TIE_POINT)
         whole, keys = tags.numbers(_TRANSFORMATION), geo_keys(tags)
     except TiffError:
         return None
@@ -63,9 +63,9 @@ def geo_keys(tags: TiffTags) -> dict[int, int]:
 
 
 def _grid(keys: dict[int, int]) -> str:
-    kind = keys.get(_MODEL_TYPE)
+    kind = keys.get(MODEL_TYPE)
     code = keys.get(_GEOGRAPHIC if kind == _IN_DEGREES else _PROJECTED_CODE, _OWN)
-    if kind not in (_PROJECTED, _IN_DEGREES) or code in (0, _OWN):
+    if kind not in (PROJECTED, _IN_DEGREES) or code in (0, _OWN):
         return _DEGREES if kind == _IN_DEGREES else ""
     return f"EPSG:{code}"
 

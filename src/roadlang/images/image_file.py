@@ -18,10 +18,9 @@ from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
-from .placed_pixels import Pixels, PlacedPixels, placed
+from .placed_pixels import MOST_PIXELS, Pixels, PlacedPixels, placed
 from .tiff_bands import TiffBands
 
-MOST_PIXELS = 100_000_000
 LEAST_SIDE = 2
 _SILENT = 0
 _HALF, _WHITE, _NEARLY_ALL = 0.5, 200.0, 0.99

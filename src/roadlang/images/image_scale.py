@@ -11,6 +11,9 @@ from ..files.reading import UnreadableFile, read_start
 from ..files.table_text import number_in
 from .gdal_metadata import gdal_metadata
 from .georeference import (
+    MODEL_TYPE,
+    PIXEL_SCALE,
+    PROJECTED,
     Georeference,
     geo_keys,
     geotiff_reference,
@@ -19,9 +22,7 @@ from .georeference import (
 )
 from .tiff import TiffError, TiffTags
 
-_PIXEL_SCALE = 33550
-_MODEL_TYPE, _LINEAR_UNITS = 1024, 3076
-_PROJECTED = 1
+_LINEAR_UNITS = 3076
 _WORLD_FILE = 1000
 """bytes of a world file that are looked at: six numbers"""
 _PROJECTION_FILE = 20_000
@@ -57,10 +58,10 @@ def scale_in_file(path: Path, content: bytes, format: str) -> FoundScale | None:
 def _geotiff(content: bytes) -> float | None:
     try:
         tags = TiffTags(content)
-        scale, entries = tags.numbers(_PIXEL_SCALE), geo_keys(tags)
+        scale, entries = tags.numbers(PIXEL_SCALE), geo_keys(tags)
     except TiffError:
         return None
-    if len(scale) < 2 or entries.get(_MODEL_TYPE, _PROJECTED) != _PROJECTED:
+    if len(scale) < 2 or entries.get(MODEL_TYPE, PROJECTED) != PROJECTED:
         return None
     meters = _METERS.get(entries.get(_LINEAR_UNITS, 9001))
     return None if meters is None else _usable(math.sqrt(abs(scale[0] * scale[1])) * meters)

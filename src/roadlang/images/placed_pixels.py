@@ -20,7 +20,8 @@ Pixels = NDArray[np.uint8]
 
 _LEAST_TURN = 0.5
 """Pixels by which a picture may be off north, or off square, and is still taken as it is."""
-_MOST_PIXELS = 100_000_000
+MOST_PIXELS = 100_000_000
+"""Of a picture that is read, and of one that is turned to the north."""
 _NEAR = 10_000.0
 """Meters from (0, 0) up to which a plan may be of no grid at all."""
 _NO_GRID = "its coordinate system is not known: add a `.prj` file, or `origin`"
@@ -145,7 +146,7 @@ def _squared(pixels: Pixels, frame: _Frame) -> PlacedPixels:
         return _turned(pixels, frame)
     side = min(wide, high)
     columns, rows = round(frame.width * wide / side), round(frame.height * high / side)
-    if columns * rows > _MOST_PIXELS:
+    if columns * rows > MOST_PIXELS:
         raise ValueError("too large")
     across, down = frame.width / columns, frame.height / rows
     matrix = (across, 0.0, (across - 1.0) / 2.0, 0.0, down, (down - 1.0) / 2.0)

@@ -156,8 +156,17 @@ def unit_interval(keys: NDArray[np.uint64], count: int, stream: int = 0) -> Floa
 
     steps = np.arange(1, count + 1, dtype=np.uint64) + np.uint64(stream << 32)
     with np.errstate(over="ignore"):
-        words = mix(keys + steps[None, :] * np.uint64(0x9E3779B97F4A7C15))
+        words = mix(numbered(keys, steps[None, :]))
     return (words >> np.uint64(11)).astype(np.float64) * 2.0**-53
+
+
+def numbered(words: NDArray[np.uint64], numbers: NDArray[Any]) -> NDArray[np.uint64]:
+    """Words for the `numbers` >= 0 of what each of the `words` stands for, in their common shape:
+    the states of SplitMix64 (Steele, Lea, Flood 2014), from which `mix` makes random words."""
+    import numpy as np
+
+    with np.errstate(over="ignore"):
+        return words + np.asarray(numbers, np.uint64) * np.uint64(0x9E3779B97F4A7C15)
 
 
 def mix(words: NDArray[np.uint64]) -> NDArray[np.uint64]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 from ..stl.formats.unit_factors import UNITS as BASE_UNITS
+from ..stl.formats.unit_factors import Powers, unit_powers
+from ..stl.formats.unit_factors import TwoSlashes as TwoSlashes
+from ..stl.formats.unit_factors import UnknownUnit as UnknownUnit
 from .dimension import ANGLE, FORCE, FREQUENCY, LENGTH, MASS, PIXELS, PURE, SPEED, TIME, Dimension
 
 
@@ -25,20 +27,6 @@ UNITS: dict[str, Unit] = {
     name: Unit(unit.factor, _DIMENSIONS[unit.quantity]) for name, unit in BASE_UNITS.items()
 }
 
-_PART = re.compile(r"([A-Za-z%]+)(?:\^(-?[0-9]+(?:\.[0-9]+)?))?\Z")
-
-
-class UnknownUnit(ValueError):
-    """Not a unit; `word` is the part that is not known."""
-
-    def __init__(self, word: str) -> None:
-        super().__init__(word)
-        self.word = word
-
-
-class TwoSlashes(ValueError):
-    """A unit has one `/` at most: `m/s^2`, not `m/s/s`."""
-
 
 def parse_unit(text: str) -> Unit:
     """The unit a number carries: `m`, `m/s^2`, `/m` (as in `0.1/m`) or `1/m`, `m^1.5`.
@@ -47,23 +35,13 @@ def parse_unit(text: str) -> Unit:
     """
     if not text:
         return Unit(1.0, PURE)
-    above, *below = text.split("/")
-    if len(below) > 1:
-        raise TwoSlashes(text)
-    unit = _product(above) if above not in ("", "1") else Unit(1.0, PURE)
-    if below:
-        divisor = _product(below[0])
-        unit = Unit(unit.factor / divisor.factor, unit.dimension / divisor.dimension)
-    return unit
+    above, below = (_product(powers) for powers in unit_powers(text))
+    return Unit(above.factor / below.factor, above.dimension / below.dimension)
 
 
-def _product(text: str) -> Unit:
+def _product(powers: Powers) -> Unit:
     factor, dimension = 1.0, PURE
-    for part in text.split("*"):
-        match = _PART.match(part)
-        if match is None or match[1] not in UNITS:
-            raise UnknownUnit(match[1] if match else part)
-        exponent = float(match[2]) if match[2] else 1.0
-        factor *= UNITS[match[1]].factor ** exponent
-        dimension = dimension * UNITS[match[1]].dimension ** exponent
+    for name, exponent in powers:
+        factor *= UNITS[name].factor ** exponent
+        dimension = dimension * UNITS[name].dimension ** exponent
     return Unit(factor, dimension)

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-_REAL = "fiub"
+REAL = "fiub"
 """Kinds of numpy types: floating point, signed and unsigned integers, Boolean"""
 _KINDS = {"c": "complex numbers", "U": "text", "S": "bytes", "M": "dates", "m": "spans of time"}
 """Other kinds of numpy types, for people."""
@@ -59,7 +59,7 @@ def _as_real(
 ) -> NDArray[np.float64]:
     import numpy as np
 
-    if array.dtype.kind not in _REAL:
+    if array.dtype.kind not in REAL:
         fault = f"gave {what} as {_described(array)}, not as real numbers"
         raise wrong_result(entry, span, fault)
     return array.astype(np.float64, copy=False)

@@ -10,22 +10,15 @@ from itertools import combinations
 
 import numpy as np
 
+from ..geometry.bend_room import BRAKING, LONG, PASSING_GAP, STRAIGHT
 from ..ir.scene import SceneRoad
 from ..ir.scene_actor import SceneActor
 from ..plugins.kinds import STANDING_GAP
 from .start_gaps import FARTHEST
 
-BRAKING = 3.0
-"""m/s^2"""
-STRAIGHT = 0.004
-"""1/m: bends with less curvature do not matter."""
-LONG = 7.0
-"""Meters: where all are shorter, they have room enough in their lanes."""
 COVERED = 0.16
 """Share of the square of its length, times the curvature, that a vehicle covers to each side beyond
 its width, in a bend: its front on the outside, its middle on the inside."""
-BETWEEN = 0.3
-"""Meters between two that pass each other."""
 
 
 def slowed_before_meetings(
@@ -75,7 +68,7 @@ def _most(one: SceneActor, other: SceneActor, road: SceneRoad) -> float:
     seen = (along >= 0.0) & (along <= first.length + between + last.length)
     bend = float(np.abs(np.asarray(road.curvature)[seen]).max(initial=0.0))
     covered = COVERED * bend * (one.length**2 + other.length**2)
-    if bend < STRAIGHT or spare > covered + BETWEEN:
+    if bend < STRAIGHT or spare > covered + PASSING_GAP:
         return math.inf
     return math.sqrt(2.0 * BRAKING * max(0.0, 0.5 * gap - STANDING_GAP))
 

@@ -31,7 +31,7 @@ def position_fault(actor: ScenarioActor, scenario: IndexedScenario) -> Diagnosti
         return _off_road(actor, f"{100 * (low if low > 1 else high):g}%") if off else None
     if high < -_ROUNDING:
         return _off_road(actor, f"{high:g}m")
-    if any(call.verb == "perturb" for link in _roads(road, scenario) for call in link.passes):
+    if any(call.verb == "perturb" for link in scenario.roads_below(road) for call in link.passes):
         return None
     length = _length_if_beyond(road, low, scenario)
     if length is None or low <= length * (1 + _ROUNDING):
@@ -83,18 +83,13 @@ def _off_road(actor: ScenarioActor, position: str, help_: str = "") -> Diagnosti
 
 def drawer_of(road: ScenarioRoad, scenario: IndexedScenario) -> PassCall | None:
     """The `draw with` that a road goes back to; None where it comes from a file or network."""
-    bottom = list(_roads(road, scenario))[-1]
+    bottom = list(scenario.roads_below(road))[-1]
     drawn = [call for call in bottom.passes if call.verb == "draw"]
     return drawn[0] if drawn and bottom.source is None else None
 
 
-def _roads(road: ScenarioRoad, scenario: IndexedScenario) -> Iterator[ScenarioRoad]:
-    """A road, the one that it is made from, and so on."""
-    return (link for link in scenario.chain(road) if isinstance(link, ScenarioRoad))
-
-
 def _may_be_closed(road: ScenarioRoad, scenario: IndexedScenario) -> bool:
-    values = [link.options.get("closed") for link in _roads(road, scenario)]
+    values = [link.options.get("closed") for link in scenario.roads_below(road)]
     return any(value not in (None, Flag(False)) for value in values)
 
 
@@ -104,7 +99,7 @@ def _length_if_beyond(road: ScenarioRoad, place: float, scenario: IndexedScenari
     call = drawer_of(road, scenario)
     if call is None or place <= _least_length(call, scenario):
         return None
-    return _length(list(_roads(road, scenario))[-1], scenario)
+    return _length(list(scenario.roads_below(road))[-1], scenario)
 
 
 def _least_length(call: PassCall, scenario: IndexedScenario) -> float:

@@ -16,17 +16,15 @@ from .text_edits import (
 )
 from .tree.nodes import Expression, Geometry, Name
 
-RADIUS = 80.0
-"""Meters around a place that move with it, where nothing is said."""
-
 
 @dataclass(frozen=True)
 class NetworkMoves:
-    """Places of the network as it was found, by how much each is moved, and what moves with it."""
+    """Places of the network as it was found, by how much each is moved, and the distance in meters
+    within which everything moves with it, None where the text does not say it."""
 
     at: tuple[Place, ...] = ()
     by: tuple[Place, ...] = ()
-    radius: float = RADIUS
+    radius: float | None = None
 
 
 def found_network(text: str, name: str) -> str | None:
@@ -53,8 +51,8 @@ def network_moves_of(text: str, name: str) -> NetworkMoves | None:
         return None
     at, by = places_of(options.get("moved_at")), places_of(options.get("moved_by"))
     written = options.get("moved_radius")
-    radius = RADIUS if written is None else meters_of(written)
-    if at is None or by is None or len(at) != len(by) or radius is None:
+    radius = None if written is None else meters_of(written)
+    if at is None or by is None or len(at) != len(by) or (written and radius is None):
         return None
     return NetworkMoves(at, by, radius)
 

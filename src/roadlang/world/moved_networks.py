@@ -11,9 +11,6 @@ from ..geometry.warp import Warp
 from ..ir.scenario import ScenarioNetwork
 from ..ir.values import Value
 
-RADIUS = 80.0
-"""Meters around a place that move with it, where nothing is said."""
-
 
 def moved_network(
     network: ScenarioNetwork, found: RoadNetwork, candidates: CandidateBatch
@@ -28,7 +25,7 @@ def moved_network(
         warp = Warp.of(
             _points(at, candidates),
             _points(by, candidates),
-            RADIUS if radius is None else float(scalar(evaluate(radius, candidates))),
+            None if radius is None else float(scalar(evaluate(radius, candidates))),
         )
         return warp.network(found)
     except GeometryError as error:

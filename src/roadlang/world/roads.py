@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -59,13 +58,9 @@ def road_batch(name: str, candidates: CandidateBatch) -> RoadBatch:
 def road_root(name: str, candidates: CandidateBatch) -> RoadRoot:
     """What a road is before anything was perturbed."""
     scenario = candidates.scenario
-    bottom = list(_roads(scenario.roads[name], scenario))[-1]
+    bottom = list(scenario.roads_below(scenario.roads[name]))[-1]
     drawn = scenario.is_varying(bottom.name)
     return candidates.root(("road root", bottom.name), drawn, partial(_root, bottom))
-
-
-def _roads(road: ScenarioRoad, scenario: IndexedScenario) -> Iterator[ScenarioRoad]:
-    return (link for link in scenario.chain(road) if isinstance(link, ScenarioRoad))
 
 
 def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) -> Floats:
@@ -78,7 +73,7 @@ def _width(road: ScenarioRoad, before: RoadBatch, candidates: CandidateBatch) ->
         return width
     if options.keys() & {"left", "right"} and not _is_measured(road, candidates):
         return _extent(road, lane_plan(road, candidates.scenario), candidates)
-    written = any("width" in link.options for link in _roads(road, candidates.scenario))
+    written = any("width" in link.options for link in candidates.scenario.roads_below(road))
     if "lanes" in options and not written and not _is_measured(road, candidates):
         count = np.atleast_2d(np.asarray(evaluate(options["lanes"], candidates), float))
         return np.asarray(LANE_WIDTH * np.maximum(np.rint(count), 1.0))
@@ -116,7 +111,7 @@ def _require_sum(road: ScenarioRoad, width: Floats, candidates: CandidateBatch) 
 
 def _is_measured(road: ScenarioRoad, candidates: CandidateBatch) -> bool:
     """Whether the width of a road comes from a picture or file, with nothing written over it."""
-    links = list(_roads(road, candidates.scenario))
+    links = list(candidates.scenario.roads_below(road))
     if any(link.options.keys() & {"width", "left", "right"} for link in links[1:]):
         return False
     root = road_root(road.name, candidates)

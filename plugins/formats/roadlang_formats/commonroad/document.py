@@ -8,6 +8,7 @@ from xml.etree.ElementTree import Element, indent, tostring
 
 from roadlang_formats.lanelets.network import lanelet_map
 
+from ..file_date import DATE
 from .elements import put
 from .lanelet_elements import put_lanelets, written_lanelets
 from .numbering import Numbering
@@ -24,8 +25,6 @@ TIME_STEP = 0.1
 """Seconds of a time step where nothing was driven."""
 _UNKNOWN_PLACE = 999
 _NO_GEO_NAME = -999
-_DATE = "1970-01-01"
-"""The format demands one; files of the same scene are to be equal."""
 
 
 def document(scene: Scene, trace: Trace | None = None) -> str:
@@ -57,7 +56,7 @@ def _attributes(scene: Scene, trace: Trace | None, step: float) -> dict[str, str
     return {
         "commonRoadVersion": "2020a",
         "benchmarkID": f"ZAM_{name}-{scene.index + 1}_1{driven}",
-        "date": _DATE,
+        "date": DATE,
         "author": "roadlang",
         "affiliation": "roadlang",
         "source": "roadlang",

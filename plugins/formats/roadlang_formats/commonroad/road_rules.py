@@ -14,10 +14,10 @@ from roadlang.api import SceneControl, SceneJunction, signal_heads
 from roadlang.geometry import Floats
 from roadlang_formats.lanelets.model import LaneletJunction, LaneletMap, LinePoint
 
+from ..road_signs import SIGNS
 from .elements import put, put_point, put_references
 from .numbering import Numbering
 
-_SIGNS = {"yield": "205", "stop": "206", "all_way_stop": "206"}
 _SPEED_LIMIT = "274"
 _PRIORITY = "301"
 _TURNS = {"left": "successorsLeft", "u": "successorsLeft", "right": "successorsRight"}
@@ -86,14 +86,14 @@ class RoadRules:
         self, lanelets: LaneletMap, junction: LaneletJunction, numbering: Numbering
     ) -> None:
         control = junction.junction.control
-        if control.kind not in _SIGNS:
+        if control.kind not in SIGNS:
             return
         by_road: dict[str, list[int]] = {}
         for connection in junction.junction.connections:
             by_road.setdefault(connection.source.road, []).append(connection.id)
         for road, connections in by_road.items():
             minor = control.kind == "all_way_stop" or road in control.minor
-            kind = _SIGNS[control.kind] if minor else _PRIORITY
+            kind = SIGNS[control.kind] if minor else _PRIORITY
             sources = _sources(lanelets, junction, connections)
             if not sources:
                 continue

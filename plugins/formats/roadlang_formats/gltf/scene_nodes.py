@@ -11,7 +11,7 @@ import numpy as np
 from roadlang.api import signal_heads
 from roadlang.geometry import Floats
 
-from ..surfaces.heights import SceneHeights
+from ..surfaces.heights import GROUND_BELOW, SceneHeights
 from ..surfaces.junction_surface import JunctionSurface, junction_surfaces
 from ..surfaces.prisms import junction_prisms, road_prisms
 from ..surfaces.road_surface import RoadSurface, road_surfaces
@@ -32,10 +32,6 @@ _TOLERANCE = 0.005
 """Meters by which edges of roads may be off."""
 _BESIDE = 150.0
 """Ground around everything, meters."""
-_THICK = 0.5
-"""Of convex meshes below a surface, meters."""
-_BELOW = 0.05
-"""Of the ground under the lowest road, meters, so that neither shines through the other."""
 
 
 @dataclass
@@ -54,7 +50,7 @@ class SceneNodes:
         junctions = list(junction_surfaces(self.scene))
         edges = [surface.borders.reshape(-1, 3) for surface in roads]
         points = np.concatenate([*edges, *(place.ring for place in junctions)])
-        ground = float(points[:, 2].min()) - _BELOW
+        ground = float(points[:, 2].min()) - GROUND_BELOW
         heights = SceneHeights.of(self.scene)
         names = [
             self._ground(points, ground),
@@ -133,7 +129,7 @@ class SceneNodes:
             children += self._extra(road.name, name, joined(parts), at, solid)
         if self.collision == "unreal" and children:
             of = self.writer.name(children[0])
-            prisms = (prism for prism, _ in road_prisms(surface, _THICK))
+            prisms = (prism for prism, _ in road_prisms(surface))
             children += put_prisms(self.writer, of, prisms, at)
         extras = {"part": "road", "road": road.name, "length": road.length}
         return self.writer.node(f"road {road.name}", children=children, extras=extras)
@@ -148,7 +144,7 @@ class SceneNodes:
         ):
             children += self._extra(name, part_name, joined(parts), at, solid)
         if self.collision == "unreal" and children:
-            prisms = junction_prisms(surface, _THICK)
+            prisms = junction_prisms(surface)
             children += put_prisms(self.writer, self.writer.name(children[0]), prisms, at)
         height = float(surface.ring[:, 2].mean())
         for number, head in enumerate(signal_heads(surface.junction)):

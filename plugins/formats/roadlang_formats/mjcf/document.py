@@ -15,7 +15,7 @@ from roadlang_standard.engine_tables import BODIES
 
 from ..agent_paths import agent_path, lane_path
 from ..surfaces.built import built_roads
-from ..surfaces.heights import SceneHeights
+from ..surfaces.heights import GROUND_BELOW, SceneHeights
 from ..surfaces.junction_surface import junction_surfaces
 from ..surfaces.prisms import junction_prisms, road_prisms
 from ..surfaces.road_surface import road_surfaces
@@ -28,10 +28,6 @@ if TYPE_CHECKING:
 
 _TOLERANCE = 0.02
 """Meters by which the edges of roads may be off."""
-_THICK = 0.5
-"""Meters from the top of a road to its bottom."""
-_BELOW = 0.05
-"""Of the ground under the lowest road, meters."""
 _DRY = 0.9
 """Friction where the world says nothing."""
 _STEP = 0.004
@@ -117,17 +113,17 @@ def _put_roads(scene: Scene, assets: Element, world: Element, grip: float) -> No
         geom.set("rgba", " ".join(map(str, _WALK if raised else _ROAD)))
         geom.set("friction", f"{grip:.6g} 0.005 0.0001")
     ground = put(world, "geom", name="ground plane", type="plane", size=(0, 0, 10), rgba=_GROUND)
-    ground.set("pos", f"0 0 {min(tops) - _BELOW:.6g}")
+    ground.set("pos", f"0 0 {min(tops) - GROUND_BELOW:.6g}")
     ground.set("friction", f"{grip:.6g} 0.005 0.0001")
 
 
 def _prisms(scene: Scene) -> Iterator[tuple[str, Floats, bool]]:
     """Names, corners, and whether it is a raised lane."""
     for surface in road_surfaces(scene, _TOLERANCE):
-        for place, (prism, raised) in enumerate(road_prisms(surface, _THICK)):
+        for place, (prism, raised) in enumerate(road_prisms(surface)):
             yield f"{surface.road.name} {place}", prism, raised
     for area in junction_surfaces(scene):
-        for place, prism in enumerate(junction_prisms(area, _THICK)):
+        for place, prism in enumerate(junction_prisms(area)):
             yield f"{area.name} {place}", prism, False
 
 

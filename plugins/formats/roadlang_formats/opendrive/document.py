@@ -12,6 +12,7 @@ from roadlang_formats.opendrive_reading.left_hand import LEFT_HAND_OF
 from roadlang_formats.opendrive_reading.parsing import VENDOR
 from roadlang_formats.place_on_earth import map_origin
 
+from ..file_date import DATE
 from .connecting_roads import ConnectingRoad, put_connecting_road
 from .direct_links import End
 from .elements import linear_pieces, put
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
 
 _LEVEL = 1e-3
 """Meters by which heights may be off."""
-_DATE = "1970-01-01T00:00:00"
-"""The format demands one; files of the same scene are to be equal."""
 
 
 def document(
@@ -85,7 +84,7 @@ def _put_header(
         revMinor=int(minor),
         name=scene.title or scene.name,
         version="1",
-        date=_DATE,
+        date=f"{DATE}T00:00:00",
         north=float(y.max()),
         south=float(y.min()),
         east=float(x.max()),

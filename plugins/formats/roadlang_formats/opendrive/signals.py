@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
+from ..road_signs import SIGNS
 from .elements import put
 
 if TYPE_CHECKING:
     from .junctions import NumberedJunction
     from .road_parts import OpenDriveRoad
 
-_SIGNS = {"yield": "205", "stop": "206", "all_way_stop": "206"}
-"""Types of the German catalog, which OpenDRIVE takes where a country is given."""
 _BESIDE = 1.0
 """Meters from the edge of the road to a pole."""
 
@@ -48,7 +47,7 @@ def signals(junctions: Sequence[NumberedJunction]) -> tuple[RoadSignal, ...]:
                     for place, phase in enumerate(control.phases)
                     if road.connection.id in phase.connections
                 )
-            elif control.kind in _SIGNS and minor:
+            elif control.kind in SIGNS and minor:
                 phases = ()
             else:
                 continue
@@ -93,7 +92,7 @@ def put_signals(
             dynamic="yes" if light else "no",
             orientation="-" if at_start else "+",
             zOffset=3.0 if light else 2.0,
-            type="1000001" if light else _SIGNS[signal.kind],
+            type="1000001" if light else SIGNS[signal.kind],
             country="OpenDRIVE" if light else "DE",
             subtype="-1",
             height=1.0,

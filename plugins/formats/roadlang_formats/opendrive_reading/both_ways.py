@@ -6,8 +6,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from .records import (
+    OTHER_END,
     ConnectionRecord,
-    Contact,
     OpenDriveRecord,
     RoadLink,
     RoadRecord,
@@ -15,7 +15,6 @@ from .records import (
 
 REVERSE_OF = "roadlang:reverse_of"
 """The code of `userData` in a road; its value is the id of the road that it runs against."""
-_OTHER: dict[Contact, Contact] = {"start": "end", "end": "start"}
 
 
 def with_both_ways(record: OpenDriveRecord) -> OpenDriveRecord:
@@ -55,7 +54,7 @@ def _relinked(road: RoadRecord, partners: dict[str, str]) -> RoadRecord:
 def _link(link: RoadLink | None, partners: dict[str, str]) -> RoadLink | None:
     if link is None or link.id not in partners or link.kind != "road":
         return link
-    return RoadLink("road", partners[link.id], _OTHER[link.contact])
+    return RoadLink("road", partners[link.id], OTHER_END[link.contact])
 
 
 def _incoming(item: ConnectionRecord, partners: dict[str, str]) -> ConnectionRecord:

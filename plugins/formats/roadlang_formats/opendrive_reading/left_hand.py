@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from .records import (
+    OTHER_END,
     Contact,
     Cubic,
     JunctionRecord,
@@ -21,7 +22,6 @@ from .records import (
 LEFT_HAND_OF = "roadlang:left_hand_of"
 """The code of `userData` in a road; its value is the id of the road beside it, which runs the other
 way."""
-_OTHER: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
 _AGAINST = {"+": "-", "-": "+"}
 
 
@@ -85,7 +85,7 @@ def _relinked(road: RoadRecord, places: Mapping[str, _Place]) -> RoadRecord:
     if after is not None and after.kind == "road" and after.id in places:
         sections[-1] = _lanes_linked(sections[-1], "end", places[after.id].lanes)
     links = [
-        RoadLink("road", at.road, _OTHER[link.contact] if at.turned else link.contact)
+        RoadLink("road", at.road, OTHER_END[link.contact] if at.turned else link.contact)
         if link is not None and link.kind == "road" and (at := places.get(link.id)) is not None
         else link
         for link in (before, after)

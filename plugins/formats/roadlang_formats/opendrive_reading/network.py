@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,7 +19,6 @@ from .records import OpenDriveRecord
 from .turns import RoadEnd, TurnReader
 
 _LARGEST_ID = 10**9
-_WIDTHS = 64
 _TOGETHER = 1e-7
 """Share of their coordinates by which ends at one node may differ."""
 
@@ -44,19 +44,8 @@ def network_of(file: MapFile, *, objects: bool = True) -> Extraction:
     for road in outside:
         number, id = numbers[road.record.id], road.record.id
         name = road.record.name or ("" if str(number) == id else id)
-        widths = road.section.drivable_profile().at(road.curve.stations(count=_WIDTHS))
-        edges.append(
-            Edge(
-                number,
-                at[id, "start"],
-                at[id, "end"],
-                road.curve,
-                widths,
-                cross_section=road.section,
-                name=name,
-                elevations=road.elevations(),
-            )
-        )
+        edge = Edge.of(number, at[id, "start"], at[id, "end"], road.curve, road.section)
+        edges.append(replace(edge, name=name, elevations=road.elevations()))
     controls = map_controls(record, numbers)
     network = RoadNetwork(nodes, tuple(edges), record.origin, junctions, controls)
     found = objects_of(file, roads) if objects else ()

@@ -9,6 +9,7 @@ from typing import Literal, TypeAlias
 from roadlang_formats.map_xml import MapElement
 
 Contact: TypeAlias = Literal["start", "end"]
+OTHER_END: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
 Shape: TypeAlias = Literal["line", "arc", "spiral", "poly3", "paramPoly3"]
 
 

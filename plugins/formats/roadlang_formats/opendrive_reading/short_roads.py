@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 from .records import (
+    OTHER_END,
     ConnectionRecord,
     Contact,
     JunctionRecord,
@@ -20,7 +21,6 @@ Linked = TypeVar("Linked", RoadRecord, LaneRecord)
 
 _SHORTEST = 1e-4
 """Meters of a road and of all its pieces together."""
-_OTHER: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
 _NAMES: Mapping[Contact, str] = {"start": "predecessor", "end": "successor"}
 _SECTIONS: Mapping[Contact, int] = {"start": 0, "end": -1}
 
@@ -67,7 +67,7 @@ def _relinked(road: RoadRecord, gone: RoadRecord) -> RoadRecord:
         entered = _lanes(road, end)
         if back is not None and (back.kind, back.id, back.contact) == ("road", road.id, end):
             entered |= {other: id for id, other in _lanes(gone, link.contact).items()}
-        behind = _lanes(gone, _OTHER[link.contact])
+        behind = _lanes(gone, OTHER_END[link.contact])
         sections = list(road.sections)
         section = sections[_SECTIONS[end]]
         lanes = {
@@ -75,7 +75,7 @@ def _relinked(road: RoadRecord, gone: RoadRecord) -> RoadRecord:
             for id, lane in section.lanes.items()
         }
         sections[_SECTIONS[end]] = replace(section, lanes=lanes)
-        beyond = gone.link(_OTHER[link.contact])
+        beyond = gone.link(OTHER_END[link.contact])
         road = _with_link(replace(road, sections=tuple(sections)), end, beyond)
     return road
 
@@ -91,15 +91,15 @@ def _reconnected(junction: JunctionRecord, gone: RoadRecord) -> Iterator[Connect
     for item in junction.connections:
         if item.incoming == gone.id:
             ends = [end for end in _NAMES if _leads_to(gone.link(end), junction)]
-            beyond = gone.link(_OTHER[ends[0]]) if ends else None
+            beyond = gone.link(OTHER_END[ends[0]]) if ends else None
             if beyond is not None and beyond.kind == "road":
-                behind = _lanes(gone, _OTHER[ends[0]])
+                behind = _lanes(gone, OTHER_END[ends[0]])
                 lanes = tuple((behind[a], b) for a, b in item.lanes if a in behind)
                 yield replace(item, incoming=beyond.id, lanes=lanes)
         elif item.connecting == gone.id:
-            beyond = gone.link(_OTHER[item.contact])
+            beyond = gone.link(OTHER_END[item.contact])
             if beyond is not None and beyond.kind == "road":
-                behind = _lanes(gone, _OTHER[item.contact])
+                behind = _lanes(gone, OTHER_END[item.contact])
                 lanes = tuple((a, behind[b]) for a, b in item.lanes if b in behind)
                 at = beyond.contact
                 yield replace(item, connecting=beyond.id, contact=at, lanes=lanes)

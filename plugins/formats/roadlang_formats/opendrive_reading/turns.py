@@ -10,11 +10,10 @@ from roadlang.geometry import LaneEnd, MapJunction, MapTurn
 from roadlang_formats.map_xml import MapFile
 
 from .built_roads import BuiltRoad
-from .records import ConnectionRecord, Contact, JunctionRecord
+from .records import OTHER_END, ConnectionRecord, Contact, JunctionRecord
 
 Roads = Mapping[str, BuiltRoad]
 RoadEnd = tuple[str, Contact]
-_OTHER: Mapping[Contact, Contact] = {"start": "end", "end": "start"}
 _FARTHEST = 50.0
 """Meters between the reference lines of roads that are linked: they may be at either edge."""
 
@@ -50,7 +49,7 @@ class TurnReader:
         """Pairs of ends of roads of the network that meet outside of junctions, each once."""
         found: dict[frozenset[RoadEnd], tuple[RoadEnd, RoadEnd]] = {}
         for id in self._numbers:
-            for end in _OTHER:
+            for end in OTHER_END:
                 link = self._roads[id].record.link(end)
                 if link is None or link.kind == "junction":
                     continue
@@ -112,7 +111,7 @@ class TurnReader:
             yield from self._joined_directly(item, junction)
             return
         connecting = self._roads[item.connecting]
-        enters, leaves = item.contact, _OTHER[item.contact]
+        enters, leaves = item.contact, OTHER_END[item.contact]
         before, after = (connecting.record.link(end) for end in (enters, leaves))
         if after is None or after.kind != "road" or after.id not in self._roads:
             return
@@ -146,7 +145,7 @@ class TurnReader:
         """The end of the incoming road: that which leads to the junction; if both do, the one that
         the connecting road names."""
         ends: list[Contact] = []
-        for end in _OTHER:
+        for end in OTHER_END:
             link = self._roads[item.incoming].record.link(end)
             if link is not None and link.kind == "junction" and link.id == junction.id:
                 ends.append(end)

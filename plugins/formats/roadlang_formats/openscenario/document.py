@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, indent, tostring
 
+from ..file_date import DATE
 from ..opendrive.document import document as opendrive_document
 from ..opendrive.document import turn_rule
 from ..opendrive.elements import put
@@ -24,8 +25,6 @@ from .triggers import at_time, put_trigger
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, Trace
 
-_DATE = "1970-01-01T00:00:00"
-"""The format demands one; files of the same scene are to be equal."""
 _TOLERANCE = 0.005
 """Meters of reference lines, as of `emit opendrive`."""
 _DURATION = 60.0
@@ -121,7 +120,7 @@ def _put_header(root: Element, scene: Scene, version: str) -> None:
         "FileHeader",
         revMajor=int(major),
         revMinor=int(minor),
-        date=_DATE,
+        date=f"{DATE}T00:00:00",
         description=scene.title or scene.name or "scene",
         author="roadlang",
     )

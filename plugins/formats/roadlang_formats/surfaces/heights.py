@@ -16,6 +16,9 @@ from .road_surface import road_heights
 if TYPE_CHECKING:
     from roadlang.api import Scene, SceneActor, SceneRoad
 
+GROUND_BELOW = 0.05
+"""Meters of the ground under the lowest road, so that neither shines through the other."""
+
 
 @dataclass(frozen=True)
 class SceneHeights:

@@ -13,13 +13,17 @@ from roadlang.geometry import Floats
 from .junction_surface import JunctionSurface
 from .road_surface import RoadSurface
 
+THICKNESS = 0.5
+"""Meters from the top of a road to its bottom."""
 _LEAST_AREA = 1e-3
 """Square meters of a prism seen from above, below which it is left out."""
 _STRAIGHT = 1e-9
 """Square meters by which a corner may turn the wrong way and still be straight."""
 
 
-def road_prisms(surface: RoadSurface, thickness: float) -> Iterator[tuple[Floats, bool]]:
+def road_prisms(
+    surface: RoadSurface, thickness: float = THICKNESS
+) -> Iterator[tuple[Floats, bool]]:
     """The corners (8, 3) of a prism for each span between stations, and whether it is raised: one
     for all neighboring lanes of the same height. Its top is the surface, `thickness` meters above
     its bottom."""
@@ -34,7 +38,7 @@ def road_prisms(surface: RoadSurface, thickness: float) -> Iterator[tuple[Floats
                 yield _prism(ring, lift, thickness), raised[first]
 
 
-def junction_prisms(surface: JunctionSurface, thickness: float) -> Iterator[Floats]:
+def junction_prisms(surface: JunctionSurface, thickness: float = THICKNESS) -> Iterator[Floats]:
     """The corners (2 k, 3) of prisms over convex polygons with k corners."""
     for polygon in convex_parts(surface.ring, surface.triangles.tolist()):
         ring = surface.ring[polygon]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from roadlang.api import Code, to_json
 
+from ..build.agent_looks import EGO
 from ..build.camera_parts import camera_parts
 from ..build.drives import decided_in_python
 from ..build.layout import layout_of
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
     from roadlang.api import Scene
 
     from .pictures import Controllers
-
-EGO = "ego"
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 
     from .ribbon import Ribbon
 
-_LOOPS_SEEN_FROM = 0.35
-"""Pixels"""
 _NARROWEST_STALL = 4.0
 
 
@@ -62,7 +60,7 @@ def lane_lines(ribbon: Ribbon, lane: float, pixels_per_meter: float) -> Iterator
         line = ribbon.beside(ribbon.borders[:, stroke.border] + stroke.shift)
         color = palette.CURB if stroke.is_curb else palette.MARKING
         dashes = stroke.dashes and " ".join(f"{part:.2f}" for part in stroke.dashes)
-        for part in geometry.unfolded_lines(line, ribbon.center, _LOOPS_SEEN_FROM):
+        for part in geometry.unfolded_lines(line, ribbon.center):
             yield _stroke(part, stroke.width, color, dashes)
     for place, kind in enumerate(ribbon.lanes):
         if kind.kind == "parking" and geometry.are_lines_seen(lane):

@@ -33,8 +33,3 @@ def axis_order(headings: Iterable[float], *, left_hand: bool) -> Axis:
     doubled = [2.0 * heading for heading in headings]
     along = round(-sum(map(math.cos, doubled)), 6)
     return along + 0.0, round(-side * sum(map(math.sin, doubled)), 6) + 0.0
-
-
-def wrapped(angle: float) -> float:
-    """Within -pi and pi."""
-    return (angle + math.pi) % (2.0 * math.pi) - math.pi

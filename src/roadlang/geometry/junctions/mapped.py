@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arrays import Floats, wrapped
+from ..arrays import Floats, wrapped_angle
 from ..cross_section import CrossSection
 from ..curve import Curve
 from ..map_junctions import MapJunction, MapTurn
@@ -86,7 +86,7 @@ def _pairs(
             continue
         place = inbound.index(source.lane), outbound.index(target.lane)
         change = lanes[ends[1]].heading - lanes[ends[0]].heading - math.pi
-        angle = round(float(wrapped(np.array(change))), 12)
+        angle = round(wrapped_angle(change), 12)
         pair = LanePair(ends[0], place[0], ends[1], place[1], angle, turn_of(angle))
         found.setdefault((*ends, *place), (pair, turn))
     ordered = [found[key] for key in sorted(found)]

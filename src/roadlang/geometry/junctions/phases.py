@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from .axes import OPPOSITE, axis_order, heading_of, wrapped
+from ..arrays import wrapped_angle
+from .axes import OPPOSITE, axis_order, heading_of
 from .model import End, Junction
 
 _Key = tuple[int, End]
@@ -35,7 +36,7 @@ def _groups(junction: Junction, keys: list[_Key]) -> list[tuple[_Key, ...]]:
         return axis_order((headings[key] for key in group), left_hand=junction.left_hand)
 
     turned = {
-        (first, second): abs(wrapped(headings[second] - headings[first]))
+        (first, second): abs(wrapped_angle(headings[second] - headings[first]))
         for first, second in combinations(keys, 2)
     }
     facing = [pair for pair, angle in turned.items() if angle > OPPOSITE]

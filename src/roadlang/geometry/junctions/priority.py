@@ -6,7 +6,8 @@ import math
 from collections.abc import Collection, Sequence
 from itertools import combinations
 
-from .axes import OPPOSITE, axis_order, heading_of, wrapped
+from ..arrays import wrapped_angle
+from .axes import OPPOSITE, axis_order, heading_of
 from .model import Arm, Conflict, Connection, Junction, LaneEnd
 
 _CLEARLY = 1.25
@@ -43,7 +44,7 @@ def _a_yields(a: Connection, b: Connection, minor: Collection[int], side: float)
     low, high = a.source.edge in minor, b.source.edge in minor
     if low != high:
         return low
-    gap = side * wrapped(b.start[2] - a.start[2])
+    gap = side * wrapped_angle(b.start[2] - a.start[2])
     if abs(gap) > OPPOSITE:
         return side * _turning(a) > side * _turning(b) + 1e-6
     return gap > 0.0
@@ -93,5 +94,5 @@ def _face(junction: Junction, arm: Arm) -> tuple[float, float]:
 
 
 def _score(first: tuple[float, float], second: tuple[float, float]) -> float:
-    deviation = wrapped(second[1] - first[1] + math.pi)
+    deviation = wrapped_angle(second[1] - first[1] + math.pi)
     return min(first[0], second[0]) * math.cos(deviation)

@@ -9,7 +9,7 @@ from itertools import permutations
 
 import numpy as np
 
-from ..arrays import Floats, cross
+from ..arrays import Floats, cross, wrapped_angle
 from .arms import DEFAULT_TRIM, FARTHEST_TRIM, SPACING, ArmKey, ArmLine, nearest_on
 from .corners import Corner, CurbSize, corner_between
 
@@ -141,7 +141,7 @@ def _leave_apart(arm: ArmLine, other: ArmLine) -> bool:
     """Whether two arms of one node leave it in nearly opposite directions."""
     if arm.node != other.node:
         return False
-    gap = abs((arm.heading[0] - other.heading[0] + math.pi) % (2.0 * math.pi) - math.pi)
+    gap = abs(wrapped_angle(arm.heading[0] - other.heading[0]))
     return bool(gap >= _FLAT)
 
 

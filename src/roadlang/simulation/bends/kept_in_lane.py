@@ -15,10 +15,11 @@ import math
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats
+from ...geometry.bend_room import LONG
 from ...ir.scene_actor import SceneActor
 from ..lines.route_lines import RouteLine
 from ..vehicles.bodies import vehicle_parameters
-from .leaning import LONG, SPACING, mean_bend, moved_line
+from .leaning import SPACING, mean_bend, moved_line
 
 SPARE = 0.2
 """Meters that remain to the border of the lane: in bends vehicles are not quite on their lines."""

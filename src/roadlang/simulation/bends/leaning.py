@@ -14,14 +14,13 @@ from dataclasses import replace
 import numpy as np
 
 from ...geometry.arrays import Floats
+from ...geometry.bend_room import LONG
 from ...ir.scene_actor import SceneActor
 from ..lines.line_sources import LineSource
 from ..lines.route_lines import LineLeg, RouteLine
 from ..lines.wider_bends import with_wider_bends
 from ..vehicles.bodies import vehicle_parameters
 
-LONG = 7.0
-"""Meters: shorter vehicles have room enough in their lanes."""
 SPACING = 0.5
 """Meters between two points of the line."""
 EASED = 2.5

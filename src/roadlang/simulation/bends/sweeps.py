@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...geometry.bend_room import STRAIGHT
 from ..lines.lines import Lines
 from ..vehicles.bodies import Bodies
 
-STRAIGHT = 0.004
-"""1/m: bends with less curvature do not matter."""
 LEAST = 0.2
 """Meters: a vehicle that covers less beyond its width (to first order) fits everywhere."""
 SPREAD = 2.0

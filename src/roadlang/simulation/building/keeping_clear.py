@@ -11,8 +11,9 @@ from dataclasses import replace
 import numpy as np
 
 from ...geometry.arrays import Floats
+from ...geometry.bend_room import LONG
 from ...ir.scene_actor import SceneActor
-from ..bends.leaning import LONG, least_radius, moved_line
+from ..bends.leaning import least_radius, moved_line
 from ..bends.sweeps import swept_beside
 from ..lines.lines import Lines
 from ..lines.route_lines import RouteLine, eased

@@ -12,10 +12,9 @@ from ...ir.observation import ObservationBatch
 from ...plugins.guard import plugin_guard, wrong_result
 from ...plugins.kinds import ReadingArray, Sensor
 from ...plugins.registry import KindEntry
+from ...plugins.results import REAL
 
 Arrays = Mapping[str, NDArray[Any]]
-_REAL = "fiub"
-"""Kinds of numpy types: floating point, signed and unsigned integers, Boolean"""
 _RESERVED = ("time", "arrival", "file", "allow_pickle")
 """Every reading has the first two; `numpy.savez` has the others."""
 
@@ -62,7 +61,7 @@ def _fault_of(name: object, array: object) -> str | None:
     if not isinstance(shape, tuple) or not all(type(n) is int and n >= 0 for n in shape):
         return f"states the shape {shape!r} of its array `{name}`, which is not a tuple of integers"
     try:
-        is_real = np.dtype(array.dtype).kind in _REAL
+        is_real = np.dtype(array.dtype).kind in REAL
     except TypeError:
         is_real = False
     if not is_real:
@@ -75,7 +74,7 @@ def _checked(
 ) -> NDArray[Any]:
     with plugin_guard(entry, None):
         array = np.asarray(value)
-        fits = array.dtype.kind in _REAL and not np.isnan(array).any()
+        fits = array.dtype.kind in REAL and not np.isnan(array).any()
     if not fits:
         raise wrong_result(entry, None, f"gave `{name}` with values that are not real numbers")
     shape = (*leading, *stated.shape)

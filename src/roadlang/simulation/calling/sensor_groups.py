@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...ir.batch import BatchRandom, mix
+from ...ir.batch import BatchRandom, mix, numbered
 from ...ir.scene import Scene
 from ...ir.sensed_batch import CastRays, SensedBatch, SolidThings
 from ...plugins.kinds import Sensor
@@ -20,7 +20,6 @@ from .option_columns import columns_of, options_of
 from .reading_arrays import Arrays
 from .sensors import GuardedSensor
 
-_NUMBERED = np.uint64(0x9E3779B97F4A7C15)
 _LOST = 2**31
 """the stream of random numbers that says which readings are lost"""
 
@@ -171,8 +170,7 @@ class SensorGroup:
         self, due: Integers, moment: MeasuringMoment, delivered: Mapping[int, Arrays]
     ) -> None:
         rows, number = self.rows[due], self._taken[due]
-        with np.errstate(over="ignore"):
-            keys = mix(self._keys[due] + number.astype(np.uint64) * _NUMBERED)
+        keys = mix(numbered(self._keys[due], number))
         random = BatchRandom(keys)
         found = self._found(due, moment, random, delivered)
         lost = (number > 0) & (random.uniform(1, _LOST)[:, 0] < self._dropout[due])

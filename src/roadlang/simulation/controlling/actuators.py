@@ -11,12 +11,10 @@ from numpy.typing import NDArray
 
 from ...geometry.arrays import Booleans, Integers
 from ...ir.actuation import ActuationBatch
-from ...ir.batch import BatchRandom, mix
+from ...ir.batch import BatchRandom, mix, numbered
 from ..calling.decision import Decision
 from ..state.world import World
 from .controller_groups import Group
-
-_NUMBERED = np.uint64(0x9E3779B97F4A7C15)
 
 
 @dataclass
@@ -37,8 +35,7 @@ class Actuators:
         steps = (world.tick - world.began) // max(1, round(self.step / world.dt))
         for number, group in enumerate(self.faults):
             rows = group.rows
-            with np.errstate(over="ignore"):
-                keys = self._keys_of(number, world) + steps[rows].astype(np.uint64) * _NUMBERED
+            keys = numbered(self._keys_of(number, world), steps[rows])
             wanted = ActuationBatch(
                 decision.steering[rows], decision.acceleration[rows],
                 active[group.place, rows], self.step, BatchRandom(mix(keys)),

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 import numpy as np
 
-from ...geometry.arrays import Integers
+from ...geometry.arrays import Integers, wrapped_angle
 from ...ir.observation import Observation, ObservationBatch
 from ...ir.read_only import ReadOnlyMapping
 from ...ir.readings import Reading, Readings
@@ -145,8 +144,7 @@ def observations(
     for row, agent, *values in zip(rows.tolist(), seen.agent, *columns, strict=True):
         single = _SingleAgent(view, row, lines, len(out))
         numbers = dict(zip(_NUMBERS, values, strict=True))
-        error = numbers["heading_error"]
-        numbers["heading_error"] = (error + math.pi) % math.tau - math.pi
+        numbers["heading_error"] = wrapped_angle(numbers["heading_error"])
         out.append(
             Observation(
                 **numbers,

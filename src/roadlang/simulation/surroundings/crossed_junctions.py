@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry.arrays import Floats
+from ...geometry.arrays import Floats, wrapped_angle
 from ...ir.road_heights import road_heights
 from ...ir.scene import Scene
 from ...ir.scene_junctions import SceneConnection, SceneJunction
@@ -184,7 +184,7 @@ def _passed(
     cosine, sine = math.cos(pose[2]), math.sin(pose[2])
     ahead = cosine * off_x[nearest] + sine * off_y[nearest]
     left = cosine * off_y[nearest] - sine * off_x[nearest]
-    turned = (heading[nearest] - pose[2] + math.pi) % (2.0 * math.pi) - math.pi
+    turned = wrapped_angle(heading[nearest] - pose[2])
     spacing = along[1] - along[0]
     if abs(left) > half or abs(turned) > TURNED or abs(ahead) > spacing:
         return None

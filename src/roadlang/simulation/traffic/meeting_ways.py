@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry import bend_room
 from ...geometry.arrays import Floats, Integers
-from ..bends import leaning
-from ..bends.leaning import LONG
+from ...geometry.bend_room import LONG, PASSING_GAP
 from ..lines import lines
 from ..state.world import World
 from ..vehicles import compiled, kernels
@@ -20,7 +20,7 @@ from ..vehicles.poses import Poses
 from . import narrow_places, sampled_ways, wide_places
 from .narrow_places import come_close, loop_over_ways
 from .sampled_ways import SPACING
-from .wide_places import LEAST_SWEPT, MARGIN, ROUNDING, VIEW, WidePlaces
+from .wide_places import LEAST_SWEPT, ROUNDING, VIEW, WidePlaces
 
 
 def is_plain(world: World) -> bool:
@@ -121,7 +121,7 @@ def sample(
     ways[1, m, k], ways[2, m, k], ways[3, m, k] = x, y, heading
     ways[4, m, k], ways[5, m, k] = to_left + beside, to_right + beside
     in_lane = flags[3][i] and length[i] <= LONG
-    spare = 0.5 * cell[7] - beside - 0.5 * MARGIN if in_lane else 0.0
+    spare = 0.5 * cell[7] - beside - 0.5 * PASSING_GAP if in_lane else 0.0
     is_wide[m, k] = max(to_left, to_right) > max(spare, LEAST_SWEPT) and not over
 
 
@@ -180,4 +180,4 @@ def _meetings() -> Any:
     return compiled.compile_loop(loop_over_pairs, *_SAID)
 
 
-_SAID = sys.modules[__name__], narrow_places, sampled_ways, wide_places, leaning
+_SAID = sys.modules[__name__], narrow_places, sampled_ways, wide_places, bend_room

@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry import bend_room
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...geometry.bend_room import PASSING_GAP
 from ...geometry.levels import are_apart
 from ..vehicles import compiled
-from . import sampled_ways, wide_places
+from . import sampled_ways
 from .sampled_ways import SPACING, SampledWays
-from .wide_places import MARGIN
 
 COARSE = 3
 """Of so many samples, one is looked at first."""
@@ -67,7 +68,7 @@ def _places(lines: SampledWays, first: Integers, second: Integers) -> tuple[Floa
     left = one.cosine[:, None] * dy - one.sine[:, None] * dx
     seen = -two.cosine[None] * dy + two.sine[None] * dx
     room = np.where(left > 0.0, one.to_left[:, None], one.to_right[:, None])
-    room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + MARGIN
+    room = room + np.where(seen > 0.0, two.to_left[None], two.to_right[None]) + PASSING_GAP
     meets = near & (square < room * room) & np.isfinite(one.s)[:, None] & np.isfinite(two.s)[None]
     if one.height is not None and two.height is not None:
         meets &= ~are_apart(one.height[:, None], two.height[None])
@@ -123,7 +124,7 @@ def loop_over_ways(s: Any, ways: Any, first: Any, second: Any, out: Any) -> Any:
                 left = cosine[m, i] * dy - sine[m, i] * dx
                 seen = -cosine[n, j] * dy + sine[n, j] * dx
                 room = to_left[m, i] if left > 0.0 else to_right[m, i]
-                room = room + (to_left[n, j] if seen > 0.0 else to_right[n, j]) + MARGIN
+                room = room + (to_left[n, j] if seen > 0.0 else to_right[n, j]) + PASSING_GAP
                 if not (square < room * room and np.isfinite(s[m, i]) and np.isfinite(s[n, j])):
                     continue
                 if not there and not before and not earlier:
@@ -154,5 +155,5 @@ def come_close(x: Any, y: Any, i: Any, j: Any) -> Any:
 @cache
 def _loop() -> Any:
     compiled.register((), (loop_over_ways, come_close))
-    said = sys.modules[__name__], sampled_ways, wide_places
+    said = sys.modules[__name__], sampled_ways, bend_room
     return compiled.compile_loop(loop_over_ways, *said)

@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...geometry.bend_room import BRAKING
 from ..state.world import World
 from ..surroundings.leaders import Leaders
 from ..vehicles.poses import Poses
@@ -25,8 +26,6 @@ BEFORE = 1.0
 """Meters before such a place at which one waits."""
 EAGER, EAGER_SPEED = 2.6, 8.0
 """m/s^2 and m/s: how fast both are expected to come there."""
-UNSTOPPABLE = 3.0
-"""m/s^2: who would have to brake harder goes first."""
 STANDING_GAP, STANDING_SPEED = 3.0, 0.1
 """Meters and m/s: who is slower so close before another stands there because of it."""
 DECIDED = 4.0
@@ -94,7 +93,7 @@ class Oncoming:
         """(2, P) which one of each pair lets the other go first. That is remembered. `rank`: lower
         ones go first, those of 0 by arrival."""
         speed, mates = world.motion.speed[rows], rows[::-1] % world.slots
-        late = braking_to_stop(speed, enter - SPACING - BEFORE) > UNSTOPPABLE
+        late = braking_to_stop(speed, enter - SPACING - BEFORE) > BRAKING
         arrival = np.where(late, 0.0, seconds_for(enter, speed, EAGER, EAGER_SPEED))
         decided = np.where(before[rows, mates] & comes, -1.0, arrival)
         rank = np.where(rank == 0.0, decided, rank)

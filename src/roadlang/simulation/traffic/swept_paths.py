@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ...geometry.bend_room import LONG
 from ...ir.scene_junctions import SceneConnection
-from ..bends.leaning import LONG, leaned_source
+from ..bends.leaning import leaned_source
 from ..lines.line_sources import LineSource
 from ..lines.route_lines import connection_points
 from ..vehicles.bodies import Bodies

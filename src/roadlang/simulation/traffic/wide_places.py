@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ..bends.leaning import LONG
+from ...geometry.bend_room import LONG, PASSING_GAP
 from ..bends.sweeps import Sweeps
 from ..state.world import World
 
@@ -18,8 +18,6 @@ VIEW = 40.0
 LEAST_SWEPT = 0.2
 """Meters: long vehicles that cover less beyond their width fit everywhere, others where they cover
 no more than their lane."""
-MARGIN = 0.3
-"""Meters between two that pass each other."""
 ROUNDING = 0.01
 """Meters by which a place may be off."""
 
@@ -29,7 +27,7 @@ def is_wide(world: World, agents: Integers, swept: Floats, road_width: Floats) -
     what they cover beyond their width."""
     half = 0.5 * world.bodies.width[agents]
     in_lane = world.has_route[agents] & (world.bodies.length[agents] <= LONG)
-    spare = np.where(in_lane, 0.5 * road_width - half - 0.5 * MARGIN, 0.0)
+    spare = np.where(in_lane, 0.5 * road_width - half - 0.5 * PASSING_GAP, 0.0)
     return np.asarray(swept > np.maximum(spare, LEAST_SWEPT))
 
 

@@ -6,14 +6,14 @@ them (`roadlang.ir.units`).
 
 from __future__ import annotations
 
-import re
-
 from ...diagnostics import Fix, did_you_mean
 from ...syntax.tree import nodes as ast
 from ...syntax.unit_words import meant_unit
 from ...syntax.units import UNITS as UNITS
-
-_PART = re.compile(r"([A-Za-z%]+)(?:\^(-?[0-9]+(?:\.[0-9]+)?))?\Z")
+from ...syntax.units import Powers as Powers
+from ...syntax.units import TwoSlashes as TwoSlashes
+from ...syntax.units import UnknownUnit as UnknownUnit
+from ...syntax.units import unit_powers as unit_powers
 
 
 def known_units() -> tuple[str, ...]:
@@ -23,10 +23,11 @@ def known_units() -> tuple[str, ...]:
 
 def factor(unit: str) -> float:
     """SI units in one `unit`: 1000 for `km`, 1/3.6 for `km/h`. Raises KeyError for others."""
-    above, *below = unit.split("/")
-    if len(below) > 1:
-        raise KeyError(unit)
-    return _product(above) / _product(below[0] if below else "")
+    try:
+        above, below = unit_powers(unit)
+    except (UnknownUnit, TwoSlashes):
+        raise KeyError(unit) from None
+    return _product(above) / _product(below)
 
 
 def is_unit(unit: str) -> bool:
@@ -63,11 +64,8 @@ def unit_help(node: ast.NumberLiteral) -> tuple[tuple[str, ...], tuple[Fix, ...]
     return hints, (Fix(node.span, node.digits),)
 
 
-def _product(text: str) -> float:
+def _product(powers: Powers) -> float:
     result = 1.0
-    for part in filter(None, text.split("*")):
-        match = _PART.match(part)
-        if match is None:
-            raise KeyError(part)
-        result *= UNITS[match[1]].factor ** float(match[2] or 1)
+    for name, exponent in powers:
+        result *= UNITS[name].factor ** exponent
     return result

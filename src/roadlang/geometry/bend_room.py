@@ -1,0 +1,13 @@
+"""When vehicles have room enough in bends: of one rule are the start speeds of scenes, the lines of
+long vehicles, and who waits for whom."""
+
+from __future__ import annotations
+
+LONG = 7.0
+"""Meters: shorter vehicles have room enough in their lanes."""
+STRAIGHT = 0.004
+"""1/m: bends with less curvature do not matter."""
+PASSING_GAP = 0.3
+"""Meters between two that pass each other."""
+BRAKING = 3.0
+"""m/s^2 that one who waits for another before a bend brakes with, at most."""
