@@ -19,8 +19,9 @@ from tests.docs.page_reader import follow, pictures
 ROOT = Path(__file__).parents[2]
 GENERATED = {"kinds.md", "statements.md", "errors.md", "api.md"}
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-WRITTEN = [page for page in PAGES if page.name not in GENERATED]
-LINKING = [*PAGES, ROOT / "CHANGELOG.md", ROOT / "CONTRIBUTING.md"]
+CHICANE = ROOT / "plugins" / "roadlang-chicane" / "README.md"
+WRITTEN = [*(page for page in PAGES if page.name not in GENERATED), CHICANE]
+LINKING = [*PAGES, CHICANE, ROOT / "CHANGELOG.md", ROOT / "CONTRIBUTING.md"]
 
 
 @pytest.mark.slow
@@ -109,3 +110,9 @@ def test_the_command_reference_has_every_command_and_no_other() -> None:
     documented = re.findall(r"^\| `roadlang (\w+)", page, re.MULTILINE)
     commands = LazyGroup("roadlang").list_commands(click.Context(click.Command("roadlang")))
     assert sorted(documented) == sorted(commands)
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/paper.md"])
+def test_the_paper_is_named(page: str) -> None:
+    text = " ".join((ROOT / page).read_text(encoding="utf-8").split())
+    assert "*Exploring Flexible Scenario Generation in Godot Simulator*" in text

@@ -10,5 +10,6 @@ CONTACT_MEMBERS = ("collided", "collides", "crashed", "collisions")
 def no_contact_help(first: str = "ego", second: str = "lead") -> str:
     """Help for a formula about the contacts of two agents."""
     return (
-        f"write `{first}.contacts == 0` if nothing may be touched, or `gap({first}, {second}) > 0m`"
+        f"write `gap({first}, {second}) > 0m` if the two must not touch each other, or "
+        f"`{first}.contacts == 0` if `{first}` must not touch anything"
     )
