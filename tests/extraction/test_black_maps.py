@@ -6,8 +6,13 @@ import cv2
 import numpy as np
 
 from roadlang.geometry import Booleans
+from roadlang_standard.extraction.map_contrast import without_strong_contrast
+from roadlang_standard.extraction.map_letters import LARGER, letters_of_map, without_letters
+from roadlang_standard.extraction.map_or_drawing import _is_marked
 from roadlang_standard.extraction.map_tiles import roads_of_map
+from roadlang_standard.extraction.map_tones import LOSSY, flat_colors, map_tone, without_jpeg_noise
 from roadlang_standard.extraction.map_water import _constant, masks_without_water
+from tests.extraction.drawn_maps import as_jpeg
 
 _SIDE = 420
 _WHITE, _BLACK = np.full(3, 255.0), np.zeros(3)
@@ -61,14 +66,16 @@ def test_where_all_lines_meet_none_has_one_width() -> None:
     assert not _constant(none, np.ones((20, 20), np.float32)).any()
 
 
-def test_black_streets_are_found_among_black_houses_and_below_their_names() -> None:
-    """Gaps beside houses are no markings, and names that interrupt streets make no drawing."""
+def town(second: int = 0, houses: bool = True) -> np.ndarray:
+    """A map (420, 420, 3) in black on white with names; some of the streets are of a second gray
+    level."""
     drawn = streets()
     near = cv2.dilate(drawn, np.ones((9, 9), np.uint8))
     for x, y in ((x, y) for x in range(6, 380, 44) for y in range(6, 390, 34)):
-        if not near[y : y + 20, x : x + 28].any():
+        if houses and not near[y : y + 20, x : x + 28].any():
             drawn[y : y + 20, x : x + 28] = 1
     image = np.dstack([np.where(drawn > 0, 0, 255).astype(np.uint8)] * 3)
+    image[:, 280:][drawn[:, 280:] > 0] = second
     for text, place in (
         ("Mill Lane", (160, 223)),
         ("Oak Road", (170, 350)),
@@ -78,6 +85,10 @@ def test_black_streets_are_found_among_black_houses_and_below_their_names() -> N
             cv2.putText(
                 image, text, place, cv2.FONT_HERSHEY_SIMPLEX, 0.45, color, thick, cv2.LINE_AA
             )
+    return image
+
+
+def assert_is_map(image: np.ndarray) -> None:
     found = roads_of_map(image, is_plan=lambda: True)
     assert found is not None
     lines = np.ones((_SIDE, _SIDE), np.uint8)
@@ -87,3 +98,34 @@ def test_black_streets_are_found_among_black_houses_and_below_their_names() -> N
     assert (cv2.distanceTransform(lines, cv2.DIST_L2, 5)[middle] <= 3).mean() > 0.95
     far = cv2.distanceTransform((~middle).astype(np.uint8), cv2.DIST_L2, 5)
     assert (far[lines == 0] <= 3).mean() > 0.95
+
+
+def test_black_streets_are_found_among_black_houses_and_below_their_names() -> None:
+    """Gaps beside houses are no markings, and names that interrupt streets make no drawing."""
+    assert_is_map(town())
+
+
+def test_names_interrupt_streets_of_two_colors() -> None:
+    assert_is_map(town(second=40, houses=False))
+
+
+def test_black_streets_of_a_jpeg_have_one_color_with_less_contrast() -> None:
+    noisy = without_jpeg_noise(as_jpeg(town(second=15), 80))
+    letters = letters_of_map(noisy, LARGER)
+    even = without_strong_contrast(noisy, letters)
+    number = [len(flat_colors(without_letters(one, letters), LOSSY)) for one in (noisy, even)]
+    assert number == [3, 2]
+    pale = np.clip(noisy.astype(int) + 100, 0, 255).astype(np.uint8)
+    assert without_strong_contrast(pale, letters) is pale
+    assert without_strong_contrast(np.zeros_like(noisy), letters).max() == 0
+    assert_is_map(as_jpeg(town(second=15), 80))
+
+
+def test_a_gap_between_a_house_and_a_river_is_no_paint_on_a_road() -> None:
+    river = np.zeros((_SIDE, _SIDE), bool)
+    river[100:126], river[111:115, 4:-4] = True, False
+    river[126:, 200:206] = True
+    paint = cv2.dilate(streets(), np.ones((19, 19), np.uint8)) > 0
+    paint[75:79, 100:300] = paint[219:223, 110:310] = paint[343:347, 110:310] = False
+    marked = [_is_marked(map_tone(_BLACK, mask)) for mask in (river, paint)]
+    assert marked == [False, True]

@@ -1,9 +1,12 @@
-"""More contrast for rendered maps that have little of it."""
+"""More contrast for rendered maps that have little of it, and less for JPEGs in black and white."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
@@ -23,6 +26,9 @@ _NEARLY_ALL, _FAINT_LOSSY, _THIN_LOSSY = 0.9, 50, 30
 """JPEG's noise gets more contrast, too: it is raised only where all that differs, and all of it
 that is thin, is off a gray land by no more gray levels in the first share: the colors of parks
 would part into several."""
+_STRONG, _ENOUGH = 200, 100
+"""Noise at the edges of streets that are off the land by more gray levels than the first parts
+their color into several: in a JPEG, they are to differ by the second."""
 
 
 def with_contrast(
@@ -34,31 +40,60 @@ def with_contrast(
     Its `letters` (h, w) are not looked at: maps are faint, but not their names. JPEG's noise gets
     more contrast, too: there, all of the map is to be faint.
     """
-    land = flat_colors(image)[:1]
-    if not land:
+    seen = _Contrast.of(image, letters)
+    differs = None if seen is None else _faint(seen, tolerance)
+    if seen is None or differs is None:
         return image
-    away = away_from(image, land[0])
-    differing = away > _SAME_TONE
-    marked = differing if letters is None else differing & ~letters
-    differs = _faint(away, marked.astype(np.uint8), tolerance, is_gray(land[0]))
-    if differs is None:
-        return image
-    stretch = min(_MOST_STRETCH, _CLEAR / differs)
     # Light land gets darker: otherwise white streets could not differ more from it.
-    base = land[0] - max(0.0, float(land[0].max()) + _CLEAR - 255)
-    return np.clip(base + (image - land[0]) * stretch, 0, 255).round().astype(np.uint8)
+    base = seen.land - max(0.0, float(seen.land.max()) + _CLEAR - 255)
+    return seen.stretched(image, base, min(_MOST_STRETCH, _CLEAR / differs))
 
 
-def _faint(away: Image, marked: Image, tolerance: Tolerance, on_gray: bool) -> float | None:
-    """How far (gray levels) what is `marked` (h, w) on a map is off its land, as each pixel is
-    `away` (h, w) from that; None if the map is not faint."""
+def without_strong_contrast(image: Image, letters: Booleans) -> Image:
+    """A map (h, w, 3) stored as JPEG, with less contrast about its land if it is in black and
+    white; its `letters` (h, w) are not looked at."""
+    seen = _Contrast.of(image, letters)
+    if seen is None or not seen.marked.any():
+        return image
+    usual = float(np.quantile(seen.away[seen.marked], _MARKED))
+    return image if usual <= _STRONG else seen.stretched(image, seen.land, _ENOUGH / usual)
+
+
+@dataclass(frozen=True)
+class _Contrast:
+    """The color (3,) of the land of a map, how far each pixel (h, w) is off it in gray levels, and
+    whether that is more than noise and no letter (h, w)."""
+
+    land: NDArray[np.float64]
+    away: Image
+    marked: Booleans
+
+    @staticmethod
+    def of(image: Image, letters: Booleans | None) -> _Contrast | None:
+        """That of a map (h, w, 3) with `letters` (h, w); None if it has no flat color."""
+        land = flat_colors(image)[:1]
+        if not land:
+            return None
+        away = away_from(image, land[0])
+        differing = away > _SAME_TONE
+        return _Contrast(land[0], away, differing if letters is None else differing & ~letters)
+
+    def stretched(self, image: Image, base: NDArray[np.float64], times: float) -> Image:
+        """The map (h, w, 3) with so many times the contrast, its land in a color `base` (3,)."""
+        return np.clip(base + (image - self.land) * times, 0, 255).round().astype(np.uint8)
+
+
+def _faint(seen: _Contrast, tolerance: Tolerance) -> float | None:
+    """How far (gray levels) what is marked on a map is off its land; None if it is not faint."""
+    marked = seen.marked.astype(np.uint8)
     broad = cv2.morphologyEx(marked, cv2.MORPH_OPEN, np.ones((_BROAD, _BROAD), np.uint8))
-    thin = away[marked > broad]
-    if thin.size <= _FEWEST * away.size:
+    thin = seen.away[marked > broad]
+    if thin.size <= _FEWEST * marked.size:
         return None
     usual = float(np.quantile(thin, _MARKED))
     is_faint = usual <= _FAINT
     if is_faint and tolerance.is_lossy:
-        whole, most = (float(np.quantile(seen, _NEARLY_ALL)) for seen in (away[marked > 0], thin))
-        is_faint = on_gray and whole <= _FAINT_LOSSY and most <= _THIN_LOSSY
+        all_of_it = seen.away[seen.marked]
+        whole, most = (float(np.quantile(part, _NEARLY_ALL)) for part in (all_of_it, thin))
+        is_faint = is_gray(seen.land) and whole <= _FAINT_LOSSY and most <= _THIN_LOSSY
     return usual if is_faint else None

@@ -30,6 +30,9 @@ _ON_STREETS = 0.05
 """A map has streets below so much of its names."""
 _MARKED = 0.02
 """Share of the roads of a drawing that is painted on them."""
+_EVEN = 0.9
+"""Without what is painted on them, roads are as wide as usual on no less of their length than with
+it, or on so much: a gap between a house and a river of the color of streets is no paint."""
 _MOSTLY = 0.5
 """So much of lines within roads is painted on these."""
 _WHOLE, _TIMES, _ENCLOSED = 0.35, 3.0, 0.6
@@ -66,11 +69,10 @@ def is_drawing(
 
 
 def are_named(streets: Sequence[MapTone], letters: Booleans) -> bool:
-    """Whether `streets` of one color lead up to the names that are written on them (h, w): a
-    drawing, or a plan, interrupts no road for its name."""
-    if len(streets) != 1:
-        return False
-    below, _ = streets_below_names(streets[0].mask, letters, streets[0].width)
+    """Whether `streets` lead up to the names that are written on them (h, w): a drawing, or a plan,
+    interrupts no road for its name."""
+    surface = np.logical_or.reduce([tone.mask for tone in streets])
+    below, _ = streets_below_names(surface, letters, streets[0].width)
     return bool((below & letters).sum() > _ON_STREETS * letters.sum())
 
 
@@ -104,4 +106,6 @@ def _is_marked(road: MapTone) -> bool:
     if road.width < THIN:
         return False
     filled = with_markings_filled(road.mask.astype(np.float32)) >= 0.5
-    return bool(filled.sum() - road.mask.sum() > _MARKED * road.mask.sum())
+    if filled.sum() - road.mask.sum() <= _MARKED * road.mask.sum():
+        return False
+    return map_tone(road.color, filled).even >= min(road.even, _EVEN)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .found_network import FoundNetwork
-from .map_contrast import with_contrast
+from .map_contrast import with_contrast, without_strong_contrast
 from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
 from .map_lines import THIN, holes, parts_touching, short_parts
@@ -72,15 +72,17 @@ def roads_of_map(
     tolerance = tolerance_of(image)
     plain = without_jpeg_noise(image) if tolerance is LOSSY else image
     names = letters_of_map(plain, LARGER)
-    raised = with_contrast(plain, tolerance, names)
+    clear = with_contrast(plain, tolerance, names)
     # Nobody draws with so little contrast as faint maps have.
-    may_be_plan = is_plan if raised is plain else None
-    return _roads_of_map(raised, _Lettered(plain, names), tolerance, width, may_be_plan)
+    may_be_plan = is_plan if clear is plain else None
+    if tolerance is LOSSY and clear is plain:
+        clear = without_strong_contrast(plain, names)
+    return _roads_of_map(clear, _Lettered(plain, names), tolerance, width, may_be_plan)
 
 
 @dataclass(frozen=True)
 class _Lettered:
-    """A map (h, w, 3) before its contrast is raised, of which noise would become letters, and what
+    """A map (h, w, 3) before its contrast is changed, of which noise would become letters, and what
     is written on it (h, w): on roads, names leave no even strips of their color."""
 
     image: Image
