@@ -8,7 +8,15 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from roadlang.api import DiagnosticError, Length, Perturber, option
+from roadlang.api import (
+    DiagnosticError,
+    Length,
+    LengthInterval,
+    ListOf,
+    Perturber,
+    Point,
+    option,
+)
 from roadlang.diagnostics import Source, Span
 from roadlang.evaluate.kind_instance import row_of_kind, scalar
 from roadlang.evaluate.option_bounds import check_bounds
@@ -77,6 +85,11 @@ class Bounded(Perturber):
     name: ClassVar[str] = "bounded"
     closed: Length = option(1.0, help="ends included", minimum=0.0, maximum=2.0)
     open: Length = option(1.0, help="ends excluded", above=0.0, below=2.0)
+    many: ListOf[Length] = option((), help="a list", minimum=0.0)
+    named: dict[str, Length] = option(None, help="a map", minimum=0.0)
+    span: LengthInterval = option(None, help="an interval", minimum=0.0)
+    place: Point = option(None, help="a point, whose numbers have no bounds", minimum=0.0)
+    mixed: ListOf[ListOf[Length]] = option((), help="a list of lists", minimum=0.0)
 
 
 PLACE = Span(Source("scene.rl", "bounded { closed: 3m }"), 10, 16)
@@ -98,6 +111,12 @@ OPTIONS = {schema.name: schema for schema in schema_of(Bounded)}
         ("open", 0.0, False), ("open", 2.0, False), ("open", 1e-9, True), ("open", 3, False),
         ("open", np.array([[0.5], [1.5]]), True), ("open", np.nan, False), ("open", True, True),
         ("open", "word", True), ("open", np.array([["word"]]), True), ("open", (9.0,), True),
+        ("many", (1.0, np.array([[3.0]])), True), ("many", (1.0, np.array([[-3.0]])), False),
+        ("many", (1.0, -1.0), False), ("many", (), True), ("many", 1.0, True),
+        ("named", {"a": 1.0, "b": 2}, True), ("named", {"a": 1.0, "b": -2}, False),
+        ("span", (0.0, np.inf), True), ("span", (-1.0, 4.0), False),
+        ("place", (-1.0, -1.0), True), ("mixed", ((1.0,), (2.0, -2.0)), False),
+        ("mixed", ((1.0,), (2.0, np.array([[1.0], [0.0]]))), True),
     ],
 )  # fmt: skip
 def test_bounds_of_options_hold_for_what_was_drawn(name: str, value: Any, allowed: bool) -> None:

@@ -33,6 +33,9 @@ WRONG = [
     ("drive", "speed: 5m/s * normal(-1, 0.01)", "speed", "lane_follow"),
     ("world", "friction: normal(5, 0.1)", "friction", "world"),
     ("world", "visibility: normal(-5m, 0.1m)", "visibility", "world"),
+    ("world", "friction: normal(5, 0.1) + 0.1", "friction", "world"),
+    ("world", "sun: { azimuth: normal(20rad, 0.1rad) }", "azimuth", "sun"),
+    ("world", "sun: { azimuth: 1rad, elevation: 9rad * normal(1, 0.1) }", "elevation", "sun"),
     ("road", ", speed_limit: normal(-5m/s, 0.1m/s)", "speed_limit", "main"),
 ]
 
@@ -50,6 +53,8 @@ def test_what_is_drawn_beyond_a_bound_is_told(
         sampled(place, written)
     assert "RL473" in str(caught.value)
     assert f"`{option}` of `{owner}` would be" in str(caught.value)
+    (found,) = caught.value.diagnostics
+    assert found.span is not None
 
 
 @pytest.mark.parametrize(
@@ -58,6 +63,7 @@ def test_what_is_drawn_beyond_a_bound_is_told(
         ("sense", "sense with gps { dropout: normal(0.5, 9, within: [0, 1]) }"),
         ("sense", "sense with gps { dropout: base + more - 2.3 }"),  # 1.0000000000000004
         ("world", "friction: max(0.1, normal(0.8, 0.1))"),
+        ("world", "sun: { azimuth: normal(1rad, 0.1rad), elevation: normal(1rad, 0.01rad) }"),
         ("agent", "start_speed: max(0m/s, normal(0m/s, 9m/s)),"),
     ],
 )

@@ -7,15 +7,25 @@ nothing bounds, such as `normal(...)`, is checked as it is drawn.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..ir.values import PassCall
 from ..plugins.common_options import common_options
+from ..plugins.option_types import (
+    IntervalType,
+    ListType,
+    MapType,
+    OptionType,
+    RecordType,
+    UnionType,
+)
 from ..plugins.options import OptionSchema, schema_of
 
 
@@ -42,15 +52,53 @@ def check_bounds(option: OptionSchema, value: Any, call: PassCall) -> None:
 
 
 def check_number(option: OptionSchema, value: Any, owner: str, span: Span | None) -> None:
-    """The same in an option of an `owner`. What is no number has no bounds. Raises RL473."""
+    """The same in an option of an `owner`, and of the numbers in lists, maps and records, which
+    have the bounds that hold for constants. What is no number has no bounds. Raises RL473."""
     limits = option.constraints
     if isinstance(value, float | int) and not math.isnan(value) and limits.allow(value):
         return
-    if not isinstance(value, float | int | np.ndarray) or isinstance(value, bool):
-        return
-    numbers = np.asarray(value)
-    if numbers.dtype.kind not in "fiu":
-        return
+    for part, number, of in _numbers(option, value, owner):
+        _check_column(part, number, of, span)
+
+
+def _numbers(
+    option: OptionSchema, value: Any, owner: str
+) -> Iterator[tuple[OptionSchema, NDArray[Any], str]]:
+    """The columns of numbers in the value of an option, with the option and its owner that bound
+    each: those of a record have options of their own, and items have the bounds of the list."""
+    if isinstance(value, float | int | np.ndarray) and not isinstance(value, bool):
+        numbers = np.asarray(value)
+        if numbers.dtype.kind in "fiu":
+            yield option, numbers, owner
+    elif isinstance(value, tuple | Mapping):
+        type_ = option.type
+        for one in type_.alternatives if isinstance(type_, UnionType) else (type_,):
+            for part, item, of in _parts(option, one, value, owner):
+                yield from _numbers(part, item, of)
+
+
+def _parts(
+    option: OptionSchema, type_: OptionType, value: tuple[Any, ...] | Mapping[str, Any], owner: str
+) -> Iterator[tuple[OptionSchema, Any, str]]:
+    """What is in a list, map or record, with the option that bounds it; nothing where the value is
+    not of the type, and of points, whose numbers have no bounds."""
+    if isinstance(value, tuple):
+        if isinstance(type_, ListType | IntervalType):
+            inner = replace(option, type=type_.item)
+            yield from ((inner, item, owner) for item in value)
+    elif isinstance(type_, MapType):
+        inner = replace(option, type=type_.item)
+        yield from ((inner, item, owner) for item in value.values())
+    elif isinstance(type_, RecordType):
+        for part in schema_of(type_.record):
+            if part.name in value:
+                yield part, value[part.name], option.name
+
+
+def _check_column(
+    option: OptionSchema, numbers: NDArray[Any], owner: str, span: Span | None
+) -> None:
+    limits = option.constraints
     wrong = np.isnan(numbers)
     for bound, outside in (
         (limits.least, np.less),

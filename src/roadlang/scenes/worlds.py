@@ -8,7 +8,7 @@ from typing import Any
 from ..evaluate.evaluation import evaluate
 from ..evaluate.option_bounds import check_number
 from ..ir.times_of_day import TIMES_OF_DAY
-from ..ir.values import ConstantValue, RandomValue, Value
+from ..ir.values import ConstantValue, Value
 from ..plugins.common_options import schema_of_common
 from ..plugins.options import OptionSchema
 from ..plugins.world_options import WorldOptions
@@ -28,8 +28,8 @@ def world_columns(rows: SceneRows) -> dict[str, list[Any]]:
 def _column(name: str, value: Value, rows: SceneRows) -> list[Any]:
     found = evaluate(value, rows.candidates)
     if not isinstance(value, ConstantValue):
-        span = value.call.span if isinstance(value, RandomValue) else None
-        check_number(_option(name), found, "world", span)
+        draws = rows.scenario.dependencies.draws(value)
+        check_number(_option(name), found, "world", draws[0].call.span if draws else None)
     return rows.plain(found)
 
 

@@ -11,6 +11,7 @@ from benchmarks.junctions.checks import check_junction, connection_points, effec
 from benchmarks.junctions.random_networks import KINDS, random_network
 from roadlang.geometry import network_of_polylines
 from roadlang.geometry.junctions.model import Connection, JunctionPlan
+from roadlang.geometry.junctions.one_way import one_way as one_way_section
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of, star
 
@@ -135,6 +136,28 @@ def test_a_ring_may_be_a_little_longer_than_wide(longer: float, is_ring: bool) -
     halves = [line[:31].tolist(), [*line[30:60].tolist(), line[0].tolist()]]
     arms = [[line[0].tolist(), (120.0, 0.0)], [line[30].tolist(), (-120.0, 0.0)]]
     assert bool(plan_of(network_of_polylines([*halves, *arms])).ring) == is_ring
+
+
+@pytest.mark.parametrize(
+    ("radius", "one_way", "is_ring"),
+    [
+        (55.0, None, True), (70.0, None, False), (70.0, "forward", True),
+        (70.0, "backward", False), (140.0, "forward", True), (170.0, "forward", False),
+    ],
+)  # fmt: skip
+def test_only_a_one_way_ring_may_be_great(
+    radius: float, one_way: str | None, is_ring: bool
+) -> None:
+    """Counter-clockwise, as traffic on the right goes round."""
+    around = np.linspace(0.0, math.tau, 121).round(9)
+    line = (radius * np.stack([np.cos(around), np.sin(around)], axis=-1)).round(9)
+    halves = [line[:61].tolist(), [*line[60:120].tolist(), line[0].tolist()]]
+    arms = [[line[0].tolist(), (300.0, 0.0)], [line[60].tolist(), (-300.0, 0.0)]]
+    network = network_of_polylines([*halves, *arms])
+    sections = dict(sections_of(network))
+    if one_way:
+        sections |= {id: one_way_section(sections[id], one_way == "forward") for id in (1, 2)}
+    assert bool(plan_junctions(network, sections).ring) == is_ring
 
 
 def test_a_square_block_is_no_roundabout() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Literal
 
 from ..cross_section import CrossSection
 
@@ -23,10 +24,17 @@ def sections_with_rings(
     return rings, found
 
 
+def direction_of(section: CrossSection) -> Literal["forward", "backward"] | None:
+    """In which all lanes for motor vehicles run; None where they do not run one way."""
+    directions = {lane.direction for lane in section.lanes if lane.drivable}
+    if directions == {"forward"}:
+        return "forward"
+    return "backward" if directions == {"backward"} else None
+
+
 def one_way(section: CrossSection, forward: bool) -> CrossSection:
     """All lanes for motor vehicles run forward, or backward, unless they run one way already."""
-    directions = {lane.direction for lane in section.lanes if lane.drivable}
-    if directions in ({"forward"}, {"backward"}):
+    if direction_of(section) is not None:
         return section
     lanes = tuple(
         replace(lane, direction="forward" if forward else "backward") if lane.drivable else lane

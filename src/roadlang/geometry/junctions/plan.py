@@ -48,7 +48,7 @@ def plan_junctions(
         return mirrored(plan_junctions(image, flipped, replace(options, left_hand=False)))
     if network.junctions is not None:
         return plan_of_map(network, sections)
-    rings = ring_directions(network) if options.roundabouts else {}
+    rings = ring_directions(network, sections) if options.roundabouts else {}
     ring, sections = sections_with_rings(sections, rings)
     layout = laid_out(network, sections, ring)
     trims, lines = dict(layout.trims), layout.finder.arms
