@@ -13,15 +13,16 @@ from .graph_cleanup import at_border
 from .smoothing import stations
 
 _LONGEST = 4.0
-"""Widths that a cut may be long; a longer one is of a road along the border."""
+"""Maximum length of a cut, in widths of the road; a longer cut belongs to a road along the
+border."""
 _WHOLE = 1.4
-"""Radii of the disc inside the surface that its middle is away from the border: on the bisector of
-border and edge, which a skeleton follows there, it is one."""
+"""Least distance from the border to the center of the largest disc inside the surface, in radii of
+the disc. On the bisector of border and edge, which a skeleton follows there, it is 1."""
 _CORNER, _BENDS, _INSIDE = 2.0, 3.0, 0.9
-"""Widths from a corner of the picture at which a road leaves through it, widths of road that show
-how it bends before, and the share of its way out that is on the surface."""
+"""Within `_CORNER` widths of a corner of the picture, a road leaves through the corner. Its bend is
+taken from the last `_BENDS` widths, and `_INSIDE` of its way out must lie on the surface."""
 _BEND = 0.5
-"""Radians by which a road may seem to turn on its way out."""
+"""Maximum apparent turn of a road on its way out, in radians."""
 
 
 def lead_out(graph: Graph, mask: Booleans, inner: NDArray[np.float32], width: float) -> set[int]:

@@ -15,17 +15,20 @@ from roadlang.geometry import Floats
 from .found_network import FoundRoad
 
 _THIN, _HAIR = 0.025, 0.01
-"""Boxes are drawn with lines thinner than the first share of the picture's shorter side; a single
-corner counts where they are thinner than the second one, ..."""
+"""Boxes are drawn with lines thinner than `_THIN` of the picture's shorter side. Where lines are
+thinner than `_HAIR`, a single corner counts."""
 _BOX, _UPRIGHT = 4, 0.95
-"""so many corners are a box; with fewer, this share of the length is upright or level."""
+"""Lines with `_BOX` right-angled corners are a box; with fewer, if at least `_UPRIGHT` of their
+length is horizontal or vertical."""
 _LEVEL = 0.03
-"""Sine of the angle to the picture's sides of what is upright or level."""
+"""Lines are horizontal or vertical if the sine of their angle to the sides of the picture is
+smaller."""
 _TURN, _LEG, _LEAST_LEG = 3.0, 2.0, 12.0
-"""A corner turns within a width and so many pixels to each side, and goes on straight for so many
-widths, and so many pixels at least, ..."""
+"""A corner turns within one width and `_TURN` pixels to each side; its two legs are straight for
+`_LEG` widths, and for `_LEAST_LEG` pixels at least."""
 _SQUARE, _STRAIGHT = 0.2, 0.995
-"""with less cosine between both, each as straight as this: chord over length."""
+"""The cosine between the two legs of a corner is below `_SQUARE`, and the chord of each is at least
+`_STRAIGHT` of its length."""
 
 
 def are_boxes(roads: Sequence[FoundRoad], side: float) -> bool:

@@ -14,7 +14,7 @@ from .edges import CenterLine, across, normals, sides_of
 
 Layer = NDArray[np.float32]
 _THIN = 5.0
-"""Pixels: of thinner strokes the middle is the centroid of their ink."""
+"""The middle of strokes thinner than this, in pixels, is the centroid of their ink."""
 _STEP = 0.25
 
 

@@ -11,7 +11,7 @@ from roadlang.geometry import Floats
 from .graph import Graph, Line
 
 _TURN = np.deg2rad(20)
-"""Lines that turn more at a junction meet there, but do not run straight on through it."""
+"""Lines that turn by more at a junction end there; they do not run straight through it."""
 
 
 @dataclass

@@ -21,10 +21,11 @@ _LENGTH = 21
 _SMALLER = 1 / 3
 """Scale at which a photo without fine detail is processed."""
 _STRIP, _REACH = 4, 40
-"""Strips are turned in pieces of so many of their shorter sides: what is turned as a whole fills
-little of its canvas. Pieces overlap by so many pixels, farther than ribbons reach."""
+"""Long strips are rotated in pieces whose length is `_STRIP` times the shorter side: a long strip
+rotated as a whole fills little of its canvas. Pieces overlap by `_REACH` pixels, more than the
+filters reach."""
 _CHROMA = 0.03
-"""How much a colorful pixel loses: asphalt is gray."""
+"""Reduction of the response at a pixel of full color: asphalt is gray."""
 
 
 def roads_by_ribbons(image: Image, longest: float = float("inf")) -> FoundNetwork:

@@ -15,12 +15,14 @@ from .scale import resized
 from .tones import Image
 
 _LITTLE, _DOUBTED = 0.4, 0.65
-"""Roads shorter than this share of the picture's side, or less sure, are doubted."""
+"""Roads of the net are doubted if their length is below `_LITTLE` sides of the picture, or their
+confidence is below `_DOUBTED`."""
 _LONG, _SURE, _FEW = 0.5, 0.9, 3
-"""Ribbons are believed if so long, so sure and so few: in a busy picture they never are."""
+"""Ribbons are accepted in place of such roads if they are at least `_LONG` sides of the picture
+long, have a confidence of at least `_SURE`, and are at most `_FEW`."""
 _BUSY = 4.0
-"""A picture is busy if its ribbons are so many times as long in all as its side: a lone road's are
-about as long as the side, those of fields and woods 5 to 40 times."""
+"""A picture is busy, and its ribbons are never accepted, if their total length exceeds this many
+sides of the picture. That of a lone road is about 1; fields and woods have 5 to 40."""
 _PIXELS = 1_000_000
 
 

@@ -15,18 +15,20 @@ from roadlang.geometry import Booleans, Floats
 from .tones import Layer
 
 _LEAST, _MOST, _CHAIN = 8, 2000, 5
-"""A picture of dashes has at least, and at most, so many; and so many follow each other."""
+"""A picture of dashes has between `_LEAST` and `_MOST` of them; a chain has at least `_CHAIN`."""
 _MAINLY = 0.6
-"""They are at least this share of all that is drawn, ..."""
+"""Least share of the drawn surface that is dashes."""
 _ALIKE = 2.5
-"""each at most so many times as large or as small as usual, ..."""
+"""Maximum factor between the area of a dash and the median area."""
 _SOLID = 0.85
-"""and at least this share of their hulls: letters are less."""
+"""Least share of its convex hull that a dash fills; letters fill less."""
 _LONG, _DOT = 1.6, 0.03
-"""Dashes are so many times as long as thick; dots at most this share of the picture's side."""
+"""A dash is at least `_LONG` times as long as it is thick; a dot is at most `_DOT` of the picture's
+side."""
 _GAP, _AHEAD, _ON = 1.6, 0.6, -0.35
-"""The gap between two is at most so many lengths; the least cosine between a dash and the way to
-the next one, and the most between the ways to the one before and to the next."""
+"""The gap between two dashes is at most `_GAP` times their length. The cosine between a dash and
+the way to the next one is at least `_AHEAD`, and that between the ways to the previous and to the
+next one at most `_ON`."""
 
 
 @dataclass(frozen=True)

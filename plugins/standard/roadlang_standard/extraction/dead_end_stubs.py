@@ -18,16 +18,17 @@ from .graph import Graph, Line
 from .graph_cleanup import at_border, join
 
 _WIDE = 0.8
-"""Of the usual width: so wide is a road."""
+"""Least width of a road, as a share of the usual width."""
 _CORNER, _STUB = 0.25, 0.5
-"""Widths for which a branch is as wide as a road: below, it runs into a corner; from here on, it is
-a road."""
+"""A branch that is as wide as a road over less than `_CORNER` widths runs into a corner of the
+surface; over at least `_STUB` widths, it is a short road."""
 _BEFORE_EDGE, _ACROSS = 0.15, 0.4
-"""How far before its edge the surface is looked at, in widths and as a share of the rest of the
-way, and widths to both sides: there a round end is at most .36 widths wide to each side, one
-straight across .5."""
+"""The shape of an end is measured `_BEFORE_EDGE` widths before the edge of the surface, `_ACROSS`
+widths to both sides: there, a round end reaches at most 0.36 widths to each side, and a square end
+0.5."""
 _LOOKS = (1.5, 1.0, 0.7)
-"""Widths over which a dead end shows its direction: short ones turn where they branch off."""
+"""Widths over which the direction of a dead end is measured, longest first: short ones turn where
+they branch off."""
 
 
 def drop_corners(graph: Graph, inner: NDArray[np.float32], width: float) -> None:

@@ -9,9 +9,10 @@ from .found_network import FoundRoad
 from .smoothing import resample
 
 _STEP = 0.5
-"""Pixels."""
+"""Distance in pixels between the points at which the direction is read."""
 _SHARE = 0.5
-"""Of the length of a road: so much more of it must run one way than the other."""
+"""A road is one-way if the lengths that run each way differ by at least this share of its
+length."""
 
 
 def runs_forward(road: FoundRoad, directions: NDArray[np.float64] | None) -> bool | None:

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from roadlang.api import Picture
 
 _DOUBTFUL, _STRETCH = 0.5, 30.0
-"""Roads, and stretches of them longer than so many pixels, that are less sure are remarked on."""
+"""Roads with a confidence below `_DOUBTFUL` are remarked on, and stretches of roads longer than
+`_STRETCH` pixels."""
 _MOST = 5
 
 

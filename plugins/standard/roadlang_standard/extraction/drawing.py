@@ -25,14 +25,15 @@ from .skeleton import skeleton
 from .tones import Image, Layer, away_from, layers, tones, without_other_colors
 
 _BOLD, _THIN, _SOME = 3.5, 0.6, 0.03
-"""Beside edge lines of at least so many pixels, thin lines have less than this share of their
-thickness; they are sought where they are this share of the ink."""
+"""Where edge lines are at least `_BOLD` pixels thick, lines thinner than `_THIN` of that are no
+edges. They are removed where they are at least `_SOME` of the ink."""
 _GAPS = (2, 4, 8)
-"""Gaps of edge lines that are closed, by so many pixels from both sides."""
+"""Gaps in edge lines are closed by this many pixels from both sides, smallest first."""
 _THICKER = 2.0
-"""Where more than gaps are closed, lines of text become blots so many times as thick as the pen."""
+"""Closing has gone too far where strokes become this many times as thick as the pen: lines of text
+then become blots."""
 _SAMPLE = 50_000
-"""About so many pixels tell how thick a surface is."""
+"""Number of pixels, about, from which the thickness of a surface is estimated."""
 
 
 def roads_of_drawing(image: Image, width: float | None = None) -> FoundNetwork:

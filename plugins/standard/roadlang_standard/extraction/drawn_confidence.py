@@ -14,32 +14,36 @@ from .line_art import ends_at_rim, sure_by_junctions, sure_by_widths
 from .road_likeness import sure_by_likeness
 
 _LONG, _SLENDER = 0.6, 3.0
-"""Roads that hang together are believed if they are so long in all, in shorter sides of the
-picture, and each so long in widths; the confidence of less is lowered in proportion."""
+"""Connected roads have full confidence if their total length is at least `_LONG` shorter sides
+of the picture, and each is at least `_SLENDER` widths long. That of others is lowered in
+proportion."""
 _MANY, _MOSTLY = 6, 0.7
-"""So many parts that hang together are words unless at least this share of their length is in long
-ones; the confidence of all is lowered in proportion, and leaving the picture excuses none."""
+"""A drawing with at least `_MANY` connected parts is text unless at least `_MOSTLY` of the total
+length is in long parts. The confidence of all is lowered in proportion, also of parts that leave
+the picture."""
 _FOLDED, _REACH = 3.5, 0.3
-"""Roads so many times as long as they reach, more than a ring is, have to reach that far, in
-shorter sides; else they are a scribble, and their confidence is lowered in proportion."""
+"""Roads more than `_FOLDED` times as long as their extent (a ring has less) are a scribble if their
+extent is below `_REACH` shorter sides; their confidence is lowered in proportion."""
 _EXPLAINED, _EXPLAINED_EDGED = (0.7, 0.9), (0.85, 0.97)
 """Roads are as wide as measured on the second share of their surface or more; with the first share
 or less, as on a chessboard, it consists of no roads. Two edge lines say more closely where a road
 is: what lies between other lines, such as arrows and connectors, widens here and there."""
 _NO_ROAD = 0.45
-"""The confidence of boxes, bars and grounds."""
+"""Confidence of boxes, bars and the ground of a drawing."""
 _GROUND = 0.6
-"""What has more of the picture's rim is the ground about a drawing, no road."""
+"""A part that covers more than this share of the picture's rim is the ground around a drawing, not
+a road."""
 _ROWS, _EVEN = 3, 0.02
-"""So many lines that run all upright or level, each alone, and with both ends within the picture,
-are rows, columns or fields; such a line goes at most this share of its length across."""
+"""At least `_ROWS` separate lines that are all horizontal or all vertical, with both ends within
+the picture, are rows, columns or fields. Such a line deviates sideways by at most `_EVEN` of its
+length."""
 _SCATTERED, _LONG_PART = 4, 0.3
-"""So many parts that neither hang together nor leave the picture, each so long in shorter sides,
-are figures; roads lead somewhere."""
+"""At least `_SCATTERED` separate parts that do not leave the picture, each at least `_LONG_PART`
+shorter sides long, are figures: roads lead somewhere."""
 OPEN = 2
-"""A map is left by more roads than so many."""
+"""More roads than this leave a map."""
 _ALONG, _TOUCHING = 0.7, 1.5
-"""A bar touches the border, but for so many pixels, on this share of its length."""
+"""A bar is within `_TOUCHING` pixels of the border along at least `_ALONG` of its length."""
 _STATED = ("legend", "free space")
 """The methods by which somebody said which colors are roads: what they say is no line art."""
 

@@ -14,10 +14,11 @@ from .sampled import sampled
 from .smoothing import gradient, smooth_values
 
 _STEP, _FINE, _COARSE = 0.25, 9.0, 0.5
-"""Pixels between what is looked at across a road, and where it is sought farther than so many."""
+"""Step across a road in pixels; `_COARSE` where edges are sought farther than `_FINE` pixels from
+the center line."""
 _ROWS, _TOGETHER = 256, 1024
-"""So many points at a time are looked across, and judged: what is worked out for more does not stay
-in a processor's cache."""
+"""Number of points that are sampled, and evaluated, together: arrays of more points do not stay in
+a processor's cache."""
 
 
 @dataclass(frozen=True)

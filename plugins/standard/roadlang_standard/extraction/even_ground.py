@@ -10,7 +10,8 @@ from .tones import Image
 _SMALL, _WINDOW = 200, 11
 """Longer side of the copy in pixels, and side of the windows that are looked at."""
 _NEAR, _EVEN = 0.06, 0.7
-"""In an even window, so much is within this share of the brightness around it."""
+"""A window is even if at least `_EVEN` of its pixels are within `_NEAR` of the brightness around
+them, as a share."""
 _LEAST = 0.06
 """Least share of the picture in even windows: of a small sheet, two fifths are far enough from its
 rim. Most photos from above have less, drawings on paper ten times as much."""

@@ -15,43 +15,45 @@ from .map_tones import flat_colors, local_spread
 from .tones import Image, away_from, flatness, thinned
 
 _SAMPLE = 250_000
-"""Pixels that are looked at."""
+"""Number of pixels that are sampled."""
 _COLORS, _SAME, _OFF = 8, 5, 1.8
-"""So many colors are looked at; pixels within so many gray levels have one of them, and are off it
-by less on average: the sky, sand, paper and what is out of focus in a photo have little texture,
-but shades. Drawings stored as JPEG are off by up to 1.7."""
+"""The `_COLORS` most frequent flat colors are considered. Pixels within `_SAME` gray levels of one
+have that color; in a rendered picture their mean deviation is at most `_OFF`. Sky, sand, paper and
+blurred parts of photos have little texture, but shades. Drawings stored as JPEG deviate by up to
+1.7."""
 _HALF = 0.5
-"""What is not shaded has these colors on at least this share of its pixels."""
+"""Least share of a picture without shading that has one of these colors."""
 _SEVERAL, _MOST, _MAP_OFF = 3, 0.6, 2.5
-"""A map has at least so many of them, on more than this share, and where it is full of houses and
-stored as JPEG is off them by up to this."""
+"""A map has at least `_SEVERAL` of these colors, on more than `_MOST` of it; with many houses,
+stored as JPEG, the mean deviation is up to `_MAP_OFF`."""
 _LEAST_FLAT = 0.2
-"""Share of its pixels without texture: sand, dunes and tiles may be near a few colors, but are not
-even anywhere. JPEG leaves .39 of a map full of houses."""
+"""Least share of a map without texture: sand, dunes and tiles may be near a few colors, but are
+nowhere even. JPEG leaves 0.39 of a map full of houses."""
 _SAME_SHARE, _SAME_IN_ALL, _WINDOW = 0.01, 0.4, 1024
-"""A lossless picture has each of more colors exactly, on more than this share of its middle, of
-so many pixels a side, and all of them on more than the other share."""
+"""A lossless picture has more than `_SEVERAL` colors exactly, each on more than `_SAME_SHARE` of
+its middle (`_WINDOW` pixels a side), and together on more than `_SAME_IN_ALL`."""
 _LAND, _PURE = 0.5, 5
-"""Or it has one exactly on more than this share, which is off black and white by so much."""
+"""Or it has one color exactly on more than `_LAND` of it, at least `_PURE` gray levels from black
+and white."""
 _SOME_LAND, _NEXT, _MOSTLY_FLAT = 0.35, 0.15, 0.55
-"""Or one exactly on more than the first share, but the colors next to it on less than the second
-share of that: paper, and what is even in a photo, has these just as often, but may have a margin of
-one color. A map has no texture on more than the third share."""
+"""Or it has one color exactly on more than `_SOME_LAND` of it, and the colors next to that on less
+than `_NEXT` of that share: paper, and even parts of a photo, have those just as often. As a photo
+may have a margin of one color, more than `_MOSTLY_FLAT` of the picture must be without texture."""
 _EACH, _ALL, _TINTED = 0.03, 0.3, 5
-"""Or some that are off black and white, each on more than the first share and all of them on more
-than the second, and no shades of one color, but so many gray levels off those: what is flat in a
-photo of paper has hardly a hundredth of one color."""
+"""Or it has several colors other than black and white exactly, each on more than `_EACH` of it and
+together on more than `_ALL`, whose tints differ by more than `_TINTED` gray levels. Flat parts of a
+photo of paper have hardly a hundredth of one color."""
 _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
-"""Of 4 x 4 blocks, one of the two most frequent colors has a tenth of the area of at least 12
-(paper has another color in a shadow), and is the same in each, within so many gray levels (pixels
-within 7): paper is never lit so evenly."""
+"""One of the two most frequent colors (within `_NEAR` gray levels) covers more than `_FILLED` of at
+least `_PRESENT` of 4 x 4 blocks, and its mean differs between blocks by at most `_EVEN` gray
+levels: paper is never lit so evenly, and has another color in a shadow."""
 _STILL, _STILLS = 1, 0.03
-"""What varies by no more gray levels within 3 x 3 pixels is still; JPEG leaves it so far from edges
-of a map, on more than this share of it."""
+"""Pixels are still if their 3 x 3 neighborhood varies by at most `_STILL` gray levels. JPEG leaves
+more than `_STILLS` of a map still, away from edges."""
 _ALIKE, _APART, _COVERED, _PART, _PARTS = 2, 5, 0.72, 0.005, 4
-"""Still pixels have a color within the first of so many gray levels, and none of the shades within
-the second one, which paper and sky have: on this share of them, and on so much each of at least so
-many colors: a folded sheet has three shades."""
+"""More than `_COVERED` of the still pixels of a map are within `_ALIKE` gray levels of one of its
+colors. Pixels farther off, up to `_APART`, are shades of it, as paper and sky have, and count for
+no color. At least `_PARTS` colors have more than `_PART` each: a folded sheet has three shades."""
 
 
 def is_shaded(image: Image, within: Booleans | None = None) -> bool:

@@ -21,8 +21,8 @@ from .smoothing import curvature
 Layer = NDArray[np.float32]
 _EASINGS = 7
 _UNSEEN, _HARDLY = 1.0, 1e-3
-"""Weights of the traced line where the road's edges do not say where its middle is; and where it
-says little itself, near junctions."""
+"""Weights of the traced line where the edges of the road do not show its middle, and near
+junctions, where the traced line itself is unreliable."""
 COVERED = 0.02
 """Weight of the traced line where something covers the picture, unless it covers most of it."""
 _MOSTLY = 0.7

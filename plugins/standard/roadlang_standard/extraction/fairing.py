@@ -33,10 +33,10 @@ _PINNED = 1e5
 _SHORTEST = 8
 """Lines of fewer points are left as they are."""
 _OVERLAP = 600
-"""So many points are repeated before and after a closed line: farther away, the ends that are not
-there move no point by more than 1e-7 px."""
+"""Number of points repeated before and after a closed line: the artificial ends are then so far
+away that they move no point by more than 1e-7 px."""
 _TOGETHER = 4096
-"""So many points are solved at a time: more do not stay in a processor's cache."""
+"""Number of points that are solved together: more do not stay in a processor's cache."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +50,8 @@ class Pace:
 
 
 ROUGHLY, FULLY, AGAIN = Pace(16), Pace(32), Pace(20, 1e-3, 1e-4)
-"""Of a curve that is fitted anew from what comes out, of one that stays, and of one that is fair
-already, but has to move a little."""
+"""For a curve that will be fitted again from the result, for one that is final, and for one that is
+already fair but has to move a little."""
 
 
 @dataclass(frozen=True)

@@ -13,18 +13,18 @@ from .masks import without_holes
 from .skeleton import skeleton
 
 _REACH = 4
-"""Grain is sought by closing so many pixels to each side."""
+"""Grain is found by closing the strokes by this many pixels to each side."""
 _SMOOTH = 0.25
 """Grain is closed, and burrs are removed, up to this share of the width to each side."""
 _MANY, _OFTEN, _FILLED = 12, 600, 0.3
-"""Strokes with at least so many holes and gaps, and one in so many pixels, have grain, if these are
-at most this share of it."""
+"""A stroke has grain if it has at least `_MANY` holes and gaps, at least one in `_OFTEN` pixels,
+and these are at most `_FILLED` of its surface."""
 _THICK, _LONG = 2.0 * _REACH, 0.6
-"""Only strokes of at least so many pixels have grain, and so long ones, in shorter sides of the
-picture: most words do not."""
+"""Only strokes at least `_THICK` pixels thick and `_LONG` shorter sides of the picture long have
+grain: most words are smaller."""
 _BROAD, _UNEVEN = 0.9, 1.33
-"""Grain leaves ink of all widths: this share of it is thinner than so many times the usual one.
-Letters are written with an even pen."""
+"""With grain the ink has all widths: its `_BROAD` quantile exceeds the usual width by the factor
+`_UNEVEN`. Letters are written with an even pen."""
 
 
 def without_grain(marked: Booleans) -> Booleans:

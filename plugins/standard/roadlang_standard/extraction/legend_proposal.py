@@ -18,9 +18,10 @@ _MOST_COLORS = 12
 _COVERED = 0.97
 """Share of a drawing that has its few colors; the signs and names of a map have many."""
 _LEAST_PIXELS = 12
-"""Of a color, and of what is left of a spot without its rim, which may be a mixture of colors."""
+"""Least number of pixels of a color, and of a spot without its rim, which may be a mixture of
+colors."""
 _LARGEST = 0.125
-"""Of the longer side of the picture: the longest side of a spot."""
+"""Maximum side of a spot, as a share of the longer side of the picture."""
 _MOST_SPOTS = 200
 _FILLED = 0.5
 """Share of the box around a spot that it fills; lines and letters fill less."""

@@ -14,15 +14,16 @@ from .found_network import FoundRoad
 _NO_ROAD = 0.45
 """The confidence of line art."""
 _FEW, _MANY = 14.0, 22.0
-"""Up to the first number of lines that end on another one are roads, from the second one on they
-are line art, where nothing leaves the picture: few draw larger towns within margins."""
+"""Where nothing leaves the picture: with at most `_FEW` lines that end on another line the lines
+are roads, with `_MANY` or more they are line art. Few people draw larger towns within margins."""
 _STUB = 3.0
-"""Dead ends of fewer widths are barbs, ticks and whiskers."""
+"""Dead ends shorter than this many widths are barbs, ticks and whiskers."""
 _RIM = 3.0
-"""Pixels from the border at which a road leaves the picture."""
+"""Distance from the border, in pixels, within which a road leaves the picture."""
 _ROADS, _EVEN, _UNEVEN = 10, 0.1, 0.2
-"""So many roads or more vary in width by at most the first share of it, by their standard
-deviation; with the second one they are cracks or veins. A few may be strokes of a pen."""
+"""Where there are at least `_ROADS` lines: if the standard deviation of their widths is at most
+`_EVEN` of the width, they are roads; from `_UNEVEN` on they are cracks or veins. Fewer may be
+strokes of a pen."""
 
 
 def sure_by_junctions(roads: Sequence[FoundRoad], shape: tuple[int, ...]) -> float:

@@ -26,11 +26,11 @@ _OUTSIDE = np.iinfo(np.int32).max
 """Owner of the picture's rim: a road may leave there."""
 _FLOOR = 0.05
 _BACK = 9.0
-"""Cost of a pixel of the surface of the road that ends."""
+"""Cost of a pixel on the surface of the ending road itself."""
 _STRAIGHT = 0.9
 """Least cosine between a dead end's direction and the way to where it leaves the picture."""
 _LEAVING = 0.8
-"""Share of its cost that a bridge to the rim counts."""
+"""Factor on the cost of a bridge to the rim."""
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,11 @@ import numpy as np
 from roadlang.geometry import Booleans
 
 _LONG = 0.2
-"""A part that hangs together is long if it reaches over more than this share of the picture's
-shorter side: letters, dashes and arrows do not."""
+"""A connected part is long if its extent is more than this share of the picture's shorter side;
+letters, dashes and arrows are smaller."""
 _AROUND, _RIM, _MOSTLY = 0.85, 0.06, 0.6
-"""A frame, and what is joined to it, reaches over so much of both sides; so near the border, in
-shorter sides, are more than so many of its pixels."""
+"""A frame, with what is joined to it, extends over at least `_AROUND` of both sides of the picture,
+and more than `_MOSTLY` of its pixels are within `_RIM` shorter sides of the border."""
 
 
 def long_lines(ink: Booleans) -> Booleans | None:

@@ -16,8 +16,8 @@ from .skeleton import skeleton
 from .tracing import trace
 
 _BESIDE, _MOST = 0.1, 0.15
-"""Where the first share of the lines has the road on both sides, it is looked at more closely. At
-most the second share of the length of edges is in loose strokes."""
+"""If more than `_BESIDE` of the lines have road on both sides, their strokes are examined; at most
+`_MOST` of the length of true edges is in loose strokes."""
 
 
 def are_loose(ink: Booleans, road: NDArray[np.uint8], pen: float) -> bool:

@@ -30,11 +30,12 @@ Layer = NDArray[np.float32]
 _WAVES, _ALL_WAVES = 2.0, 0.5
 """Shortest wavelengths of center lines, in widths: of smooth curves, and of lines as traced."""
 _FINE = 4.0
-"""A usual width of lines, pixels, of which a blurred mask keeps little."""
+"""Lines whose usual width in pixels is below this hardly survive the blur of a mask."""
 _TWINS = 0.5
-"""Junctions nearer than so many widths are one."""
+"""Junctions closer than this many widths are one."""
 _FULL, _OFTEN = 0.03, 40
-"""Share of a picture that a skeleton of noise fills at least, and pixels of it to each end."""
+"""The skeleton of noise fills at least `_FULL` of the picture, and has a dead end in every `_OFTEN`
+of its pixels."""
 _LEFT_OUT = "short marks thinner than the roads, such as names and arrows, were left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""

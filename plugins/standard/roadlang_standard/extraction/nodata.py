@@ -14,7 +14,7 @@ _BLACK, _WHITE = 8, 248
 _LEAST = 0.004
 """Margins smaller than this share of the picture are left alone,"""
 _LONG = 0.1
-"""but for those that lie along this share of its shorter side: a photo that was turned a little."""
+"""unless they extend along this share of its shorter side: a photo that was rotated a little."""
 _THIN = 5
 """What is narrower, in pixels, is no margin, except along the rim, which cuts margins off."""
 

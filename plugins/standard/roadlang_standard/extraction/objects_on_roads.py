@@ -11,12 +11,12 @@ from .mask_parts import parts_of
 from .tones import Layer
 
 _BESIDE = 0.5
-"""More than this share of what is around it is road."""
+"""Least share of an object's surroundings that is road."""
 _THIN, _LEAST, _NARROW = 0.25, 4.0, 0.6
-"""It is at least so many widths of the road thick, and so many pixels: soft edges are thinner; and
-at most so many widths: an island may be as wide as the road is."""
+"""An object is at least `_THIN` widths of the road and `_LEAST` pixels thick (soft edges are
+thinner), and at most `_NARROW` widths: an island may be as wide as the road."""
 _USUAL = 0.7
-"""Quantile of the distances from edge to middle that is half the usual width."""
+"""Half the usual width is this quantile of the distances from the middle to the edge."""
 
 
 def with_objects(surface: Layer, marked: Booleans) -> Layer:

@@ -15,7 +15,7 @@ from .tracing import trace
 _WIDEST = 0.25
 """Lines farther apart than this share of the picture's shorter side are not edges of one road."""
 _MOST_ENDS = 64
-"""Pictures with more loose ends are hatched or written on."""
+"""Pictures with more loose ends have hatching or text."""
 _PARALLEL, _ABREAST = 0.7, 0.6
 """Least cosine between the directions of the two ends, and most between either and the way from one
 to the other."""

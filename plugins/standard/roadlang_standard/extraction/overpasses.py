@@ -13,13 +13,15 @@ from .graph import Graph, Line
 from .graph_cleanup import join
 
 _SPAN = 6.0
-"""The ends on both sides are at most so many widths apart: those of both roads, and the gaps."""
+"""Maximum distance between the two ends, in widths: both roads, and the gaps."""
 _HOOK, _SEEN = 1.0, 2.5
-"""An end may be turned aside over so many widths, and its direction is seen over so many."""
+"""The last `_HOOK` widths of an end may turn aside; its direction is measured over the `_SEEN`
+widths before them."""
 _STRAIGHT = 0.96
 """Least cosine between either end's direction and the way to the other one."""
 _MIDDLE, _ACROSS = (0.25, 0.75), 0.5
-"""The other road is on this part of the way, and crosses it with at least this sine."""
+"""The other road crosses the way between these shares of its length, at an angle with at least this
+sine."""
 
 
 @dataclass(frozen=True)

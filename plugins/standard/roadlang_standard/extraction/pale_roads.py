@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from .tones import Image, Layer
 
 _LEAST, _APART, _CLEAR = 0.02, 10.0, 0.85
-"""Each of the two tones has at least this share of the picture without the names; grays between
-them; and how much of the variance of gray is between both."""
+"""Each of the two tones covers at least `_LEAST` of the picture without the names. They are more
+than `_APART` gray levels apart, and explain more than `_CLEAR` of the variance of gray."""
 _AROUND = 15
-"""Side in pixels of the windows from which the tone beneath a name is taken."""
+"""Side of the windows, in pixels, from which the tone below a name is taken."""
 
 
 def pale_surfaces(gray: Image, level: float) -> tuple[Layer, Layer] | None:

@@ -8,14 +8,14 @@ import numpy as np
 from .tones import Layer
 
 _TOP, _DARK, _BESIDE = 0.02, 0.6, 3
-"""The darkest ink, a share of all; what is so dark as that, in shares, was drawn; within so many
-pixels of it ink fades."""
+"""The darkest ink is the `_TOP` quantile. What is darker than `_DARK` of it was drawn, and ink
+fades within `_BESIDE` pixels of that."""
 _NOISE, _FAINTEST = 3.0, 0.05
-"""A spot takes away so many times the noise, and at least this share of the light."""
+"""A spot absorbs at least `_NOISE` times the noise, and at least `_FAINTEST` of the light."""
 _BROAD = 5
-"""Pixels that a spot is broad: lines of ruled paper are thinner."""
+"""Least width of a spot in pixels: lines of ruled paper are thinner."""
 _LEAST = 0.003
-"""Share of the picture that spots cover, or they are none."""
+"""Least share of the picture that spots cover."""
 
 
 def pale_spots(ink: Layer, least: float, noise: float) -> int:

@@ -23,33 +23,37 @@ from .skeleton import skeleton
 from .tones import Image, Layer, thinned
 
 _SMALL, _BROADEST = 300, 12
-"""The light is estimated at this size in pixels; ink is thinner than one in so many sides."""
+"""The light is estimated in a copy of at most `_SMALL` pixels a side; ink is thinner than one
+`_BROADEST`th of its shorter side."""
 _BROADER, _SHADED = 3, 0.5
-"""Strokes that cross, or a thick one, may be so many times as broad if they are darker than this
-share of the sheet around them: no shadow is."""
+"""Crossing or thick strokes may be `_BROADER` times as broad if they are darker than `_SHADED` of
+the sheet around them; no shadow is that dark."""
 _DARKEST, _COLORED = 60, 0.35
-"""A sheet is lighter than this gray and less colored than this share of its brightness."""
+"""A sheet is lighter than the gray `_DARKEST`, and its channels differ by at most `_COLORED` of its
+brightness."""
 _TINT, _ONE = 0.12, 0.75
-"""More than this share of a sheet has one color in any light: its channels over their mean are
-within so much. A beach is as light as paper, but the sea beside it is not."""
+"""At least `_ONE` of a sheet has one color in any light: its channels, divided by their mean, are
+within `_TINT`. A beach is as light as paper, but the sea beside it is not."""
 _PLAIN, _EVEN = 0.06, 0.6
-"""So much of the sheet is within this share of its own brightness."""
+"""At least `_EVEN` of a sheet is within `_PLAIN` of its own brightness."""
 _SAME, _EXACT = 2, 0.5
-"""A drawing made on a screen has one color, within so many gray levels, on more than this share."""
+"""A drawing made on a screen has one color, within `_SAME` gray levels, on more than `_EXACT` of
+it."""
 _SCREEN = 0.85
-"""Where one color fills so much of a picture, no sheet on a desk is sought in it."""
+"""If one color fills more than this share of a picture, no sheet on a desk is searched in it."""
 _NOISE, _FAINTEST = 6.0, 0.1
-"""Ink absorbs so many times the noise, and at least this share of the light."""
+"""Ink absorbs at least `_NOISE` times the noise, and at least `_FAINTEST` of the light."""
 _MOST_INK = 0.2
-"""Share of the sheet that ink covers."""
+"""Maximum share of the sheet that ink covers."""
 _TOP, _STRONG, _WEAK = 0.02, 0.7, 0.45
-"""The darkest strokes, a share of all; ink is at least so dark as they are, and goes on while it is
-at least a little less dark: ruled lines are lighter."""
+"""The darkest strokes are the `_TOP` quantile. Ink is at least `_STRONG` as dark, and continues
+down to `_WEAK`: ruled lines are lighter."""
 _SNOW, _FEW_SPOTS, _DOUBTED = 40, 12, 0.5
-"""More pale spots than the first are trees and houses in snow; so are more than the second where
-no road is surer than the third."""
+"""More than `_SNOW` pale spots are trees and houses in snow; so are more than `_FEW_SPOTS` if the
+roads have a confidence below `_DOUBTED`."""
 _SHORTEST, _LITTLE = 0.12, 0.3
-"""Shares of the shorter side: shorter strokes are letters; less in all is no road."""
+"""In shorter sides of the sheet: strokes shorter than `_SHORTEST` are letters; a total length below
+`_LITTLE` is no road."""
 
 
 @dataclass(frozen=True)

@@ -26,13 +26,14 @@ PHOTO, MASK, FILLED, EDGES, MAP = (
 )
 
 _FLAT = 0.55
-"""Photos have less than this share of pixels without texture."""
+"""Maximum share of a photo without texture."""
 _LIT, _INDEX = 215, 12
-"""A mask has a tone lighter than the first on black, or nothing but indices below the second: dark
-maps have neither."""
+"""A mask has a tone lighter than `_LIT` on black, or only indices below `_INDEX`; dark maps have
+neither."""
 _SAME, _BRUSH, _BROAD = 8, 15, 0.25
-"""What differs by more gray levels from the most frequent color, and holds a square of so many
-pixels, is broad; where more than this share of a picture is, that tells what the picture is."""
+"""Parts that differ by more than `_SAME` gray levels from the most frequent color and contain a
+square of `_BRUSH` pixels are broad. If more than `_BROAD` of the picture is broad, that part
+decides what the picture is."""
 
 
 @dataclass(frozen=True)

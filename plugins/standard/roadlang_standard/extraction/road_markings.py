@@ -13,26 +13,26 @@ from roadlang.geometry import Booleans
 from .tones import Image, Layer, away_from
 
 _THIN = 5.0
-"""A marking has at least so many times its thickness of road around it, ..."""
+"""Around a marking, the road is more than this many times as wide as the marking is thick, ..."""
 _SHORT = 2.5
-"""and is at most so many widths of the road long: a longer one is a median, ..."""
+"""and the marking is shorter than this many widths of the road: a longer one is a median, ..."""
 _LINE = 6.0
-"""unless it is so many times as thin."""
+"""unless the road is more than this many times as wide as it is thick."""
 _COLORED = 3.0
-"""How many times as thin a marking is whose color neither road nor ground has."""
+"""The same factor for markings with a color that neither road nor ground has."""
 _ENCLOSED = 0.6
-"""Share of what is around such a marking that is road."""
+"""Least share of the surroundings of such a marking that is road."""
 _LARGEST = 0.02
-"""No part that is more of the picture is a marking."""
+"""Maximum share of the picture that a marking covers."""
 _BESIDE, _BESIDE_COLORED = 1.5, 0.75
-"""A marking has at least so many times its thickness of road on one of its sides."""
+"""On one of its sides, the road is at least this many times as wide as a marking is thick."""
 _PAINTED = 60
-"""Gray levels by which a painted color differs from road, from ground, and from what is between, as
-their edges are."""
+"""Least difference in gray levels between a painted color and road, ground, and all mixtures of
+these, which occur at edges."""
 _FEWEST, _MOST_COLORED = 20, 0.05
-"""Pixels, and share of the picture, that have such a color: what is more is no paint."""
+"""Paint covers at least `_FEWEST` pixels, and at most `_MOST_COLORED` of the picture."""
 _SAMPLED = 3
-"""Every so many rows and columns are looked at for the colors of road and ground."""
+"""The colors of road and ground are estimated from every third row and column."""
 
 
 def with_markings_filled(surface: Layer, image: Image | None = None) -> Layer:

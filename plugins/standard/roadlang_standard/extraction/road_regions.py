@@ -15,21 +15,22 @@ from roadlang.geometry import Booleans
 from .mask_parts import parts_of
 
 _LEAST = 40
-"""Square pixels of a region."""
+"""Least area of a region, in square pixels."""
 _UNEVEN = 2.8
-"""A road is nowhere so many times as wide as usual, at crossings 1.4 times, where two become one 2
-times: a block between filled roads is."""
+"""Maximum width of a road over its usual width. At crossings it is 1.4, where two roads become one
+it is 2; a block between filled roads has more."""
 _LEAVING = 4.0
-"""A road has at most so many widths of the picture's rim, what surrounds a circuit has more."""
+"""Maximum length of the picture's rim that a road covers, in widths; the ground around a circuit
+covers more."""
 _LONG, _PIECE = 12.0, 1.2
 """Least length over width of a road, and of a piece of one."""
 _ALIKE = (0.6, 1.6)
 """Widths of the pieces, in widths of the main road."""
 _WIDEST, _LONGEST = 0.2, 1.5
-"""A road is not wider than the first share of the picture's shorter side and longer than so many
-times the sum of both sides: a ring that is as large as the picture is not so long."""
+"""A region wider than `_WIDEST` of the picture's shorter side and longer than `_LONGEST` times the
+sum of both sides is not a road; even a ring as large as the picture is shorter."""
 _USUAL = 0.9
-"""Quantile of the distances from edge to middle that is half the usual width."""
+"""Half the usual width is this quantile of the distances from the middle to the edge."""
 
 
 @dataclass(frozen=True)

@@ -13,20 +13,21 @@ from roadlang.geometry import Booleans, Floats
 from .tones import Layer
 
 _TILTS = np.deg2rad(np.arange(-10.0, 10.01, 0.25))
-"""By so much may a sheet be turned."""
+"""Angles by which a sheet may be rotated."""
 _COVERED, _FEWEST = 0.5, 5
-"""A printed line is marked on this share of its length at least; ruled paper has so many."""
+"""A printed line is visible on at least `_COVERED` of its length; ruled paper has at least
+`_FEWEST`."""
 _HALF, _DARKER = 2.5, 1.25
-"""Pixels to both sides of a printed line that belong to it, unless they are so many times as dark
-as it is: ink that crosses it."""
+"""Pixels within `_HALF` of a printed line belong to it unless they are at least `_DARKER` times as
+dark: ink that crosses it."""
 _EVERY = 4
-"""Of the pixels along a line so few show how it is turned."""
+"""The rotation is estimated from every fourth pixel along the lines."""
 _TOP, _AS_DARK = 0.02, 0.8
-"""The darkest ink, a share of all; lines that are at least this share as dark as it may be drawn,
-..."""
+"""The darkest ink is the `_TOP` quantile; lines at least `_AS_DARK` as dark as it may have been
+drawn, ..."""
 _MANY, _ACROSS, _UNEVEN = 12, 0.93, 0.12
-"""and are if two hold: they are fewer than so many, usually reach over less than this share of the
-sheet, and are off even spaces by more than this share of one."""
+"""and were if two of these hold: there are fewer than `_MANY`; they usually extend over less than
+`_ACROSS` of the sheet; they deviate from even spacing by more than `_UNEVEN` of the spacing."""
 
 
 def without_ruling(ink: Layer, level: float) -> Layer:

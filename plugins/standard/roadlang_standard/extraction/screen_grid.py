@@ -17,16 +17,19 @@ from .counted_colors import color_codes, counted_colors
 from .tones import Image, away_from, thinned
 
 _GROUND, _SAMPLE = 0.4, 100_000
-"""The ground has one color exactly on so much of the picture, of which so many pixels are seen."""
+"""The ground has exactly one color on at least `_GROUND` of the picture, of which `_SAMPLE` pixels
+are sampled."""
 _COVERED, _THICKEST = 0.5, 3
-"""A line of the grid is seen on so much of its length, and at most so many pixels thick."""
+"""A line of the grid is visible on more than `_COVERED` of its length, and at most `_THICKEST`
+pixels thick."""
 _FEWEST, _UNEVEN = 5, 1.01
-"""There are at least so many, each within so many pixels of a multiple of the usual space."""
+"""A grid has at least `_FEWEST` lines, each within `_UNEVEN` pixels of a multiple of the usual
+spacing."""
 _PALE, _MANY, _WHOLE = 0.8, 10, 0.97
-"""The grid is paler than this share of what is drawn; where it is not, or nothing is drawn, lines
-may be streets, unless there are so many that are seen on so much of their length."""
+"""A grid has less than `_PALE` of the contrast of what is drawn. Darker lines may be streets unless
+there are at least `_MANY`, visible on more than `_WHOLE` of their length."""
 _SAME = 3
-"""Gray levels within which what lies on a line of the grid is the line."""
+"""Maximum difference in gray levels between a line of the grid and its pixels."""
 
 
 @dataclass(frozen=True)

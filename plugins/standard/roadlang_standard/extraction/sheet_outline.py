@@ -12,21 +12,23 @@ from roadlang.geometry import Booleans
 from .tones import Image, Layer
 
 _SMALL, _LEVELS = 400, 16
-"""The outline is sought at this size in pixels, at so many levels of gray."""
+"""The outline is searched in a copy of at most `_SMALL` pixels a side, at `_LEVELS` levels of
+gray."""
 _LEAST, _MOST = 0.15, 0.97
-"""Share of the picture that the sheet covers."""
+"""Least and greatest share of the picture that the sheet covers."""
 _CORNERS, _BEND = 6, 0.02
-"""A sheet that the picture cuts off has up to so many corners; its sides bend by less than this
-share of its outline."""
+"""A sheet cut off by the picture has at most `_CORNERS` corners; its sides bend by less than
+`_BEND` of its outline."""
 _FILLED = 0.965
-"""Share that the sheet and its straight outline have in common."""
+"""Least overlap of the sheet with its straight outline."""
 _DARKER, _AROUND = 0.85, 0.9
-"""The desk is darker than so many times the sheet, along this share of the outline at least."""
+"""The desk is darker than `_DARKER` times the sheet, along at least `_AROUND` of the visible
+outline."""
 _SEEN = 0.5
-"""Share of the outline that lies within the picture: the desk is seen along it."""
+"""Least share of the outline that lies within the picture, where the desk is visible."""
 _BESIDE, _MARGIN = 4, 2
-"""Pixels of the small copy: how far from the outline both are compared, and what is left out along
-it, where the sheet curls and casts its shadow."""
+"""Pixels of the small copy. Sheet and desk are compared `_BESIDE` pixels from the outline;
+`_MARGIN` pixels along it are left out, where the sheet curls and casts a shadow."""
 
 
 def sheet_outline(image: Image) -> Booleans | None:

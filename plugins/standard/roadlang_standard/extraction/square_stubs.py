@@ -18,20 +18,20 @@ from roadlang.geometry import Booleans, Floats
 from .graph import Graph, Line
 
 _NARROW, _WIDE = 0.7, 1.35
-"""Widths of the road that the end of a stub measures, from edge to edge."""
+"""Least and greatest length of the end of a stub, from edge to edge, in widths of the road."""
 _SIDE, _LEAST_SIDE = 0.12, 1.5
-"""Least length of the edges beside it, in widths and in pixels."""
+"""Least length of the two edges beside the end, in widths and in pixels."""
 _TURN = np.cos(np.radians(65.0))
-"""Cosine of the least angle by which the edge turns at both ends."""
+"""The edge turns by at least 65 degrees at both ends."""
 _NEAREST, _FARTHEST = 0.85, 2.0
-"""Widths from the end of a stub to the road that it branches off: bays at the side of a road are
-nearer, and what is farther has a line of its own."""
+"""Distance from the end of a stub to the center line of its road, in widths: bays beside a road are
+closer than `_NEAREST`, and stubs longer than `_FARTHEST` have a line of their own."""
 _ASIDE = 0.45
-"""Widths by which that road may lie beside the stub's middle."""
+"""Maximum lateral distance of that line from the axis of the stub, in widths."""
 _KNOWN = 0.9
-"""Widths from an end within which a dead end is the stub's own line."""
+"""A dead end within this many widths of the end of a stub belongs to the stub."""
 _SAME_NODE = 0.6
-"""Widths from a node within which the stub begins at it."""
+"""A stub that meets its road within this many widths of a node begins at the node."""
 
 
 @dataclass(frozen=True)

@@ -11,31 +11,35 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 _LOWEST, _TALLEST, _LONG = 9.0, 24.0, 3.0
-"""A name in one line is between so tall, in pixels, and longer than so many times its height: the
-dashes of a footpath are lower."""
+"""A name on one line is `_LOWEST` to `_TALLEST` pixels tall, and at least `_LONG` times as long:
+the dashes of a footpath are lower."""
 _CURVED = 5.0
-"""What is longer than so many times its height may bend."""
+"""A name longer than this many times its height may be curved."""
 _REACH, _LEAST_REACH = 3.0, 12.0
-"""A street leads on from its name over so many widths, and at least so many pixels, ..."""
+"""Beyond its name, a street continues for `_REACH` widths and at least `_LEAST_REACH` pixels,
+..."""
 _MOSTLY = 0.75
-"""on this share of them, ..."""
+"""visible on at least this share of that length, ..."""
 _ASIDE, _TURN = 2.5, 0.25
-"""no farther to the side than so many pixels, and so much more a pixel of the way."""
+"""with a lateral offset of at most `_ASIDE` pixels, plus `_TURN` pixels for each pixel of the
+way."""
 _BAND = 0.3
 """The pixels of a name are on average no more of its height off its middle: of a band, a quarter.
 """
 _HIDES = 1.5
-"""A name that is so many times as tall as the street is wide hides it."""
+"""A name more than this many times as tall as the street is wide hides the street."""
 _STRAIGHT, _BENT, _ONE_WAY = 0.6, 1.8, 0.7
-"""Letters do not turn by more radians along a name than the second, and if by more than the first,
-then for so much of it to one side: other lines go through words that stand beside one another."""
+"""The middle line of a name turns by at most `_STRAIGHT` radians in total, or by at most `_BENT`
+if at least `_ONE_WAY` of that is to one side. Other lines run through words that stand side by
+side."""
 _ROUNDS, _DEGREE = 3, 4
-"""A middle line that bends is fitted so often, by polynomials of its length of this degree."""
+"""A curved middle line is fitted in `_ROUNDS` rounds by polynomials of degree `_DEGREE` in its
+length."""
 _LEVEL, _EXACTLY = 0.1, 1.5
-"""A name is level where it rises by no more than so many pixels in each piece of its middle; a
-street at one of its ends is then to be no more off its middle."""
+"""A name is level if its middle line rises by less than `_LEVEL` pixels per piece. A street that
+continues at only one of its ends must then be within `_EXACTLY` pixels of the middle line."""
 _INSET = 2
-"""Letters are marked with so many pixels around them."""
+"""Margin around marked letters, in pixels."""
 
 
 @dataclass(frozen=True)

@@ -9,19 +9,20 @@ from .graph import Graph, Line
 from .graph_cleanup import at_border, components, join
 
 _LONG, _SHORT = 0.6, 0.4
-"""Shorter sides of the picture: connected roads are longer, names and arrows shorter."""
+"""In shorter sides of the picture: connected roads are at least `_LONG` in length, names and arrows
+shorter than `_SHORT`."""
 _THIN = 0.55
-"""Names, arrows and frames are drawn with less than this share of the widest road's width."""
+"""Maximum width of the lines of names, arrows and frames, as a share of the width of the widest
+road."""
 _ARROW, _HANGING, _AT_END = 0.25, 0.2, 0.25
-"""Arrows that touch a road are shorter than the first share of the picture's shorter side, and have
-less than the second one of the widest road's width, where they are thinnest, on this share of
-their length: not on the road."""
+"""Arrows that touch a road are shorter than `_ARROW` of the picture's shorter side. On `_AT_END` of
+their length, away from the road, they are thinner than `_HANGING` of the widest road."""
 _AT_BORDER = 4.0
-"""Pixels from the border at which what is drawn leaves the picture."""
+"""Distance from the border, in pixels, within which a line leaves the picture."""
 _RIM = 0.04
-"""A frame is so near the border, in shorter sides of the picture, ..."""
+"""A frame is within this distance of the border, in shorter sides of the picture, ..."""
 _AROUND = 0.7
-"""and along so much of it."""
+"""along at least this share of it."""
 
 
 def drop_thin_strokes(graph: Graph, inner: NDArray[np.float32]) -> int:

@@ -19,15 +19,15 @@ from .skeleton import skeleton
 from .tones import Layer
 
 THINNEST = 2.0
-"""Ribbons are wider than this, in pixels, unless they are very long: casings and footpaths are
-not."""
+"""Ribbons are wider than this, in pixels, unless they are very long; casings and footpaths are
+thinner."""
 _THIN_LONG = 80.0
-"""Thin lines longer than this, in pixels, hang together as streets do; outlines of buildings do
-not."""
+"""Thin lines longer than this, in pixels, are connected like streets; outlines of buildings are
+shorter."""
 _LONG = 5.0
-"""A ribbon is longer than so many widths."""
+"""Least length of a ribbon in widths."""
 SPECK = 8
-"""Parts and holes of fewer pixels are not looked at."""
+"""Parts and holes of fewer pixels are ignored."""
 
 
 @dataclass(frozen=True)
