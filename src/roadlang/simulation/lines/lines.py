@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
+from ..recycled_memory import RECYCLED
 from .line_nodes import NodesOf, Spacing, line_nodes
 from .line_sources import LineSource
 
@@ -83,7 +84,7 @@ class Lines:
         many lines together that their nodes fit into the caches."""
         spacing = Spacing.of(sources, margin)
         count = spacing.nodes
-        table = np.empty((len(sources), count, len(CELL)))
+        table = RECYCLED.empty(len(sources), count, len(CELL))
         for first in range(0, len(sources), at_once):
             rows = slice(first, first + at_once)
             part = spacing.of_rows(rows)

@@ -10,6 +10,7 @@ import numpy as np
 from ...geometry.arrays import Floats, Integers
 from ..controlling.driving import DriverGroup
 from ..recording.recording import Recorder
+from ..recycled_memory import RECYCLED
 from ..signals.derived_columns import KEPT, DerivedColumns
 from ..signals.recorded_samples import RecordedSample
 from ..state.arrivals import all_arrived
@@ -27,8 +28,8 @@ from .tracing import STATE, period, traced_steps
 AT_ONCE = 1.0
 """Seconds that are driven before it is asked which scenes are over."""
 LARGE = 2**24
-"""Bytes of samples for which numpy is asked together, if they are many: of 4 MiB and more it has
-them in large pages, which are written in a third of the time."""
+"""Bytes of samples for which memory is asked together, if they are many: then it is in large pages,
+and is used again."""
 
 
 @dataclass
@@ -110,7 +111,7 @@ class Repetition:
         if count * each < LARGE // 8:
             return np.empty((count, len(KEPT), agents))
         if len(self._free) < count or self._free.shape[2] != agents:
-            self._free = np.empty((max(count, LARGE // each), len(KEPT), agents))
+            self._free = RECYCLED.empty(max(count, LARGE // each), len(KEPT), agents)
         found, self._free = self._free[:count], self._free[count:]
         return found
 
