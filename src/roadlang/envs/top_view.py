@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..drive.lane_bands import bands_and_lines, lane_bands
 from ..drive.lane_lines import painted_lines, shown_part
 from ..drive.road_areas import road_areas
+from ..drive.robustness_colors import OTHER
 from ..geometry.arrays import Booleans, Floats
 from ..geometry.strokes_of_lanes import LaneStroke
 from ..ir.category import GREENERY
@@ -22,7 +23,7 @@ PIXELS = 480
 """width and height of a picture; even, as encoders of clips want it"""
 SCALE = 6.0
 """pixels for each meter: 80 m are seen"""
-_DRIVEN, _OTHER = "#c92a2a", "#1c7ed6"
+_DRIVEN = "#c92a2a"
 _WINDSHIELD = "#23272b"
 _FRACTION_BITS = 4
 """of the places of corners within a pixel"""
@@ -63,7 +64,7 @@ class TopView:
         for index, agent in enumerate(self._agents):
             if not present[index]:
                 continue
-            color = _DRIVEN if index == self._driven else _OTHER
+            color = _DRIVEN if index == self._driven else OTHER
             pose = (float(x[index]), float(y[index]), float(heading[index]))
             for shape in _vehicle_shapes(agent, pose, color):
                 _draw(pixels, shape, place)

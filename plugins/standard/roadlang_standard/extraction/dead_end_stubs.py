@@ -16,6 +16,7 @@ from roadlang.geometry import Booleans, Floats
 from .chains import direction
 from .graph import Graph, Line
 from .graph_cleanup import at_border, join
+from .mask_parts import is_inside
 
 _WIDE = 0.8
 """Least width of a road, as a share of the usual width."""
@@ -116,7 +117,7 @@ def _square_end(mask: Booleans, place: Floats, ahead: Floats, width: float) -> F
     across = np.array([-ahead[1], ahead[0]]) * _ACROSS * width
     for before in (_BEFORE_EDGE * rest, _BEFORE_EDGE * width):
         near_edge = place + (rest - before) * ahead
-        if not (_inside(mask, near_edge + across) and _inside(mask, near_edge - across)):
+        if not (is_inside(mask, near_edge + across) and is_inside(mask, near_edge - across)):
             return None
     return place + rest * ahead
 
@@ -128,8 +129,3 @@ def _distance_to_edge(mask: Booleans, place: Floats, ahead: Floats, width: float
     inside = (x >= 0) & (x < mask.shape[1]) & (y >= 0) & (y < mask.shape[0])
     inside[inside] = mask[y[inside], x[inside]]
     return 0.0 if inside.all() else float(steps[int(inside.argmin())]) - 0.5
-
-
-def _inside(mask: Booleans, place: Floats) -> bool:
-    x, y = np.round(place).astype(int)
-    return bool(0 <= x < mask.shape[1] and 0 <= y < mask.shape[0] and mask[y, x])

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .map_tones import EXACT, MapTone, frequent_colors, map_tone
+from .mask_parts import parts_touching
 from .mixed_pixels import Labels
 from .tones import Image
 
@@ -135,14 +136,6 @@ def _sides(mask: Booleans, labels: Labels, away: int) -> tuple[Booleans, Boolean
         alike.ravel()[at[ends][same]] = True
         differ.ravel()[at[ends][~same & known]] = True
     return alike, differ & ~alike
-
-
-def parts_touching(mask: Booleans, reach: Booleans) -> Booleans:
-    """The connected parts of a mask (h, w) that meet another one (h, w)."""
-    count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
-    met = np.bincount(parts[reach], minlength=count) > 0
-    met[0] = False
-    return np.asarray(met[parts])
 
 
 def short_parts(tones: list[MapTone], roads: list[MapTone], near: Booleans) -> Booleans:

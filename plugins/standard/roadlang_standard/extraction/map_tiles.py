@@ -15,7 +15,7 @@ from .found_network import FoundNetwork
 from .map_contrast import with_contrast, without_strong_contrast
 from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
-from .map_lines import THIN, holes, parts_touching, short_parts
+from .map_lines import THIN, holes, short_parts
 from .map_or_drawing import FEW, LETTERED, are_named, is_drawing
 from .map_roads import MapRoads, chosen_roads
 from .map_tones import (
@@ -28,6 +28,7 @@ from .map_tones import (
     without_jpeg_noise,
 )
 from .map_water import masks_without_water
+from .mask_parts import parts_touching
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD
 from .skeleton import skeleton

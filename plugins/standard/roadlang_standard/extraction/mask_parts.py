@@ -6,11 +6,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang.geometry import Booleans
+from roadlang.geometry import Booleans, Floats
 
 _SAMPLED, _MANY = 101, 0.1
-"""Every so many pixels are looked at for large parts; a list of more than this share of all pixels
-takes more time and memory than to count all of them."""
+"""Large parts are found by looking at one pixel in `_SAMPLED`. A list of more than `_MANY` of all
+pixels takes more time and memory than counting all of them."""
 
 
 def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int32]]:
@@ -60,3 +60,17 @@ def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slic
     x, y, width, height = cv2.boundingRect(mask.view(np.uint8))
     rows = slice(max(0, y - margin) & ~1, y + height + margin)
     return rows, slice(max(0, x - margin) & ~1, x + width + margin)
+
+
+def parts_touching(mask: Booleans, reach: Booleans) -> Booleans:
+    """The connected parts of a mask (h, w) that meet another one (h, w)."""
+    count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+    met = np.bincount(parts[reach], minlength=count) > 0
+    met[0] = False
+    return np.asarray(met[parts])
+
+
+def is_inside(mask: Booleans, place: Floats) -> bool:
+    """Whether a place (2,) is on a mask (h, w)."""
+    x, y = np.round(place).astype(int)
+    return bool(0 <= x < mask.shape[1] and 0 <= y < mask.shape[0] and mask[y, x])

@@ -11,6 +11,7 @@ import numpy as np
 from roadlang.geometry import Booleans
 
 from .map_tones import EXACT, MapTone, map_tone
+from .mask_parts import parts_touching
 from .masks import without_specks
 from .tone_shape import SPECK, THINNEST
 
@@ -261,7 +262,7 @@ def _joined(main: MapTone, others: list[MapTone], apart: list[MapTone]) -> list[
             # Casings of a street's color touch all roads, and outlines of houses touch none.
             rest = tone.mask & ~reach if tone.width <= _CASING else tone.mask
             near = cv2.dilate(reach.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-            touching = _parts_touching(rest, near)
+            touching = parts_touching(rest, near)
             least = _CUT if _is_main(tone, main) else _TOUCHING
             if touching.sum() >= least * rest.sum():
                 found, left = True, [one for one in left if one is not tone]
@@ -290,11 +291,3 @@ def _is_road_alone(tone: MapTone, main: MapTone) -> bool:
 def _is_main(tone: MapTone, main: MapTone) -> bool:
     """Whether a tone is as even as roads alone are, and no narrower than `main`."""
     return tone.steady >= _SURE and tone.width >= main.width and not _is_green(tone)
-
-
-def _parts_touching(mask: Booleans, reach: Booleans) -> Booleans:
-    """The parts of a mask (h, w) that meet `reach`: buildings stand apart."""
-    count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
-    touching = np.bincount(parts[reach], minlength=count) > 0
-    touching[0] = False
-    return np.asarray(touching[parts])

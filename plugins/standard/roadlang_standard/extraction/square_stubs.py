@@ -16,6 +16,7 @@ import numpy as np
 from roadlang.geometry import Booleans, Floats
 
 from .graph import Graph, Line
+from .mask_parts import is_inside
 
 _NARROW, _WIDE = 0.7, 1.35
 """Least and greatest length of the end of a stub, from edge to edge, in widths of the road."""
@@ -83,13 +84,8 @@ def square_ends(mask: Booleans, width: float) -> Iterator[SquareEnd]:
             inward = after[i] - before[i]
             inward /= np.hypot(*inward)
             middle = corners[i] + edges[i] / 2 - 0.5 * inward
-            if _is_inside(mask, middle + 0.3 * width * inward):
+            if is_inside(mask, middle + 0.3 * width * inward):
                 yield SquareEnd(middle, inward)
-
-
-def _is_inside(mask: Booleans, place: Floats) -> bool:
-    x, y = np.round(place).astype(int)
-    return bool(0 <= x < mask.shape[1] and 0 <= y < mask.shape[0] and mask[y, x])
 
 
 def _line_to(graph: Graph, end: SquareEnd, width: float) -> Line | None:

@@ -40,7 +40,7 @@ def normal_form(formula: f.Formula, *, negated: bool = False, greatest: bool = F
             return of(formula.expanded(greatest=greatest != negated))
         case f.LogicalJunction(operands):
             kind = _DUAL[type(formula)] if negated else type(formula)
-            return _joined(kind, (of(operand) for operand in operands))
+            return joined(kind, (of(operand) for operand in operands))
         case f.AtLeast() if (simple := _simple(formula)) is not None:
             return of(simple)
         case f.BinaryTemporal() | f.SampleStep() | f.AtLeast():
@@ -61,8 +61,8 @@ def _simple(formula: f.AtLeast) -> f.Formula | None:
     return f.Eventually(formula.interval, formula.operand) if once else None
 
 
-def _joined(kind: type[f.Compound], parts: Iterable[f.Formula]) -> f.Formula:
-    """Nested conjunctions and disjunctions flattened, repeats dropped, order kept."""
+def joined(kind: type[f.Compound], parts: Iterable[f.Formula]) -> f.Formula:
+    """A conjunction or disjunction: nested ones flattened, repeats dropped, order kept."""
     flat: dict[f.Formula, None] = {}
     for part in parts:
         flat.update(dict.fromkeys(part.parts if isinstance(part, kind) else (part,)))

@@ -7,10 +7,11 @@ sample, that p and q are about the same signals.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from . import formulas as f
 from .interval import UNBOUNDED, Interval
+from .normal_form import joined
 
 _Shared = tuple[bool, Interval, f.Formula]
 """Whether it is about the past, the samples it is about, and what holds at all of them."""
@@ -46,16 +47,16 @@ def _add(part: f.Formula, shared: Sequence[_Shared], kind: type[f.LogicalJunctio
         case f.UnaryTemporal():
             interval = part.interval or UNBOUNDED
             added = _covering(shared, part.past, interval)
-            return type(part)(part.interval, _joined(kind, part.operand, added))
+            return type(part)(part.interval, joined(kind, (part.operand, *added)))
         case f.BinaryTemporal() if kind.least:
             until_end = Interval(0.0, (part.interval or UNBOUNDED).hi)
             added = _covering(shared, part.past, until_end)
-            left, right = (_joined(kind, side, added) for side in (part.left, part.right))
+            left, right = (joined(kind, (side, *added)) for side in (part.left, part.right))
             return type(part)(part.interval, left, right)
         case _ if not part.temporal:
             now = Interval(0.0, 0.0)
             added = [*_covering(shared, False, now), *_covering(shared, True, now)]
-            return _joined(kind, part, added)
+            return joined(kind, (part, *added))
     return part
 
 
@@ -66,12 +67,3 @@ def _covering(shared: Sequence[_Shared], past: bool, interval: Interval) -> list
         for about_past, known, state in shared
         if about_past == past and known.lo <= interval.lo and interval.hi <= known.hi
     ]
-
-
-def _joined(
-    kind: type[f.LogicalJunction], formula: f.Formula, added: Iterable[f.Formula]
-) -> f.Formula:
-    flat: dict[f.Formula, None] = {}
-    for part in (formula, *added):
-        flat.update(dict.fromkeys(part.parts if isinstance(part, kind) else (part,)))
-    return next(iter(flat)) if len(flat) == 1 else kind(tuple(flat))
