@@ -15,6 +15,7 @@ import numpy as np
 
 from roadlang.geometry import Curve, Floats, Footprints, Lane
 from roadlang_formats.decimals import bearing
+from roadlang_formats.speed_units import in_kmh
 from roadlang_formats.surfaces.built import built_roads, is_loop
 from roadlang_formats.surfaces.junction_surface import junction_surfaces
 from roadlang_formats.surfaces.road_surface import RoadSurface, road_surfaces
@@ -96,7 +97,7 @@ def _speed_limits(driven: Sequence[Lane], of_road: set[float | None]) -> dict[st
         }
         limit = limits.pop()
         if not limits and limit is not None and math.isfinite(limit):
-            found[f"maxspeed:{direction}"] = float(f"{limit * 3.6:.6g}")
+            found[f"maxspeed:{direction}"] = float(in_kmh(limit))
     if len(found) == len(directions) and len(set(found.values())) == 1:
         return {"maxspeed": next(iter(found.values()))}
     return found

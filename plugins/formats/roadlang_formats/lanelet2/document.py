@@ -10,6 +10,7 @@ from roadlang.geometry.local_projection import LocalProjection
 from roadlang_formats.lanelets.model import Lanelet, LaneletMap
 from roadlang_formats.lanelets.network import lanelet_map
 from roadlang_formats.place_on_earth import map_origin
+from roadlang_formats.speed_units import in_kmh
 
 from .primitives import Primitives, Tags
 from .regulatory_elements import RegulatoryElements
@@ -100,7 +101,7 @@ def _tags(lanelet: Lanelet, left_hand: bool) -> dict[str, str]:
               "participant:vehicle:bus"] = "yes"  # fmt: skip
     limit = lanelet.speed_limit
     if limit is not None and math.isfinite(limit):
-        found["speed_limit"] = f"{limit * 3.6:.6g} km/h"
+        found["speed_limit"] = f"{in_kmh(limit)} km/h"
     if lanelet.turn:
         found["turn_direction"] = _TURNS[lanelet.turn]
     if lanelet.road:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from roadlang.api import SceneConnection, signal_heads
 from roadlang_formats.lanelets.model import LaneletJunction, LaneletMap, LinePoint
+from roadlang_formats.speed_units import in_kmh
 
 from .primitives import Primitives
 
@@ -48,7 +49,7 @@ class RegulatoryElements:
             sign = self._primitives.way(
                 right[:2], {"type": "traffic_sign", "subtype": "de274", "virtual": "yes"}
             )
-            tags = {"subtype": "speed_limit", "sign_type": f"{limit * 3.6:.6g} km/h"}
+            tags = {"subtype": "speed_limit", "sign_type": f"{in_kmh(limit)} km/h"}
             self._add([("way", "refers", sign)], tags, numbers)
 
     def add_junction(self, junction: LaneletJunction) -> None:

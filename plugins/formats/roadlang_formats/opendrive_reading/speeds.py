@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from roadlang_formats.map_xml import MapElement, MapFile
+from roadlang_formats.speed_units import KMH, MPH
 
-_UNITS = {"m/s": 1.0, "km/h": 1.0 / 3.6, "mph": 0.44704}
+_UNITS = {"m/s": 1.0, "km/h": KMH, "mph": MPH}
 _FASTEST = 200.0
 """m/s; higher values count as no limit."""
 

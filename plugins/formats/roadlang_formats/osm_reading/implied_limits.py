@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from typing import Final
 
-_KMH: Final = 1.0 / 3.6
-_MPH: Final = 0.44704
+from ..speed_units import KMH, MPH
+
 _WALKING: Final = 7
 """Walking pace, in km/h, as German courts read it. The law of most countries has no number."""
 
@@ -79,14 +79,14 @@ def implied_limit(written: str) -> float | None:
     words and countries that are not known here.
     """
     if written in ("walk", "walking"):
-        return _WALKING * _KMH
+        return _WALKING * KMH
     found = re.fullmatch(r"([A-Za-z]{2}):([a-z_]+|(?:zone:?)?(\d{1,3}))", written)
     if found is None:
         return None
     country, context, zone = found.group(1).upper(), found.group(2), found.group(3)
     if country in ("GB", "UK"):
-        return (int(zone) if zone else _BRITISH.get(context, 0)) * _MPH or None
-    return (int(zone) if zone else _national(country, context)) * _KMH or None
+        return (int(zone) if zone else _BRITISH.get(context, 0)) * MPH or None
+    return (int(zone) if zone else _national(country, context)) * KMH or None
 
 
 def _national(country: str, context: str) -> int:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ..speed_units import KMH, MPH
 from .implied_limits import implied_limit
 
 Tags = Mapping[str, str]
@@ -35,7 +36,7 @@ LANES: Mapping[str, int] = {
 }
 """The ways for motor vehicles, and their default number of lanes in each direction."""
 _MOST = 12
-_UNITS = {"": 1.0 / 3.6, "km/h": 1.0 / 3.6, "kmh": 1.0 / 3.6, "kph": 1.0 / 3.6, "mph": 0.44704}
+_UNITS = {"": KMH, "km/h": KMH, "kmh": KMH, "kph": KMH, "mph": MPH}
 _IMPLIED = ("maxspeed:type", "source:maxspeed", "zone:maxspeed", "zone:traffic")
 """The tags that may have a limit where `maxspeed` is missing; the first that has one counts."""
 _ONE_WAY = {"yes": True, "true": True, "1": True, "-1": False, "reverse": False}

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from roadlang.api import LanePlace
 from roadlang.geometry import CrossSection, Floats, Lane
 
 from ..surfaces.built import is_loop
@@ -18,8 +19,6 @@ from .vehicle_classes import LaneUse, permissions
 if TYPE_CHECKING:
     from roadlang.api import SceneRoad
 
-SPEED = 50.0 / 3.6
-"""m/s of lanes without a limit."""
 GAP = 0.1
 """Meters between the edges of one road: the least length of a lane in SUMO."""
 _SHORTEST = 5.0
@@ -181,7 +180,7 @@ def _of_direction(section: CrossSection, forward: bool) -> Iterator[Lane]:
 
 def _speed(road: SceneRoad, lane: Lane, station: float) -> float:
     limit = road.limit_at(station, lane.speed_limit)
-    return SPEED if limit is None else limit
+    return LanePlace.default_speed if limit is None else limit
 
 
 def in_order(edges: Sequence[SumoEdge], forward: bool) -> list[SumoEdge]:
