@@ -146,6 +146,21 @@ def test_what_goes_wrong_is_an_error_with_the_reason(tmp_path: Path, reason: str
     assert "it drives `ego` and failed 0.00 s into the drive" in str(found.value)
 
 
+def test_a_program_that_keeps_its_first_answer_is_told_to_flush(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("roadlang_standard.drive_process.START", 0.3)
+    body = """
+        sys.stdin.readline()
+        time.sleep(60)
+    """
+    with pytest.raises(roadlang.DiagnosticError) as found:
+        driven(scene(program(tmp_path, body)))
+    assert "it did not answer within 0.3 s" in str(found.value)
+    assert "flush its standard output after each line" in str(found.value)
+    assert "current folder" not in str(found.value)
+
+
 def test_a_program_that_writes_more_than_its_answers_is_an_error(tmp_path: Path) -> None:
     """Every later answer would be to what the agent saw before."""
     body = """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -145,6 +146,15 @@ def test_a_typed_picture_without_a_road_says_how_one_is_drawn(sample: Sample) ->
         sample(TOWN.replace("#", ".").replace('".": road', '"#": road'))
     (found,) = caught.value.diagnostics
     assert found.help[-1] == "draw some with the character that the `legend` calls `road`"
+
+
+def test_a_typed_picture_without_a_legend_is_told_to_say_what_is_a_road(sample: Sample) -> None:
+    text = re.sub("legend: {.*?}", "", TOWN.replace("#", "|"))
+    with pytest.raises(DiagnosticError) as caught:
+        sample(text)
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL412"
+    assert found.help[-1] == 'say which characters are roads: `legend: { "#": road }`'
 
 
 def test_an_image_needs_a_scale(sample: Sample, tmp_path: Path) -> None:

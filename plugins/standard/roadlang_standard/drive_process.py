@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 A = TypeVar("A")
 R = TypeVar("R")
 _WHERE = "programs start in the current folder, not in that of the scene file"
+_AT_ONCE = (
+    "it has to read and answer line by line: let it flush its standard output after each line; some"
+    " programs also wait for more input, unless told not to (`mawk -W interactive`, `python3 -u`)"
+)
 BRAKING = 4.0
 """m/s^2, of an agent whose program failed, with `brake_on_failure`."""
 START = 20.0
@@ -81,7 +85,7 @@ class Process(Controller):
         """Start the programs of those that have none, all at once, then greet them. One that cannot
         be started, or does not answer the greeting, is an error, also with `brake_on_failure`."""
         from .process.messages import greeting
-        from .process.program import ControllerProcess, ProgramFailed
+        from .process.program import ControllerProcess, ProgramFailed, ProgramLate
 
         new = [row for row in range(len(state)) if state[row] is None]
         for row in new:
@@ -94,7 +98,8 @@ class Process(Controller):
             try:
                 _greeted(state[row], START)
             except ProgramFailed as error:
-                raise self._failed(str(error), _WHERE, _driven(seen, row)) from error
+                what = _AT_ONCE if isinstance(error, ProgramLate) else _WHERE
+                raise self._failed(str(error), what, _driven(seen, row)) from error
 
     def _attempt(
         self,

@@ -205,6 +205,8 @@ def _without_roads(network: ScenarioNetwork, candidates: CandidateBatch) -> str:
         return f"`roadlang view {network.source.path}` shows what is in the file"
     image = candidates.scenario.source_of(network)
     if isinstance(image, ScenarioImage) and isinstance(image.source, TextSource):
+        if not image.options.get("legend"):
+            return 'say which characters are roads: `legend: { "#": road }`'
         return "draw some with the character that the `legend` calls `road`"
     return (
         "choose an extractor: `extract with contour` for a drawing, `extract with aerial` for a "

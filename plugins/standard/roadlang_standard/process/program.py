@@ -28,6 +28,10 @@ class ProgramFailed(Exception):
     """A program died, does not answer, or answers what it should not."""
 
 
+class ProgramLate(ProgramFailed):
+    """A program did not answer in time."""
+
+
 class ControllerProcess:
     """A program in a session of its own, so that whatever it starts ends with it.
 
@@ -85,7 +89,8 @@ class ControllerProcess:
         try:
             line = self._answers.get(timeout=seconds)
         except queue.Empty:
-            raise self.failed(f"it did not answer within {seconds:g} s") from None
+            late = self.failed(f"it did not answer within {seconds:g} s")
+            raise ProgramLate(str(late)) from None
         if not line:
             code = self._exit_code()
             ended = (
