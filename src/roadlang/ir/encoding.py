@@ -36,14 +36,18 @@ def scene_from_json(text: str | bytes) -> Scene:
     """Read a scene file of this version or an earlier one.
 
     Raises `msgspec.ValidationError` where it does not fit the schema, `msgspec.DecodeError` where
-    it is no JSON, `UnknownSceneSchema` for another schema; all of them are `ValueError`s.
+    it is no JSON, `UnknownSceneSchema` for another schema, `InconsistentScene` where its members do
+    not fit together; all of them are `ValueError`s.
     """
     import msgspec
 
     from .scene import Scene
+    from .scene_consistency import check_scene
     from .scene_versions import current, with_categories
 
-    return with_categories(msgspec.convert(current(msgspec.json.decode(text)), type=Scene))
+    scene = msgspec.convert(current(msgspec.json.decode(text)), type=Scene)
+    check_scene(scene)
+    return with_categories(scene)
 
 
 def _refuse_non_finite(value: Any, place: str) -> None:

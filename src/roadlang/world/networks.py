@@ -21,7 +21,7 @@ from ..geometry.junctions.one_way import one_way
 from ..geometry.junctions.raised_roads import with_heights
 from ..ir.batch import RoadBatch
 from ..ir.picture import Extraction, FoundObject
-from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork, TextSource
+from ..ir.scenario import FileSource, Input, ScenarioImage, ScenarioNetwork
 from ..ir.values import PassCall
 from ..plugins.guard import plugin_guard
 from ..plugins.results import check_extraction
@@ -37,6 +37,7 @@ from .moved_networks import moved_network
 from .perturbation import perturbed
 from .pictures import LoadedPicture, load_picture
 from .reading import read_file
+from .roadless_sources import advice_without_roads
 from .root_roads import undisplaced_road
 from .seen_pictures import seen_before
 from .stations import StationSpacing, station_spacing
@@ -189,7 +190,7 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     else:
         found = _extracted(network, candidates)
     if not found.network.edges:
-        raise _empty(network, (*found.remarks, _without_roads(network, candidates)))
+        raise _empty(network, (*found.remarks, advice_without_roads(network, candidates)))
     found = _within(network, found, candidates)
     moved = moved_network(network, found.network, candidates)
     if moved is not found.network:  # the pixels are where they were
@@ -197,21 +198,6 @@ def _root(network: ScenarioNetwork, candidates: CandidateBatch) -> NetworkRoot:
     found = replace(found, network=with_heights(found.network))
     plans = network_plans(network, found.network, candidates)
     return replace(found, junctions=plans)
-
-
-def _without_roads(network: ScenarioNetwork, candidates: CandidateBatch) -> str:
-    """What to do about a source in which there is none."""
-    if isinstance(network.source, FileSource):
-        return f"`roadlang view {network.source.path}` shows what is in the file"
-    image = candidates.scenario.source_of(network)
-    if isinstance(image, ScenarioImage) and isinstance(image.source, TextSource):
-        if not image.options.get("legend"):
-            return 'say which characters are roads: `legend: { "#": road }`'
-        return "draw some with the character that the `legend` calls `road`"
-    return (
-        "choose an extractor: `extract with contour` for a drawing, `extract with aerial` for a "
-        "photo; `roadlang extract IMAGE --overlay FILE` shows what was found"
-    )
 
 
 def _empty(network: ScenarioNetwork, help: tuple[str, ...]) -> DiagnosticError:

@@ -1,0 +1,96 @@
+"""A scene whose members do not fit together is refused when it is read, with the place."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from roadlang import DiagnosticError, Scene, testing
+from roadlang.ir.scene_consistency import InconsistentScene, check_scene
+
+TEXT = """
+road main { draw with waypoints { points: [(0m, 0m), (60m, 0m)] }, width: 7m, lanes: 2 }
+agent ego is car on main at 5m {
+  drive with lane_follow { speed: 5m/s }
+  drive with brake { when: ego.station > 30m, while: ego.speed > 1m/s }
+}
+object tree is tree on main at 20m { side: left, offset: 2m }
+expect in_lane: always (abs(ego.cross_track_error) < 1m)
+"""
+
+
+@pytest.fixture(scope="module")
+def written() -> str:
+    (scene,) = testing.sample(TEXT)
+    return scene.to_json()
+
+
+def shorter(road: str) -> Callable[[Any], None]:
+    return lambda scene: scene["roads"][0][road].pop()
+
+
+def put(value: Any, *way: Any) -> Callable[[Any], None]:
+    def change(scene: Any) -> None:
+        for step in way[:-1]:
+            scene = scene[step]
+        scene[way[-1]] = value
+
+    return change
+
+
+BRAKE = ("agents", 0, "drive", 1)
+FORMULA = ("expectations", 0, "formula")
+SIGNAL = (*FORMULA, "signals", "ego.cross_track_error")
+FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
+    "a column too short": (shorter("x"), "roads[0].x"),
+    "widths too short": (shorter("width"), "roads[0].width"),
+    "elevations too short": (put([1.0], "roads", 0, "elevation"), "roads[0].elevation"),
+    "one station": (put([0.0], "roads", 0, "stations"), "roads[0].stations"),
+    "stations back": (put(5.0, "roads", 0, "stations", 2), "roads[0].stations"),
+    "a lane without width": (
+        put([0.0], "roads", 0, "lane_list", 0, "width"),
+        "roads[0].lane_list",
+    ),
+    "an agent on no road": (put("other", "agents", 0, "road"), "agents[0].road"),
+    "an object on no road": (put("other", "objects", 0, "road"), "objects[0].road"),
+    "no formula": (put({}, *FORMULA), "expectations[0].formula"),
+    "what is no formula": (put({"zz": 1}, *FORMULA, "formula"), "expectations[0].formula.formula"),
+    "a signal in a word": (put("x", *SIGNAL), "expectations[0].formula.signals"),
+    "options of a signal": (put("x", *SIGNAL, "options"), "expectations[0].formula.signals"),
+    "a number in words": (
+        put({"n": "x"}, *BRAKE, "when", "numbers"),
+        "agents[0].drive[1].when.numbers",
+    ),
+    "a list of numbers": (
+        put([], *BRAKE, "during", "numbers"),
+        "agents[0].drive[1].during.numbers",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_place_that_does_not_fit_is_named(written: str, fault: str) -> None:
+    change, place = FAULTS[fault]
+    document = json.loads(written)
+    change(document)
+    with pytest.raises(DiagnosticError) as caught:
+        Scene.from_json(json.dumps(document))
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL461"
+    assert found.message.endswith(f" - at `$.{place}`")
+
+
+def test_a_scene_that_was_sampled_is_consistent(written: str) -> None:
+    check_scene(Scene.from_json(written).record)
+
+
+def test_the_place_is_a_member_of_the_error(written: str) -> None:
+    document = json.loads(written)
+    shorter("y")(document)
+    with pytest.raises(DiagnosticError) as caught:
+        Scene.from_json(json.dumps(document))
+    assert isinstance(caught.value.__cause__, InconsistentScene)
+    assert caught.value.__cause__.place == "roads[0].y"
