@@ -14,21 +14,21 @@ from .map_tones import EXACT, Tolerance, flat_colors, is_gray
 from .tones import Image, away_from
 
 _SAME_TONE, _MARKED, _FAINT, _CLEAR, _MOST_STRETCH = 3, 0.75, 20, 60, 3.0
-"""A map is faint where what differs from its land by more than the first, in gray levels, does so
-by no more than the third in the share of the second; that share is to differ by the fourth, but
-contrast is not raised by more than the last factor."""
+"""Pixels that differ from the land by more than `_SAME_TONE` gray levels are marked. A map is faint
+if the `_MARKED` quantile of their difference is at most `_FAINT`. The contrast is raised until this
+quantile is `_CLEAR`, by at most the factor `_MOST_STRETCH`."""
 _BROAD = 11
-"""What holds a square of so many pixels is not looked at: a river or woods of full contrast leave
-the streets as faint as they are, and a pale park does not make streets pale."""
+"""Parts that contain a square of this many pixels are ignored: the streets may be faint beside a
+river or woods of full contrast, and a pale park does not make them faint."""
 _FEWEST = 0.001
 """Streets cover more than this share of a picture; faint pixels beside a broad road cover less."""
 _NEARLY_ALL, _FAINT_LOSSY, _THIN_LOSSY = 0.9, 50, 30
-"""JPEG's noise gets more contrast, too: it is raised only where all that differs, and all of it
-that is thin, is off a gray land by no more gray levels in the first share: the colors of parks
-would part into several."""
+"""In a JPEG the noise gets more contrast too, and colors of parks would split. So its contrast is
+raised only if the land is gray, and the `_NEARLY_ALL` quantile of the difference is at most
+`_FAINT_LOSSY` for all marked pixels and `_THIN_LOSSY` for thin parts."""
 _STRONG, _ENOUGH = 200, 100
-"""Noise at the edges of streets that are off the land by more gray levels than the first parts
-their color into several: in a JPEG, they are to differ by the second."""
+"""In a JPEG, noise at the edges of streets that differ from the land by more than `_STRONG` gray
+levels splits their color. The contrast is then lowered until they differ by `_ENOUGH`."""
 
 
 def with_contrast(

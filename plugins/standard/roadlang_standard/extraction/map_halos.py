@@ -11,11 +11,12 @@ from roadlang.geometry import Booleans
 from .tones import Image
 
 _HALO = 0.9
-"""A part of the roads of which more is about letters is an outline of letters, ..."""
+"""A part of the roads with more than this share on letters is an outline of letters, ..."""
 _ON_STREET, _EXTENT = 0.2, 40
-"""unless streets that reach over so many pixels are so much of what is around the word."""
+"""unless streets with an extent of at least `_EXTENT` pixels are more than `_ON_STREET` of the
+surroundings of the word."""
 _GRAY, _CLEAR = np.array([0.114, 0.587, 0.299]), 60.0
-"""Ink is off the land by more gray levels."""
+"""Ink differs from the land by more than `_CLEAR` gray levels."""
 
 
 def are_written_alike(

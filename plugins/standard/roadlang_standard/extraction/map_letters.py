@@ -11,15 +11,16 @@ from roadlang.geometry import Booleans
 from .tones import Image
 
 _STROKE, _GLYPH, LARGER = 7, 18, 6.0
-"""Letters have strokes thinner than this, and are at most so large, in pixels; more on maps whose
-roads are wider than so many pixels."""
+"""Letters have strokes thinner than `_STROKE` pixels and are at most `_GLYPH` pixels large;
+proportionally more on maps whose roads are wider than `LARGER` pixels."""
 _CONTRASTS, _INK = (30, 60, 120), 1.8
-"""Contrasts of letters in gray levels, and their ink: at least so many pixels a pixel of size."""
+"""Contrasts of letters in gray levels, and the least number of ink pixels of a letter per pixel of
+its size."""
 _MANY = 0.06
-"""Lists of more than this share of all pixels take longer than arrays."""
+"""If more than this share of all pixels is set, arrays are faster than lists of pixels."""
 _BESIDE, _WORDS, _FULL = 3, 200, 0.3
-"""Words are filled one after the other, each with so many pixels around it, if there are no more of
-them, and they are no more of the picture: else all at once."""
+"""Up to `_WORDS` words that cover at most `_FULL` of the picture are filled one by one, each with a
+margin of `_BESIDE` pixels; otherwise all at once."""
 
 
 def letters_of_map(image: Image, width: float) -> Booleans:

@@ -16,20 +16,22 @@ from .mixed_pixels import Labels
 from .tones import Image
 
 _STEP = 6
-"""A line differs by more gray levels from both of its sides, and by no more along itself."""
+"""A line differs from both of its sides by more than this many gray levels, and varies by at most
+as many along itself."""
 _REACH = 2
-"""Its sides are so many pixels away: lines of up to three pixels have no even part."""
+"""Distance of its sides in pixels: lines of up to three pixels have no even part."""
 THIN = 4.5
-"""Colors of lines whose usual width is less, in pixels, may be those of houses as well."""
+"""Colors of lines with a smaller usual width, in pixels, may also be those of houses."""
 _EXTENT, _LONG = 40, 5.0
-"""A line reaches over so many pixels, and so many of its widths; outlines of houses do not."""
+"""A line has an extent of at least `_EXTENT` pixels and `_LONG` widths; outlines of houses are
+smaller."""
 _STEADY = 0.45
 """Least share of streets that keeps its width: rows of houses do not."""
 _SHORT, _BENT = 16, 1.4
-"""A short street reaches over so many pixels, and has no more surface than this share of its width
-times the way it goes; an outline of a house comes back."""
+"""A short street has an extent of at least `_SHORT` pixels, and a surface of less than `_BENT`
+times its width times its extent; the outline of a house returns to its start and has more."""
 _SIDE = 2
-"""The sides of a line are looked at so many pixels off its edges."""
+"""Distance in pixels from the edges of a line at which its sides are compared."""
 
 
 def with_line_colors(image: Image, colors: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:

@@ -15,29 +15,32 @@ from .road_markings import with_markings_filled
 from .street_names import streets_below_names
 
 LETTERED = 0.003
-"""A map of few colors has letters on this share of it."""
+"""Least share of a map of few colors that letters cover."""
 FEW = 3
-"""So many colors are few."""
+"""Maximum number of colors of a picture of few colors."""
 _MANY = 6
 """More colors are a map's."""
 _PALE = 40.0
-"""Gray levels between the land and roads that a drawing is not seen by."""
+"""If the roads differ from the land by fewer gray levels, a picture of few colors is not a
+drawing."""
 _PLAIN = 0.9
 """Share of a drawing that is its ground or its roads."""
 _BESIDE = 0.1
-"""Names stand on the roads of a map or beside them: so much of them is within a width."""
+"""Names are on the roads of a map or beside them: at least this share of them is within one width
+of a road."""
 _ON_STREETS = 0.05
-"""A map has streets below so much of its names."""
+"""Least share of the names of a map with streets below them."""
 _MARKED = 0.02
-"""Share of the roads of a drawing that is painted on them."""
+"""Least share of the roads of a drawing that markings on them cover."""
 _EVEN = 0.9
-"""Without what is painted on them, roads are as wide as usual on no less of their length than with
-it, or on so much: a gap between a house and a river of the color of streets is no paint."""
+"""With their markings filled, roads keep their width on at least as much of their length as
+without, or on `_EVEN` of it: a gap between a house and a river in the color of the streets is no
+marking."""
 _MOSTLY = 0.5
-"""So much of lines within roads is painted on these."""
+"""Lines are markings if more than this share of them is within roads."""
 _WHOLE, _TIMES, _ENCLOSED = 0.35, 3.0, 0.6
-"""Drawn roads with all that is painted on them keep their width on this share of their surface, are
-so many times as wide as a line on them, and are around so much of it."""
+"""Drawn roads, with their markings filled, keep their width on at least `_WHOLE` of their surface,
+are at least `_TIMES` as wide as a line on them, and surround more than `_ENCLOSED` of it."""
 _GRAY = np.array([0.114, 0.587, 0.299])
 
 

@@ -16,16 +16,16 @@ from .tones import Layer
 Pixels = NDArray[np.intp]
 
 _WIDTHS = (1.0, 4.5, 9.0, 18.0, 36.0, 72.0)
-"""Ribbons are looked at by width, between two of these, in pixels."""
+"""Ribbons are searched separately for widths between two of these, in pixels."""
 _AROUND = 15
-"""Pixels of the side of the square in which the mean width about a pixel is taken."""
+"""Side, in pixels, of the window in which the mean width around a pixel is computed."""
 _NEAR, _VARIES, _JAGGED = 0.4, 0.35, 2.1
-"""Within so many of the larger widths to each side, the width of a ribbon varies by less than this
-share of it, or by less than so many pixels; that of land, parks and buildings grows and shrinks."""
+"""Within `_NEAR` of the larger width to each side, the width of a ribbon varies by at most
+`_VARIES` of it, or by `_JAGGED` pixels; the width of land, parks and buildings varies more."""
 _WIDE = 0.95
-"""The quantile of the widths of ribbons that stands for the widest."""
+"""Quantile of the widths of ribbons that counts as the greatest width."""
 _LONG = 2.5
-"""A ribbon is longer than so many widths."""
+"""Least length of a ribbon in widths."""
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,8 @@ from .shared_colors import with_streets_alone
 from .tones import Image
 
 _MORE = 0.2
-"""Colors of thin streets are added where these are so long, as a share of the main roads."""
+"""Colors of thin streets are added if these are at least this long, as a share of the main
+roads."""
 
 
 @dataclass(frozen=True)

@@ -36,30 +36,31 @@ from .street_names import streets_below_names
 from .tones import Image, Layer
 
 _COLORS = 2
-"""A map has at least so many colors; with so few it has letters, or it is a drawing."""
+"""Least number of colors of a map. A picture with only this many is a map if it has letters,
+otherwise a drawing."""
 _THIN, _LONG = 0.5, 5.0
-"""Parts that are narrower than this share of the usual width, or shorter than so many widths, are
-no roads."""
+"""Parts narrower than `_THIN` of the usual width, or shorter than `_LONG` widths, are not roads."""
 _WIDE = 2.6
-"""What is so many times as wide as the widest roads is a square or a parking lot."""
+"""Parts more than this many times as wide as the widest roads are squares or parking lots."""
 _GAP, _LETTER_GAP, _HOLE = 0.35, 0.8, 1.5
-"""Gaps of the surface are closed up to so many widths to each side, and where letters are; holes
-are filled up to so many square widths."""
+"""Gaps in the surface are closed by `_GAP` widths to each side, below letters by `_LETTER_GAP`;
+holes are filled up to `_HOLE` square widths."""
 _ROAD, _LAND, _UNKNOWN = 0.25, 0.002, 0.6
-"""How easily a bridge between dead ends crosses road, land, and what covers either: it should not
-turn back along its own road."""
+"""Likelihood of a hidden road on visible road, on land, and below letters or casings. On road it is
+low, so that a bridge between dead ends does not turn back along its own road."""
 _NEAR = 4
-"""Short parts of a road's color belong to it so many pixels from others."""
+"""Short parts in the color of a road belong to it within this many pixels of its other parts."""
 _STROKE = 3
-"""Strokes of letters are up to twice as thick, in pixels: what of a road is between them is part of
-it, though thinner than a road."""
+"""Half the greatest thickness of the strokes of letters, in pixels: remnants of a road between them
+are part of it, although thinner than a road."""
 _BESIDE, _LETTERS = 2, 7
-"""No letters are within so many pixels of houses in the color of letters; of what is left, none
-are as thin as the second."""
+"""Letters within `_BESIDE` pixels of houses in the color of letters do not count; of the rest,
+those thinner than `_LETTERS` pixels do not."""
 _OUTLINE = 0.7
-"""What is thinner below the name of a street, as a share of usual roads, is an outline of it."""
+"""Parts below the name of a street that are thinner than this share of the usual width are outlines
+of the name."""
 _ON_LETTERS = 0.6
-"""A tone that lies so much about letters is their outline."""
+"""A tone with at least this share on letters is their outline."""
 
 
 def roads_of_map(

@@ -16,22 +16,24 @@ from .tone_shape import HasShape, ToneSurface
 from .tones import Image, away_from
 
 _LEAST, _MOST = 0.001, 32
-"""Least share of the picture that a tone covers, and how many tones are looked at."""
+"""Least share of the picture that a tone covers, and the greatest number of tones."""
 _BITS = 2
 _LEVELS = 256 >> _BITS
 
 _BLOCK, _NOISY = 9, 0.26
-"""Within a block of an edge, JPEG leaves noise on more than this share of what is even; farther
-from edges it may leave none."""
+"""Within a block of `_BLOCK` pixels around edges, JPEG leaves noise on more than `_NOISY` of the
+even pixels; farther away it may leave none."""
 _ROUNDS, _NEAR, _NOISE, _REACH = 2, 7, 10.0, 2.0
-"""A JPEG is smoothed so often, by neighbors in squares of so many pixels that differ by about so
-many gray levels and are about so many pixels away: edges of streets differ by more."""
+"""A JPEG is smoothed `_ROUNDS` times by a bilateral filter: windows of `_NEAR` pixels, standard
+deviations of `_NOISE` gray levels and `_REACH` pixels. Edges of streets differ by more."""
 _GRAY = 0.02
-"""Channels that differ by less, of 1, have no hue."""
+"""A color whose channels differ by less than this, of 1, has no hue."""
 _SHAPED, _GRAIN = 0.2, 4.0
-"""Noise of a color is in ribbons to a smaller share than this, and no wider than so many pixels."""
+"""A color is noise if less than `_SHAPED` of it is in ribbons and it is at most `_GRAIN` pixels
+wide."""
 _MIXED = 1.5
-"""Wide and thin roads of one color are on average wider than usual by more than this factor."""
+"""If a color has wide and thin roads, their mean width exceeds the usual width by more than this
+factor."""
 
 
 @dataclass(frozen=True)

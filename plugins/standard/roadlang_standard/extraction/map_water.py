@@ -16,20 +16,20 @@ from .skeleton import skeleton
 from .tones import Layer
 
 _WIDE, _UNEVEN_WIDE, _BEYOND = 1.9, 1.4, 1.3
-"""Water is so many times as wide as wide roads are; less will do where its width varies, and least
-where it also goes on from other water, beyond a bridge."""
+"""Water is more than `_WIDE` times as wide as wide roads; `_UNEVEN_WIDE` times if its width varies,
+and `_BEYOND` times if it also continues other water beyond a bridge."""
 _WIDER = 1.15
 """Usual width of water over that of the roads, at least: a wide road may have narrow ones on it."""
 _UNEVEN = 1.07
-"""The width of the wide tenth of what is uneven, over its usual width."""
+"""A width varies if that of the widest tenth exceeds the usual width by this factor."""
 _BRIDGE = 0.8
-"""Bridges are up to so many times as wide as wide roads."""
+"""Maximum width of a bridge over that of wide roads."""
 _BROAD, _WIDER_BY, _LARGE, _CONSTANT, _MOSTLY = 2.2, 4.0, 2.0, 0.1, 0.5
-"""What is so many times as wide as streets usually are and so many pixels wider, and covers so many
-squares of that width, joined to them or not, is water or a house
-unless its width varies by less than this share of it along more than the last share of it."""
+"""Parts more than `_BROAD` times as wide as usual streets, and at least `_WIDER_BY` pixels wider,
+that cover at least `_LARGE` squares of this width, are water or houses, even if connected to
+streets; unless the width varies by at most `_CONSTANT` along at least `_MOSTLY` of their length."""
 _SHORT = 12
-"""Parts with center lines of fewer pixels are not looked at."""
+"""Parts with center lines of fewer pixels are ignored."""
 
 
 @dataclass(frozen=True)

@@ -36,17 +36,20 @@ LIKENESS = {
 """Log odds of being roads for each of what `likeness_facts` gives, fitted to 149 networks of
 pictures without roads and 275 of drawings of roads, tests among them."""
 _UNLIKELY, _LIKELY, _NO_ROAD = -2.1, -1.2, 0.45
-"""Up to the first log odds roads have this confidence, from the second ones on any: left out of the
-fit, 5 of the 275 and 28 of the 49 that other rules leave sure without being roads are below."""
+"""Below the log odds `_UNLIKELY` roads have the confidence `_NO_ROAD`; from `_LIKELY` on it is not
+lowered. Of pictures left out of the fit, 5 of the 275 of roads are below, and 28 of the 49 others
+that no other rule finds."""
 _SLIM = 0.015
-"""Lines thinner than this share of the picture's shorter side are thin."""
+"""Lines are thin below this share of the picture's shorter side."""
 _BLOT = 3.0
-"""What is not so many times as long as wide, such as a parking lot, does not count in widths."""
+"""Parts less than this many times as long as wide, such as parking lots, do not count when widths
+are compared."""
 _LEAST_WIDTH = 2.0
-"""Turns are measured from width to width, and widths vary by a share of it: so many pixels at
-least."""
+"""Turns are measured over steps of one width, and variation of the width relative to it; the width
+counts as at least this many pixels."""
 _TIGHT, _STRAIGHT = 0.35, 0.02
-"""Radians by which a line turns within a width where it is tight, and where it is straight."""
+"""A line is tight where it turns by more than `_TIGHT` radians within one width, and straight where
+it turns by less than `_STRAIGHT`."""
 
 
 def sure_by_likeness(found: FoundNetwork, colored: bool) -> float:

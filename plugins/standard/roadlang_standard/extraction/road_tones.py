@@ -39,27 +39,28 @@ _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 230 / 360
 """Water is of these hues where it is also wide, or bluish up to the other one where it differs from
 the land in the other direction than roads do, darker or lighter."""
 _RIVER_STEADY = 0.75
-"""Or bluish and wide, where it keeps its width on less of its surface than motorways do."""
+"""Or it is bluish and wide, and keeps its width on less of its surface than motorways."""
 _TINTED = 250 / 360
 """Where streets are gray, water of up to this hue may be nearly gray, as main roads are not."""
 _GREEN_HUES = 75 / 360, 160 / 360
 """Of parks, woods and meadows."""
 _WIDE = 1.5
-"""Water is wider than so many roads."""
+"""Least width of water over that of the main roads."""
 _AREA = 4.3
 _AREAS = 0.25
-"""A tone that is so many times as wide as a road on more than this share of its surface is an
+"""A tone wider than a road by the given factor on more than this share of its surface is an
 area."""
 _CASING, _BESIDE = 3.0, 0.5
-"""Casings are at most so wide, in pixels, and more than this share of them is beside a wider road,
-..."""
+"""Casings are at most `_CASING` pixels wide, and more than `_BESIDE` of them is beside a wider
+road, ..."""
 _THICKEST, _HALF, _LINED = 5.0, 0.6, 0.6
-"""or they are at most so wide, in pixels and as a share of the road's width, and line more than the
-last share of its edge: at high resolution outlines of houses have the color, too."""
+"""or they are at most `_THICKEST` pixels and `_HALF` of the road wide, and line more than `_LINED`
+of its edge: at high resolution, outlines of houses have this color too."""
 _MANY = 0.3
-"""Thin lines are streets where they are at least so long as the main roads: railways are not."""
+"""Thin lines are streets if their length is at least this share of that of the main roads; railways
+are shorter."""
 _HAIR = 1.2
-"""Lines of no more pixels are outlines, of houses and of roads."""
+"""Lines of at most this width, in pixels, are outlines of houses and roads."""
 _TOUCHING, _CUT = 0.4, 0.15
 """Least share of a tone that lies in parts which touch other roads; of wide and even ones, which
 names cut."""
@@ -67,9 +68,9 @@ _ALONE_STEADY, _ALONE_EVEN, _ALONE_WIDE = 0.6, 0.75, 0.5
 """Least share of its surface and of its length that keeps its width, and least width as a share of
 that of the main roads, of what is a road wherever it is, ..."""
 _FEW = 3
-"""if there are more colors than so many: else they are drawn roads and lettering."""
+"""if the picture has more colors than this: otherwise they are drawn roads and lettering."""
 _EDGE, _EDGES = 4, 0.4
-"""Tones touch across edge lines of so many pixels, or of this share of a road's width."""
+"""Tones touch across edge lines of up to `_EDGE` pixels, or `_EDGES` of a road's width."""
 
 
 def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:

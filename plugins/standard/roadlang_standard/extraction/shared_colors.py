@@ -17,16 +17,17 @@ from .skeleton import skeleton
 from .tones import Layer
 
 _UNEVEN, _LENGTH = 0.35, 0.7
-"""A color may be shared where less than this share of its surface keeps its width, but on a length
-of more than so many shorter sides of the picture."""
+"""A color may be shared if less than `_UNEVEN` of its surface keeps its width, but over a length of
+at least `_LENGTH` shorter sides of the picture."""
 _MOST = 0.7
 """The streets have at least this share of that length: pieces of land that are thin have less."""
 _WIDE = 4.3
-"""What is so many times as wide as its ribbons usually are is water, or a park."""
+"""Parts more than this many times as wide as the usual ribbons are water or a park."""
 _EXTENT, _EVEN = 40, 0.5
-"""Streets reach over so many pixels, and keep their width on so much of their length."""
+"""Streets have an extent of at least `_EXTENT` pixels, and keep their width on at least `_EVEN` of
+their length, ..."""
 _AS_WIDE = 1.3
-"""Or they are no wider than so many times the usual width of those."""
+"""or are at most this many times as wide as those usually are."""
 _SPECK = 8
 
 
