@@ -23,6 +23,9 @@ _LISTED: Mapping[int, int] = {
 _ARITHMETIC = {*range(do.LESS), do.CALL_ONE, do.CALL_TWO}
 """Operations whose result may take the place of what they take."""
 
+NOWHERE = -1
+"""In place of a register: of a result that nothing needs."""
+
 
 @dataclass(frozen=True)
 class RegisterInstruction:
@@ -51,6 +54,28 @@ def instructions_of(
             ]
             gives = [register if one == result else one for one in gives]
     return found, gives
+
+
+def without_unused(
+    instructions: Sequence[RegisterInstruction], gives: Sequence[int]
+) -> list[RegisterInstruction]:
+    """The same, where what is looked up of lines (`FRAME`) goes `NOWHERE` if nothing needs it."""
+    out, needed = list(instructions), {*gives}
+    may_be_left_out = {
+        place + 1 + inside
+        for place, one in enumerate(out)
+        if one.operation == do.SKIP
+        for inside in range(one.more)
+    }
+    for place in range(len(out) - 1, -1, -1):
+        one = out[place]
+        if one.operation == do.FRAME:
+            used = (register if register in needed else NOWHERE for register in one.gives)
+            out[place] = replace(one, gives=tuple(used))
+        if place not in may_be_left_out:
+            needed.difference_update(one.gives)
+        needed.update(one.takes)
+    return out
 
 
 def _read(row: Sequence[int], lists: Sequence[int]) -> RegisterInstruction:

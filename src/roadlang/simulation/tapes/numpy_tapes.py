@@ -14,7 +14,7 @@ from ..vehicles.frame_calls import frame_calls
 from ..vehicles.free_steps import FEWEST, FreeSteps
 from ..vehicles.vehicle_steps import step_calls
 from . import operations as do
-from .instructions import RegisterInstruction, instructions_of
+from .instructions import NOWHERE, RegisterInstruction, instructions_of, without_unused
 from .numpy_calls import TableRows, calls_of, into
 from .registers import Call, Registers, aligned, shared
 from .tape import TapeProgram
@@ -55,6 +55,7 @@ class NumpyTape:
         numbers = [*self._rows[:given], *constants, *(np.array(one) for one in program.numbers)]
         self._memory = Registers(wide, dict(enumerate(numbers)))
         steps, self._gives = instructions_of(program, given)
+        steps = without_unused(steps, self._gives)
         self._calls = calls_of(steps, program.functions, self._memory, self._lines, self._add)
         self._calls += [
             partial(np.copyto, self._rows[place], self._memory.number(register, self._calls))
@@ -118,7 +119,10 @@ class NumpyTape:
             out = memory.for_number(one.gives[0])
             calls.append(partial(self._program.cells.take, cells, out=out, mode="clip"))
         elif one.operation == do.FRAME:
-            rows = [memory.for_number(register) for register in one.gives]
+            rows = [
+                None if register == NOWHERE else memory.for_number(register)
+                for register in one.gives
+            ]
             frame_calls(takes, rows, memory, self._lines, calls)
         else:
             self._move(one, takes, memory, calls)

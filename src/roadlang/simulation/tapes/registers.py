@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats
+from ..lines.lines import CELL
 from . import operations as do
 from .instructions import RegisterInstruction
 
@@ -85,8 +86,8 @@ class Registers:
         return self._truth_row(register)
 
     def spare(self, name: str) -> Any:
-        """(N,) numbers for use within one instruction: `cells` are whole, what begins with
-        `pairs` complex."""
+        """(N,) numbers for use within one instruction: `cells` are whole, `pairs` complex, `table`
+        has a row of as many as there are in a cell of the table of lines."""
         if name not in self._spare:
             self._spare[name] = _row_of(name, self.count)
         return self._spare[name]
@@ -113,6 +114,21 @@ class Registers:
                 self._has_truth.discard(one.takes[2])
         return {*self._has_number}, {*self._has_truth}
 
+    def put_results(self, gives: Sequence[int], rows: Sequence[Floats]) -> None:
+        """Registers whose numbers are not there yet, the last of which a program comes to, are
+        these rows: before its calls are made. Nothing else may need what is in the rows."""
+        for register, row in zip(gives, rows, strict=True):
+            self.numbers.setdefault(register, row)
+
+    def copies(self, gives: Sequence[int], rows: Sequence[Floats]) -> list[Call]:
+        """The calls that put what a program has come to into rows in which it is not yet."""
+        calls: list[Call] = []
+        for register, row in zip(gives, rows, strict=True):
+            number = self.number(register, calls)
+            if number is not row:
+                calls.append(partial(np.copyto, row, number))
+        return calls
+
     def go_back(self, numbers: set[int], truths: set[int]) -> None:
         """Only what was there before counts as there."""
         self._has_number, self._has_truth = numbers, truths
@@ -132,7 +148,9 @@ class Registers:
 def _row_of(name: str, count: int) -> Any:
     if name == "cells":
         return np.empty(count, np.int64)
-    return np.empty(count, np.complex128) if name.startswith("pairs") else aligned(1, count)[0]
+    if name == "table":
+        return aligned(1, count * len(CELL))[0].reshape(count, len(CELL))
+    return np.empty(count, np.complex128) if name == "pairs" else aligned(1, count)[0]
 
 
 _HALF = np.array(0.5)

@@ -123,11 +123,10 @@ class FreeSteps:
         numbers = [*columns, *(np.array(one) for one in program.numbers)]
         memory = Registers(count, dict(enumerate(numbers)))
         found, gives = instructions_of(program, 0)
+        if not any(np.may_share_memory(row, column) for row in into for column in columns):
+            memory.put_results(gives, into)  # else they are still needed where a limit is near
         self._calls = calls_of(found, program.functions, memory, lines, self._add)
-        self._calls += [
-            partial(np.copyto, row, memory.number(register, self._calls))
-            for row, register in zip(into, gives, strict=True)
-        ]
+        self._calls += memory.copies(gives, into)
 
     def __call__(self) -> None:
         """Make them."""
