@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 _FIRST_BATCH, _GROWTH = 11, 6
 """Candidates in the first batches, and how many more for each distinct failure that is known."""
 _SHARE = 1 / 30
-"""Of all candidates so far, the part that a batch has at least: where failures are rare, a search
-does not consist of very many small batches. Until something fails, what is forgotten does not
-count: one that starts over learns from small batches again."""
+"""Least size of a batch, as a share of all candidates so far: where failures are rare, a search
+then does not consist of very many small batches. Until something fails, forgotten candidates do not
+count: a search that starts over learns from small batches again."""
 _SMALLEST = 6
 """Points in a generation, at least."""
 _ROUNDS = 6

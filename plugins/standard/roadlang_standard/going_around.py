@@ -45,12 +45,14 @@ NEARLY = 0.35
 BACK = 0.3
 """Meters from its line at which it is back."""
 EARLY, TOUCHING = 1.5, 0.5
-"""m/s^2, and meters: it goes no faster than it could brake with this to stand so far before what it
-would touch on its way. That is looked at every 0.5 m: it may be so much nearer than it seems."""
+"""It goes no faster than it could brake, with this deceleration (m/s^2), to stop this many meters
+before what it would touch on its way. Its way is checked every 0.5 m, so a contact may be that much
+nearer than it seems."""
 PASSED = 0.5
 """Meters before the end of what is passed up to which what stands there belongs to it."""
 COMING, LEAST_AHEAD = 0.3, 1.5
-"""m/s: before who comes toward it that fast it comes back as soon as it is so many meters past."""
+"""If an oncoming agent is faster than this, in m/s, it returns as soon as it is this many meters
+past the obstacle."""
 HOME, AROUND, RETURNING = 0.0, 1.0, 2.0
 PHASE, LINE, TARGET, END, CLOSE, NARROW = COLUMNS = range(6)
 """Columns of the state: what it is doing, the line that it left and the one beside, where along its

@@ -17,10 +17,10 @@ BESIDE = 0.4
 CLOSELY = 0.25
 """The same where there is no other way, slowly."""
 BENT, OFF_LINE = 1.0 / 30.0, 0.3
-"""1/m and meters: after bends as tight as that vehicles are farther off the line beside it, and
-keep so much more where there is room."""
+"""After bends tighter than this (1/m) vehicles are farther off their line, and keep this much more
+distance (meters) where there is room."""
 LONG, LONGER = 7.0, 0.3
-"""Longer vehicles keep so much more, as their ends swing out: meters."""
+"""Vehicles longer than `LONG` meters keep `LONGER` meters more, because their ends swing out."""
 SIGHT = 250.0
 """Meters in which others are looked for."""
 MOVING = 3.0
@@ -93,7 +93,7 @@ def planned(seen: ObservationBatch, line: Floats, gap: Floats) -> WayAround:
 
 
 def _planned(seen: ObservationBatch, line: Floats, gap: Floats, apart: Floats) -> WayAround:
-    """With (N,) so many meters between."""
+    """With (N,) this many meters between."""
     import numpy as np
 
     end, left, right = seen.row_ahead(line, NEXT)

@@ -18,7 +18,8 @@ from .lane_lines import TOLERANCE, painted_lines, shown_part
 from .road_areas import road_areas
 
 _SEAM = 2.0
-"""Pixels: areas are drawn so much wider in all, or thin lines of ground show between them."""
+"""Areas are drawn wider by this many pixels in total; otherwise thin lines of ground show between
+them."""
 _UNSEEN = 0.25
 """Pixels by which a drawn line may be off."""
 _SMALLEST_PAINT = 2.5

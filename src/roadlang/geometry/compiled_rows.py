@@ -24,8 +24,8 @@ Limits = tuple[float, float, bool]
 
 
 def pays(numbers: int) -> bool:
-    """Whether to use the compiled loops for so many numbers more. numba itself is not loaded for
-    rows alone: that takes longer than most of what a process has of them."""
+    """Whether to use the compiled loops for this many more numbers. numba is not loaded for rows
+    alone: that takes longer than most processes spend on them."""
     if "numba" not in sys.modules:
         return False
     _worked[0] += numbers

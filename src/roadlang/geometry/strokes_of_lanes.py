@@ -20,8 +20,8 @@ _CURB, _THINNEST_CURB = 0.2, 0.7
 _SHARE_OF_LANE, _THINNEST, _WIDEST = 0.035, 0.5, 2.0
 """The width of a line as a share of its lane, and its limits in pixels."""
 _INSIDE_EDGE, _CLEAR_OF_EDGE = 0.09, 1.5
-"""Share of a lane that the line at the edge of a road lies inside, where it would touch the edge
-else: up to so many pixels."""
+"""The line at the edge of a road lies inside it by this share of a lane, so that it does not touch
+the edge; by at most this many pixels."""
 _FROM_MIDDLE = 1.2
 """How far each line of a double one is from its middle, in widths of a line."""
 

@@ -155,8 +155,8 @@ class _Climb:
         return found
 
     def is_quicker_evenly(self, share: float) -> bool:
-        """Whether so many even draws hold that a scene is found sooner without learning; where
-        the first ones do not tell, more are drawn."""
+        """Whether enough even draws satisfy the requirements that a scene is found sooner without
+        learning; if the first draws do not tell, more are made."""
         while self.measured < min(MOST_EVEN, self.most):
             seen = int(self.holds.sum())
             if seen >= TELLING or (seen == 0 and self.measured > FIRST):
@@ -237,7 +237,7 @@ class _Climb:
 
 
 def _some(count: int, most: int) -> NDArray[np.intp]:
-    """At most so many of the indices below `count`, evenly spread."""
+    """Indices below `count`, evenly spread, at most as many as given."""
     return np.arange(count) if count <= most else np.arange(most) * count // most
 
 

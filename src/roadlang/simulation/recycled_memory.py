@@ -44,7 +44,8 @@ class MemoryPool:
         return owner[begin : begin + count].reshape(shape)
 
     def _taken(self, count: int) -> Floats:
-        """Memory for so many numbers: unused, if some is not much too large."""
+        """Memory for this many numbers: some that is unused and not much too large, if there is
+        any."""
         fitting = [one for one in list(self._unused.values()) if count <= len(one) <= 2 * count]
         for memory in sorted(fitting, key=len):
             if self._unused.pop(id(memory), None) is not None:  # no other thread has taken it

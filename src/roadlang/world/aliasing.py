@@ -28,7 +28,8 @@ from .shortest_features import states_feature
 from .stations import Root
 
 TOLERANCE = 0.15
-"""Share of the displacement; a straight line misses a wave of six stations by so much."""
+"""Tolerance as a share of the displacement: a straight line between stations misses a wave of six
+stations by this much."""
 FINER = 7
 """A prime: waves of whole stations, and of halves and thirds, are not zero at all of these."""
 

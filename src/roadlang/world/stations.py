@@ -31,7 +31,7 @@ FEWEST, DEFAULT_MOST = 51, 2001
 """Stations of a road, where no statement and no perturbation asks for more."""
 MOST = 20_001
 STATIONS_PER_FEATURE = 8
-"""A wave that is sampled so often has a curvature within 5 % of the true one."""
+"""Samples of a wave for which its curvature is within 5 % of the true one."""
 
 
 def default_stations(curve: Curve) -> NDArray[np.float64]:

@@ -85,8 +85,8 @@ def _trip(scene: Scene, network: SumoNetwork, actor: SceneActor) -> Trip | None:
 
 
 def _stopping_speed(distance: float, type_: Mapping[str, str]) -> float:
-    """m/s from which a vehicle stops within so many meters: SUMO lets no other depart before a
-    junction where it may have to yield."""
+    """m/s from which a vehicle can stop within a distance in meters: SUMO lets no faster one depart
+    before a junction where it may have to yield."""
     braking = float(type_.get("decel", _BRAKING))
     reaction = braking * float(type_.get("tau", _REACTION))
     return math.sqrt(reaction * reaction + 2.0 * braking * distance) - reaction

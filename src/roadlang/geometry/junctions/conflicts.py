@@ -50,8 +50,8 @@ def conflicts_of(connections: Sequence[Connection], points: Floats) -> tuple[Con
 
 
 def line_shares(longest: float) -> Floats:
-    """(k,) the shares of its length at which `conflicts_of` wants the points of a connection, where
-    the longest is so many meters: close enough that no crossing is missed."""
+    """(k,) the shares of its length at which `conflicts_of` needs the points of a connection, given
+    the length in meters of the longest one: close enough that no crossing is missed."""
     return np.linspace(0.0, 1.0, max(_FEWEST, int(np.ceil(longest / _SPACING)) + 1))
 
 

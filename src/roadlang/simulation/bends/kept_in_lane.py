@@ -69,7 +69,7 @@ def _extents(bend: Floats, actor: SceneActor, base: float) -> tuple[Floats, Floa
 
 
 def _on_lanes(line: RouteLine, s: Floats, around: float) -> Booleans:
-    """(n,) whether there is a lane of a road within so many meters of arc lengths (n,)."""
+    """(n,) whether there is a lane of a road within a distance in meters of arc lengths (n,)."""
     begins = np.array([leg.begin for leg in line.legs])
     is_lane = np.array([leg.turn is None for leg in line.legs])
     legs = (np.searchsorted(begins, s + side, side="right") - 1 for side in (-around, around))
@@ -89,7 +89,7 @@ def _eased(wanted: Floats, closed: bool) -> Floats:
 
 
 def _around(values: Floats, meters: float, closed: bool) -> Floats:
-    """(n, m) what is within so many meters of each place."""
+    """(n, m) what is within a distance in meters of each place."""
     count = min(round(meters / SPACING), (len(values) - 1) // 2)
     wide = np.pad(values, count, mode="wrap" if closed else "edge")
     return np.lib.stride_tricks.sliding_window_view(wide, 2 * count + 1)

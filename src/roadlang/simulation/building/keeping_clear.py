@@ -90,7 +90,8 @@ def _shift(line: RouteLine, actor: SceneActor, things: Outlines) -> Floats:
 
 
 def _moved(line: RouteLine, left: Floats, actor: SceneActor) -> RouteLine:
-    """The line so far to the left; others at its junctions take the vehicle to be as much wider."""
+    """The line moved to the left by this much; at its junctions, others take the vehicle to be
+    wider by as much."""
     s, aside = line.source.s, 0.0
     for leg in line.legs:
         if leg.turn is not None:

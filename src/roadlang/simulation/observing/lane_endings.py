@@ -16,11 +16,12 @@ from ..surroundings.road_gaps import SAME_LANE
 from ..traffic.rules import COURTEOUS
 
 PULL_OUT, STOPPING = 8.0, 2.5
-"""A vehicle that finds no gap stops so many meters before the end of its lane, and brakes for that
-with so many m/s^2. Those beside it have made room when it would have to begin to brake."""
+"""A vehicle that finds no gap stops `PULL_OUT` meters before the end of its lane, braking with
+`STOPPING` m/s^2. The vehicles beside it have made room by the time it would have to begin to
+brake."""
 WITHIN, WITHIN_TIME = 60.0, 4.0
-"""Those beside a vehicle begin to make room at least so many meters before the end of its lane, and
-at least so many seconds before it would have to begin to brake."""
+"""The vehicles beside it begin to make room at least `WITHIN` meters before the end of its lane,
+and at least `WITHIN_TIME` seconds before it would have to begin to brake."""
 JOINED = 60.0
 """Meters after the end of a lane at which who drives there is in the lane that goes on."""
 ROOM = 0.4

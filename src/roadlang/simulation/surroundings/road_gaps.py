@@ -23,8 +23,8 @@ from ..vehicles.vehicle_dynamics import greatest, least
 SAME_LANE = 2.0
 """Meters: cars are beside each other rather than behind one another, from here on."""
 CLEARANCE = 0.03
-"""Seconds of its speed: so much more room beside what it passes does a driver want, up to
-`SAME_LANE`. Who crawls in a jam lets a motorcycle ride between the lanes."""
+"""Extra room that a driver wants beside what it passes, in seconds of its speed, up to `SAME_LANE`
+meters. Drivers who crawl in a jam let motorcycles ride between the lanes."""
 COMING, STRAYING = 0.7, 0.1
 """Seconds ahead at which drivers see who comes over into their lane, and m/s to the side with which
 nobody does."""

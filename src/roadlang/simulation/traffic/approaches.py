@@ -21,7 +21,8 @@ HARDEST = 7.0
 WARNING = 3.0
 """Seconds before red from which on cars decide whether to stop, if yellow is shorter."""
 SIGN_SPEED, SIGN_DISTANCE = 0.09, 3.5
-"""Who was slower than this so close to a stop line has stopped there: m/s and meters."""
+"""An agent that was slower than this, in m/s, within this many meters of a stop line has stopped
+there."""
 FAR = 1e6
 """Seconds: no signal lasts longer."""
 OVER_LINE = 1.0

@@ -27,7 +27,8 @@ BEFORE = 1.0
 EAGER, EAGER_SPEED = 2.6, 8.0
 """m/s^2 and m/s: how fast both are expected to come there."""
 STANDING_GAP, STANDING_SPEED = 3.0, 0.1
-"""Meters and m/s: who is slower so close before another stands there because of it."""
+"""An agent slower than `STANDING_SPEED` m/s within `STANDING_GAP` meters of another one stands
+because of it."""
 DECIDED = 4.0
 """Seconds: who will be there sooner, and was to go first, does."""
 

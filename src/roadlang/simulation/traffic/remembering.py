@@ -11,7 +11,7 @@ from .grants import FIRST, NEVER
 INTERVAL = 0.1
 """Seconds from one look at the junctions to the next."""
 WAITS_WITHIN, WAITS_SLOWER = 15.0, 1.0
-"""Who is slower so close to a line waits: meters and m/s."""
+"""An agent within this many meters of a line that is slower than this, in m/s, waits there."""
 UNSTOPPABLE = 4.0
 """m/s^2: who would have to brake harder before a line, and does not obey, will cross it."""
 

@@ -22,7 +22,8 @@ EAGER, EAGER_SPEED = 2.6, 12.0
 SLUGGISH, SLUGGISH_SPEED = 1.2, 6.0
 """m/s^2 and m/s: how fast who goes first leaves that place."""
 FROM_RIGHT, FROM_RIGHT_DISTANCE = 3.0, 8.0
-"""One yields at least to who is at the line within so many seconds, or meters."""
+"""One always yields to an agent that reaches the line within this many seconds, or is within this
+many meters of it."""
 EASE = 2.5
 """Seconds of clearance that the calmest leave to those to whom they yield, who then need not
 slow down."""
@@ -35,7 +36,7 @@ COURTEOUS = 4.0
 BEFORE_ZONE = 0.5
 """Meters before the place where another crosses at which cars stop."""
 IN_ZONE = 1.0
-"""Meters: who is so far within that place drives on."""
+"""An agent that is this many meters into the place where paths cross drives on."""
 
 
 def pairs(values: Any) -> tuple[Any, Any]:
