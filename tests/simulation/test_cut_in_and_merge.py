@@ -194,7 +194,6 @@ def test_who_turned_back_changes_one_lane_only() -> None:
 
 def test_those_beside_it_have_made_room_before_it_brakes_for_the_end_of_its_lane() -> None:
     braking = drive_merge.STOPS * drive_merge.Merge().deceleration
-    assert drive_merge.PULL_OUT == lane_endings.PULL_OUT
     assert braking >= lane_endings.STOPPING
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from roadlang.api import (
+    LANE_END_GAP,
     Acceleration,
     Controller,
     Duration,
@@ -42,8 +43,6 @@ GENTLE = 0.5
 """Share of its deceleration with which it lets a gap grow that it has merged into."""
 WITHIN = 150.0
 """Meters in which it changes out of a lane that does not end."""
-PULL_OUT = 8.0
-"""Meters before the end of the lane at which it waits, so that it can pull out."""
 SLOWEST = 1.0
 """m/s: who is slower pulls out only where there is room ahead to do so."""
 SLOWER = 3.0
@@ -137,7 +136,7 @@ class Merge(Controller):
             time = np.zeros(len(open_)) + self.duration
             slows = np.maximum(-self._following(seen, *lane.nearest_ahead()), 0.0)
             begins = waiting & exists & has_room(seen, lane, time, braking=slows)
-            begins &= (seen.speed > SLOWEST) | (ahead_in_lane(seen)[0] > 0.5 * PULL_OUT)
+            begins &= (seen.speed > SLOWEST) | (ahead_in_lane(seen)[0] > 0.5 * LANE_END_GAP)
             state[begins, _PHASE], state[begins, _TARGET] = MOVING, middle[begins]
             state[begins, _ORIGIN] = (seen.road_offset - seen.cross_track_error)[begins]
             state[begins, _CLOCK] = 0.0
@@ -191,7 +190,7 @@ class Merge(Controller):
         """(N,) meters to where it waits if there is no room, and the braking to stop there."""
         import numpy as np
 
-        left = self._left(seen, state) - 0.5 * seen.length - PULL_OUT
+        left = self._left(seen, state) - 0.5 * seen.length - LANE_END_GAP
         return left, seen.speed * seen.speed / (2.0 * np.maximum(left, 0.05))
 
     def _aligned(self, seen: ObservationBatch, lane: LaneTraffic, wanted: Floats) -> Floats:

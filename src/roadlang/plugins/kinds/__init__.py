@@ -8,7 +8,7 @@ so that numpy broadcasting over (variants, stations) just works.
 from __future__ import annotations
 
 from .base import Kind
-from .drives import STANDING_GAP, Controller, InitialSpeed, Simulator
+from .drives import LANE_END_GAP, STANDING_GAP, Controller, InitialSpeed, Simulator
 from .junctions import JunctionControl, RightOfWay
 from .lanes import LaneDirection, LaneKind, LaneMarking
 from .outputs import AgentKind, Backend, ObjectKind
@@ -45,6 +45,7 @@ def implements(kind: type[Kind], method: str) -> bool:
 
 __all__ = [
     "BASES",
+    "LANE_END_GAP",
     "ROAD_PLACES",
     "STANDING_GAP",
     "VERBS",

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 STANDING_GAP = 2.0
 """Meters between two vehicles that stand in a row: what drives traffic, who gives way to it and who
 begins behind it leave as much."""
+LANE_END_GAP = 8.0
+"""Meters before the end of its lane at which a vehicle stops that finds no gap to leave it, so that
+it can still pull out: who merges and who makes room agree on it."""
 
 
 @dataclass(frozen=True)

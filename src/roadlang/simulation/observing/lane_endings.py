@@ -9,16 +9,16 @@ import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene import SceneRoad
+from ...plugins.kinds import LANE_END_GAP
 from ..lanes.road_lanes import LanesHere
 from ..state.world import World
 from ..surroundings.leaders import Leaders
 from ..surroundings.road_gaps import SAME_LANE
 from ..traffic.rules import COURTEOUS
 
-PULL_OUT, STOPPING = 8.0, 2.5
-"""A vehicle that finds no gap stops `PULL_OUT` meters before the end of its lane, braking with
-`STOPPING` m/s^2. The vehicles beside it have made room by the time it would have to begin to
-brake."""
+STOPPING = 2.5
+"""A vehicle that finds no gap brakes with this many m/s^2 to stop `LANE_END_GAP` before the end of
+its lane. The vehicles beside it have made room by the time it would have to begin to brake."""
 WITHIN, WITHIN_TIME = 60.0, 4.0
 """The vehicles beside it begin to make room at least `WITHIN` meters before the end of its lane,
 and at least `WITHIN_TIME` seconds before it would have to begin to brake."""
@@ -104,7 +104,7 @@ def _orders(
 def _reach(speed: Floats) -> tuple[Floats, Floats]:
     """Meters before the end of its lane at which an agent at `speed` would begin to brake for it,
     and those from which on the others make room for it."""
-    last = PULL_OUT + speed * speed / (2.0 * STOPPING)
+    last = LANE_END_GAP + speed * speed / (2.0 * STOPPING)
     return last, np.maximum(WITHIN, last + WITHIN_TIME * speed)
 
 
