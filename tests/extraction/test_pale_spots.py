@@ -22,6 +22,12 @@ def test_a_photo_of_snow_is_read_as_a_photo(plan: str) -> None:
     assert Auto().extract(Picture(image, 1.0)).remarks[0] == "read as a photo"
 
 
+def test_rough_ground_with_packed_snow_is_no_sheet() -> None:
+    """Snow in a forest leaves neither spots nor strokes, but more noise than paper has."""
+    image = snow(render_aerial("bend", 89006, 512), 6, plowed=0.28)
+    assert roads_on_paper(image, textured=True) is None
+
+
 def test_colored_fields_and_printed_lines_are_still_paper() -> None:
     colored = sheet()
     rng = np.random.default_rng(2)

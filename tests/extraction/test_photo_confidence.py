@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction.chroma import mean_chroma
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.photo_confidence import calibrated
+from roadlang_standard.extraction.photo_confidence import CHROMA, calibrated
 
 
 def _seen(
@@ -48,6 +51,27 @@ def test_many_faint_roads_are_not_sure_where_none_is_clear() -> None:
         for clear in (0.7, 0.98)
     )
     assert fainter < 0.6 < clearer
+
+
+def test_the_clearer_the_colors_the_clearer_roads_have_to_be() -> None:
+    """Photos of cats, dishes and machines have vivid colors, photos from the air pale ones."""
+    roads = [(k, k + 1, 0.72) for k in range(4)]
+    pale, aerial, vivid = (
+        _sure(replace(_seen(320, *roads), scores={CHROMA: chroma}))[0] for chroma in (0, 8, 40)
+    )
+    assert pale == aerial > 0.75
+    assert vivid < 0.5
+    clear = [(k, k + 1, 0.97) for k in range(4)]
+    assert _sure(replace(_seen(320, *clear), scores={CHROMA: 40.0}))[0] > 0.85
+
+
+def test_gray_has_no_chroma_and_colored_noise_has_little() -> None:
+    rng = np.random.default_rng(1)
+    noise = rng.integers(0, 256, (900, 900, 3)).astype(np.uint8)
+    gray = np.repeat(noise[..., :1], 3, axis=2)
+    red = np.full((40, 60, 3), (30, 30, 200), np.uint8)
+    assert mean_chroma(gray) == 0.0
+    assert mean_chroma(noise) < 25 < 60 < mean_chroma(red)
 
 
 def test_a_clear_road_is_as_sure_alone_as_in_a_network() -> None:

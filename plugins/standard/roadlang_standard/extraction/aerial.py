@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
+from .chroma import mean_chroma
 from .dead_end_extension import extend_dead_ends
 from .dead_ends import dead_ends
 from .drafting import Draft, draft, typical_width_of
@@ -22,6 +23,7 @@ from .hysteresis import hysteresis
 from .linking import link
 from .masks import without_holes, without_specks
 from .negative import exposures
+from .photo_confidence import CHROMA
 from .photo_evidence import Seen, look, typical_width
 from .road_net import Net, road_net
 from .scale import resized, view_scales
@@ -39,6 +41,9 @@ _FAINTER, _FEW = 0.75, 12
 """Share of the cutoffs that is tried for the whole picture, and up to how many roads in it."""
 _GAP = 6.0
 """Gaps of so many widths are bridged where the evidence lets them."""
+_LONGER = 0.2
+"""Exposures are compared by confidence times length to this power: in deep snow, the negative shows
+all roads, and the photo itself two of them more clearly."""
 _EDGE_LEVEL, _SURE, _EDGE_BLUR = 0.5, 0.8, 3.5
 """Evidence at the road's edge, in its middle where its width is measured, and the blur in pixels
 that widens narrow roads: on renderings."""
@@ -115,10 +120,19 @@ def roads_of_photo(
     """The road network of a photo (h, w, 3)."""
     net = net or road_net()
     scales = view_scales(image, request.meters_per_pixel)
-    looks = exposures(image)
-    views = [_view(look, scale, request, net) for look in looks for scale in scales]
-    # A smaller view has to show roads more clearly: the net misses narrow roads in it.
-    return max(views, key=lambda found: found.confidence)
+    shown = []
+    for exposure in exposures(image):
+        views = [_view(exposure, scale, request, net) for scale in scales]
+        # A smaller view has to show roads more clearly: the net misses narrow roads in it.
+        shown.append(max(views, key=lambda found: found.confidence))
+    best = max(shown, key=_worth)
+    return replace(best, scores={**best.scores, CHROMA: round(mean_chroma(image), 2)})
+
+
+def _worth(found: FoundNetwork) -> float:
+    """By what one exposure is better than another one: how sure its roads are, and how long."""
+    length = sum(road.length for road in found.roads)
+    return float(found.confidence * length**_LONGER)
 
 
 def _view(image: Image, scale: float, request: Request, net: Net) -> FoundNetwork:

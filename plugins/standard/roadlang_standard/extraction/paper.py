@@ -36,6 +36,9 @@ _TINT, _ONE = 0.12, 0.75
 within `_TINT`. A beach is as light as paper, but the sea beside it is not."""
 _PLAIN, _EVEN = 0.06, 0.6
 """At least `_EVEN` of a sheet is within `_PLAIN` of its own brightness."""
+_ROUGHEST = 0.045
+"""Ground with more noise than this share of the light is no sheet: none of 22 drawings on paper has
+half as much."""
 _SAME, _EXACT = 2, 0.5
 """A drawing made on a screen has one color, within `_SAME` gray levels, on more than `_EXACT` of
 it."""
@@ -83,7 +86,7 @@ def sheet_of(image: Image, within: Booleans | None = None, textured: bool = Fals
     on_sheet = ink[seen]
     middle = float(np.median(on_sheet))
     noise = 1.4826 * float(np.median(np.abs(on_sheet - middle)))
-    if (np.abs(on_sheet - middle) < _PLAIN).mean() < _EVEN:
+    if noise > _ROUGHEST or (np.abs(on_sheet - middle) < _PLAIN).mean() < _EVEN:
         return None
     return Sheet(np.where(seen, np.clip(ink - middle, 0, 1), 0).astype(np.float32), noise)
 
