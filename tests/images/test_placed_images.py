@@ -177,8 +177,28 @@ def test_pyproj_is_asked_for_longitude_and_latitude(monkeypatch: pytest.MonkeyPa
     degrees, reason = _to_degrees("EPSG:2056")
     assert degrees is not None
     assert (degrees(700.0, 4700.0), reason) == ((47.0, 7.0), "")
-    for grid, name in (("EPSG:1", "EPSG:1"), ('PROJCS["odd"]', "of the file beside it")):
-        assert _to_degrees(grid) == (None, f"its coordinate system {name} is not known to `pyproj`")
+    beside = "the coordinate system beside it"
+    for grid, name in (("EPSG:1", "its coordinate system EPSG:1"), ('PROJCS["odd"]', beside)):
+        assert _to_degrees(grid) == (None, f"{name} is not known to `pyproj`")
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("0.5\n0\nabc\n-0.5\n691000\n5334000\n", "`town.pgw`, line 3: 'abc' is not a number"),
+        ("0.5\n0\n0\n-0.5\n691000\n", "`town.pgw`, line 6: a world file has six numbers"),
+    ],
+)
+def test_a_world_file_that_cannot_be_used_is_named(tmp_path: Path, text: str, fault: str) -> None:
+    cv2.imwrite(str(tmp_path / "town.png"), shown())
+    (tmp_path / "town.pgw").write_text(text)
+    found = opened(tmp_path / "town.png")
+    assert (found.scale, found.shown.origin) == (None, None)
+    assert found.shown.warning is not None
+    assert found.shown.warning.code == "RL439"
+    assert fault in found.shown.warning.message
+    (tmp_path / "town.pgw").unlink()
+    assert opened(tmp_path / "town.png").shown.warning is None
 
 
 def test_other_grids_are_where_pyproj_has_them(tmp_path: Path) -> None:

@@ -10,14 +10,12 @@ import pytest
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.files.journal import JOURNAL_FILE, SCHEMA
-from roadlang.report.run_results import _chosen, _entries, _Entry, results_folder
+from roadlang.report.run_results import _chosen, _entries, _Entry, _Judged, results_folder
+
+judged = _Judged
 
 
-def judged(name: str, robustness: float | None, satisfied: bool | None) -> dict[str, Any]:
-    return {"name": name, "robustness": robustness, "satisfied": satisfied}
-
-
-def entry(scene: int, *expectations: dict[str, Any], run: str = "", **columns: Any) -> _Entry:
+def entry(scene: int, *expectations: _Judged, run: str = "", **columns: Any) -> _Entry:
     return _Entry(run, {"scene": scene, **columns}, expectations, {})
 
 
@@ -75,11 +73,25 @@ def test_of_a_scene_that_was_driven_again_the_last_line_counts(tmp_path: Path) -
     ]  # fmt: skip
 
 
-def test_a_line_that_is_none_is_named(tmp_path: Path) -> None:
-    (tmp_path / JOURNAL_FILE).write_text(HEADER + '{"row": {}}\n')
+LINES = {
+    '{"row": {}}': "missing required field `record`",
+    '{"row": {}, "record": {"expectations": []}}': "`scene` is missing",
+    line(0).replace("[]", '[{"name": "a", "robustness": "x", "satisfied": true}]'): "`str`",
+    line(0).replace("[]", '[{"name": "a", "robustness": NaN, "satisfied": true}]'): "not JSON",
+    '{"measures": "x", ' + line(0)[1:]: "`$.measures`",
+    '{"measures": {"gap": "x"}, ' + line(0)[1:]: "`$.measures[...]`",
+    line(0, v=float("nan")): "it is not JSON that roadlang writes",
+}
+
+
+@pytest.mark.parametrize("text", LINES)
+def test_a_line_that_is_none_is_named(tmp_path: Path, text: str) -> None:
+    (tmp_path / JOURNAL_FILE).write_text(HEADER + text.rstrip("\n") + "\n")
     with pytest.raises(DiagnosticError, match="RL721") as caught:
         list(_entries(tmp_path, ""))
-    assert "line 2: `record` is missing" in caught.value.diagnostics[0].message
+    message = caught.value.diagnostics[0].message
+    assert "line 2: " in message
+    assert LINES[text] in message
 
 
 def test_several_runs_stand_for_the_first_of_them(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
+from ..ir.controller_failure import controller_failures
 from ..ir.number_text import floats_text
 from ..ir.trace import AgentTrace, Trace
 from ..ir.trace_document import TRACE_SCHEMA
@@ -88,13 +89,37 @@ def from_json(text: str) -> Trace:
         name: AgentTrace(
             name=name,
             time=time,
-            length=values["length"],
-            width=values["width"],
-            **_read(values),
+            length=_size(values, name, "length"),
+            width=_size(values, name, "width"),
+            **_checked(_read(values), name, time),
         )
         for name, values in document["agents"].items()
     }
-    return Trace(time, agents, document["engine"], tuple(document["events"]))
+    return Trace(time, agents, str(document["engine"]), tuple(map(_event, document["events"])))
+
+
+def _size(values: dict[str, Any], agent: str, name: str) -> float:
+    size = values[name]
+    if isinstance(size, bool) or not isinstance(size, int | float) or not 0 <= size < math.inf:
+        raise ValueError(f"`{name}` of `{agent}` is a length in meters, not {size!r}")
+    return float(size)
+
+
+def _checked(
+    columns: dict[str, np.ndarray[Any, Any]], agent: str, time: np.ndarray[Any, Any]
+) -> dict[str, np.ndarray[Any, Any]]:
+    for name, column in columns.items():
+        if column.shape != time.shape:
+            found, times = column.size, time.size
+            raise ValueError(f"`{name}` of `{agent}` has {found} values for {times} times")
+    return columns
+
+
+def _event(value: Any) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise ValueError(f"an event is a map, not {value!r}")
+    controller_failures([value])
+    return value
 
 
 def _read(values: dict[str, Any]) -> dict[str, np.ndarray[Any, Any]]:

@@ -16,7 +16,7 @@ from ..files.matching import files_matching
 from ..files.picture_formats import READABLE, other_content
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .image_header import ImageHeader, is_complete, read_header
-from .image_scale import FoundScale, scale_in_file
+from .image_scale import FoundScale, scale_in_file, unusable_world_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
 from .placed_pixels import MOST_PIXELS, Pixels, PlacedPixels, placed
 from .tiff_bands import TiffBands
@@ -69,7 +69,8 @@ def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | Non
     read = [_read(path, name, span) for path, name in files]
     inputs = tuple(item for each in read for item in each.inputs)
     if len(read) == 1:
-        shown = placed(read[0].pixels, read[0].found, files[0][1], span)
+        path, name = files[0]
+        shown = placed(read[0].pixels, read[0].found, name, span, unusable_world_file(path))
         return OpenedImage(shown, inputs)
     tiles = [
         Tile(name, each.pixels, each.found or FoundScale(None), each.shown)

@@ -43,15 +43,22 @@ class PlacedPixels:
 
 
 def placed(
-    pixels: Pixels, found: FoundScale | None, written: str, span: Span | None
+    pixels: Pixels,
+    found: FoundScale | None,
+    written: str,
+    span: Span | None,
+    fault: str | None = None,
 ) -> PlacedPixels:
     """A picture and how it lies on Earth, where something says that.
 
     One whose pixels are not square, as those of degrees are not, or that is mirrored, is drawn
-    anew. `written` is its path in the scene.
+    anew. `written` is its path in the scene; `fault` is what is wrong with a world file that
+    cannot be used, if there is one.
     """
     if found is None or found.reference is None:
-        return PlacedPixels(pixels, None if found is None else found.meters)
+        scale = None if found is None else found.meters
+        warning = None if fault is None or scale is not None else _unknown(written, span, fault)
+        return PlacedPixels(pixels, scale, None, warning)
     reference = found.reference
     if not reference.grid:
         warning = _unknown(written, span, _NO_GRID) if _is_far(reference) else None
@@ -82,15 +89,16 @@ def _to_degrees(grid: str) -> tuple[ToDegrees | None, str]:
     known = to_degrees(int(grid[5:])) if grid.startswith("EPSG:") else None
     if known is not None:
         return known, ""
-    name = grid if grid.startswith("EPSG:") else "of the file beside it"
+    is_code = grid.startswith("EPSG:")
+    name = f"its coordinate system {grid}" if is_code else "the coordinate system beside it"
     try:
         import pyproj
     except ImportError:
-        return None, f'its coordinate system {name} needs `pyproj`: pip install "roadlang[maps]"'
+        return None, f'{name} needs `pyproj`: pip install "roadlang[maps]"'
     try:
         transformer = pyproj.Transformer.from_crs(grid, "EPSG:4326", always_xy=True)
     except pyproj.exceptions.ProjError:
-        return None, f"its coordinate system {name} is not known to `pyproj`"
+        return None, f"{name} is not known to `pyproj`"
 
     def degrees(x: float, y: float) -> tuple[float, float]:
         longitude, latitude = transformer.transform(x, y)

@@ -67,7 +67,7 @@ def read_journal(folder: Path, parse: Callable[[bytes], T]) -> list[T]:
         try:
             found.append(parse(line))
         except UNUSABLE as error:
-            known = isinstance(error, KeyError)
+            known = isinstance(error, KeyError | msgspec.ValidationError)
             reason = reason_of(error) if known else "it is not JSON that roadlang writes"
             fault = broken(path, f"line {number}: {reason}")
             raise fault from error

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+import msgspec
 
 from ..falsification.statistics import FailureRate, clopper_pearson, measure_coverage
 from ..ir.result_columns import OF_DRIVES, robustness_column
@@ -51,12 +52,37 @@ def read_run(folder: Path, record: ResultsRecord, registry: Registry) -> Results
 
 
 @dataclass(frozen=True)
+class _Judged:
+    """What is read of an expectation in the journal of a run."""
+
+    name: str
+    robustness: float | None
+    satisfied: bool | None
+
+
+@dataclass(frozen=True)
+class _Record:
+    """What is read of the verdicts of a scene there."""
+
+    expectations: tuple[_Judged, ...]
+
+
+@dataclass(frozen=True)
+class _Line:
+    """What is read of a line of it."""
+
+    row: Mapping[str, Any]
+    record: _Record
+    measures: Mapping[str, float | None] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class _Entry:
-    """A line of the journal of a run."""
+    """A scene of a run."""
 
     run: str
     row: Mapping[str, Any]
-    expectations: Sequence[Mapping[str, Any]]
+    expectations: Sequence[_Judged]
     measures: Mapping[str, float | None]
 
     @property
@@ -68,12 +94,12 @@ class _Entry:
     @property
     def badness(self) -> tuple[bool, bool, float]:
         """What the worst of the drives has least of."""
-        found = [badness(item["satisfied"], item["robustness"]) for item in self.expectations]
+        found = [badness(item.satisfied, item.robustness) for item in self.expectations]
         return min(found, default=(True, True, math.inf))
 
     def result_row(self, number: int) -> ResultRow:
-        robustness = {str(item["name"]): item["robustness"] for item in self.expectations}
-        has_failed = any(item["satisfied"] is False for item in self.expectations)
+        robustness = {item.name: item.robustness for item in self.expectations}
+        has_failed = any(item.satisfied is False for item in self.expectations)
         values = {"run": self.run, **self.row} if self.run else self.row
         columns = list(self.row)
         judged = [robustness_column(name, OF_DRIVES) for name in robustness]
@@ -89,11 +115,12 @@ def _runs(folder: Path) -> list[Path]:
 
 
 def _entries(folder: Path, run: str) -> Iterator[_Entry]:
+    decode = msgspec.json.Decoder(_Line).decode
+
     def entry(line: bytes) -> tuple[int, _Entry]:
-        found = json.loads(line)
-        measures = found.get("measures", {})
-        judged = found["record"]["expectations"]
-        return int(found["row"]["scene"]), _Entry(run, found["row"], judged, measures)
+        found = decode(line)
+        judged = found.record.expectations
+        return int(found.row["scene"]), _Entry(run, found.row, judged, found.measures)
 
     latest = dict(read_journal(folder, entry))
     return iter([latest[scene] for scene in sorted(latest)])
