@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +20,10 @@ from roadlang.falsification.descriptors import (
     protagonist,
     road_of,
 )
+from roadlang.falsification.least_gap import least_gap
+from roadlang.ir.trace import AgentTrace
 from roadlang.plugins.discovery import load_registry
+from roadlang_standard.separation import outlines
 
 SCENE = testing.sample(
     """road main { draw with segments { pieces: [straight(40m), arc(50m, 90deg), straight(90m)] } }
@@ -37,20 +41,43 @@ DRIVE = SCENE.run(duration=4.0)
 def test_coverage_is_of_the_nearest_other_and_the_agents_own_road() -> None:
     trace = DRIVE.trace
     ego, others = trace.agents["ego"], [trace.agents["lead"], trace.agents["far"]]
-    gaps = [
-        np.hypot(ego.x - other.x, ego.y - other.y)
-        - (math.hypot(ego.length, ego.width) + math.hypot(other.length, other.width)) / 2.0
-        for other in others
-    ]
+    gaps = [outlines(ego, other) for other in others]
     assert gaps[0].min() < gaps[1].min()
     found = measures(SCENE.record, trace, "ego")
-    assert found["gap"] == pytest.approx(max(gaps[0].min(), 0.0))
+    assert found["gap"] == pytest.approx(gaps[0].min())
     assert found["speed"] == pytest.approx(ego.speed.max())
     assert found["curvature"] == pytest.approx(1.0 / 50.0, rel=1e-6)
     assert measures(SCENE.record, trace, "far")["curvature"] == 0.0
     assert measures(SCENE.record, trace, "no one") == {
         "curvature": pytest.approx(1.0 / 50.0, rel=1e-6), "speed": None, "gap": None,
     }  # fmt: skip
+
+
+def passing(name: str, x: Any, y: float, present: Any = 1.0) -> AgentTrace:
+    zero: Any = np.zeros(len(x))
+    rest: Any = (zero,) * 8
+    columns: Any = {"present": zero + present}
+    return AgentTrace(name, zero, x, zero + y, *rest, **columns)
+
+
+def test_cars_that_pass_each_other_in_their_lanes_have_a_gap() -> None:
+    """The circles around them overlap."""
+    ego = passing("ego", np.linspace(0.0, 50.0, 40), 0.0)
+    oncoming = passing("oncoming", np.linspace(50.0, 0.0, 40), 3.5)
+    far = passing("far", np.linspace(0.0, 50.0, 40), 30.0)
+    assert least_gap(ego, [far, oncoming]) == pytest.approx(1.7)
+    assert least_gap(ego, [far]) == pytest.approx(28.2)
+    assert least_gap(ego, [passing("hit", np.linspace(0.0, 50.0, 40), 1.0)]) == 0.0
+    assert least_gap(ego, []) == math.inf
+
+
+def test_there_is_no_gap_to_those_who_have_left() -> None:
+    left = np.where(np.arange(40) < 20, 1.0, 0.0)
+    lead = passing("lead", np.minimum(np.linspace(20.0, 70.0, 40), 50.0), 0.0, left)
+    ego = passing("ego", np.linspace(0.0, 50.0, 40), 0.0)
+    assert least_gap(ego, [lead]) == pytest.approx(15.5)
+    gone = passing("gone", np.zeros(40), 0.0, 0.0)
+    assert least_gap(ego, [gone]) == math.inf
 
 
 def test_a_drive_is_described_by_its_road_and_its_deciding_moment() -> None:

@@ -15,6 +15,7 @@ from ..ir.trace import AgentTrace, Trace
 from ..judging.deciding_moment import first_violation
 from ..plugins.kinds import ROAD_PLACES
 from ..plugins.registry import Registry
+from .least_gap import least_gap
 from .outcome import Moment
 
 CURVATURE = 0.008
@@ -75,8 +76,7 @@ def descriptor(scene: Scene, trace: Trace, name: str, moment: Moment | None) -> 
 
 
 def measures(scene: Scene, trace: Trace, name: str) -> dict[str, float | None]:
-    """What coverage is counted of: greatest curvature and speed of an agent, least gap to others
-    (between the circles around them)."""
+    """What coverage counts: greatest curvature and speed of an agent, its least gap to others."""
     road, agent = road_of(scene, name), trace.agents.get(name)
     found: dict[str, float | None] = {"curvature": None, "speed": None, "gap": None}
     if road is not None:
@@ -84,8 +84,7 @@ def measures(scene: Scene, trace: Trace, name: str) -> dict[str, float | None]:
     if agent is not None and len(trace.time):
         found["speed"] = _finite(agent.speed.max())
         others = [other for other in trace.agents.values() if other is not agent]
-        gaps = [float(_gap(agent, other).min()) for other in others]
-        found["gap"] = _finite(min(gaps, default=math.inf))
+        found["gap"] = _finite(least_gap(agent, others))
     return found
 
 
@@ -157,12 +156,6 @@ def _closing(agent: AgentTrace, partner: AgentTrace, sample: int) -> float | Non
         for at in (first, last)
     ]
     return _finite((ends[0] - ends[1]) / float(agent.time[last] - agent.time[first]))
-
-
-def _gap(agent: AgentTrace, other: AgentTrace) -> Floats:
-    radii = (math.hypot(actor.length, actor.width) / 2.0 for actor in (agent, other))
-    apart = np.hypot(agent.x - other.x, agent.y - other.y)
-    return np.maximum(apart - sum(radii), 0.0)
 
 
 def _mean(values: Floats) -> float:
