@@ -1,5 +1,5 @@
-"""When vehicles have room enough in bends: of one rule are the start speeds of scenes, the lines of
-long vehicles, and who waits for whom."""
+"""When vehicles have room enough in bends. The start speeds of scenes, the lines of long vehicles
+and the rule of who waits for whom agree on it."""
 
 from __future__ import annotations
 
@@ -10,4 +10,4 @@ STRAIGHT = 0.004
 PASSING_GAP = 0.3
 """Meters between two that pass each other."""
 BRAKING = 3.0
-"""m/s^2 that one who waits for another before a bend brakes with, at most."""
+"""m/s^2: the hardest braking of an agent that waits for another one before a bend."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -88,6 +90,6 @@ def _points(value: Value, picture: Picture, candidates: CandidateBatch) -> Float
     return _world(evaluate(value, candidates), picture)
 
 
-def _world(points: object, picture: Picture) -> Floats:
-    pixels = [(float(scalar(x)), float(scalar(y))) for x, y in points]  # type: ignore[attr-defined]
+def _world(points: Iterable[tuple[Any, Any]], picture: Picture) -> Floats:
+    pixels = [(float(scalar(x)), float(scalar(y))) for x, y in points]
     return picture.to_world(picture.from_file(np.array(pixels)))

@@ -141,5 +141,7 @@ def _expected(scene: Scene) -> Iterator[Mapping[str, Any] | None]:
             continue
         form = verdict.formula or {}
         formula = form.get("formula")
-        is_invariant = isinstance(formula, Mapping) and list(formula) == ["always"]
-        yield {**form, "formula": formula["always"]} if is_invariant else None  # type: ignore[index]
+        if isinstance(formula, Mapping) and list(formula) == ["always"]:
+            yield {**form, "formula": formula["always"]}
+        else:
+            yield None
