@@ -19,10 +19,13 @@ from ..diagnostics import Code, DiagnosticError, Span, diagnose
 from ..ir.values import PassCall
 from ..plugins.common_options import common_options
 from ..plugins.option_types import (
+    AnyType,
     IntervalType,
+    LikeType,
     ListType,
     MapType,
     OptionType,
+    QuantityType,
     RecordType,
     UnionType,
 )
@@ -57,8 +60,22 @@ def check_number(option: OptionSchema, value: Any, owner: str, span: Span | None
     limits = option.constraints
     if isinstance(value, float | int) and not math.isnan(value) and limits.allow(value):
         return
+    if isinstance(value, tuple | Mapping) and not _holds_numbers(option.type):
+        return  # a road may be drawn through thousands of points
     for part, number, of in _numbers(option, value, owner):
         _check_column(part, number, of, span)
+
+
+@cache
+def _holds_numbers(type_: OptionType) -> bool:
+    """Whether there may be numbers in values of a type, but for the coordinates of points."""
+    if isinstance(type_, UnionType):
+        return any(_holds_numbers(one) for one in type_.alternatives)
+    if isinstance(type_, RecordType):
+        return any(_holds_numbers(part.type) for part in schema_of(type_.record))
+    if isinstance(type_, ListType | IntervalType | MapType):
+        return _holds_numbers(type_.item)
+    return isinstance(type_, QuantityType | LikeType | AnyType)
 
 
 def _numbers(
