@@ -27,3 +27,12 @@ def test_a_heading_that_jumps_by_a_turn_goes_on() -> None:
 def test_from_one_line_to_the_next_headings_may_jump() -> None:
     lines = [line(3.0, 3.1), line(-3.1, -3.0), line(3.1)]
     assert all(one is other for one, other in zip(without_jumps(lines), lines, strict=True))
+
+
+def test_headings_are_looked_at_wherever_a_line_stands_among_many() -> None:
+    smooth, jumps = line(0.0, 0.1), line(3.0, 3.1, -3.1, -3.0)
+    lines = [jumps if number in (0, 63, 64, 150) else smooth for number in range(151)]
+    found = without_jumps(lines)
+    changed = [number for number, one in enumerate(found) if one is not lines[number]]
+    assert changed == [0, 63, 64, 150]
+    assert all(np.abs(np.diff(found[number].heading)).max() < 1.0 for number in changed)

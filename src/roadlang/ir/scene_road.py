@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -155,8 +155,13 @@ def with_rows(road: SceneRoad, rows: Mapping[str, Any], **others: Any) -> SceneR
 
 def numbers_of(road: SceneRoad, name: str) -> Any:
     """The numbers of a member as an array to read (S,), without a tuple of them."""
-    row = _rows_of(road).get(name)
-    return row_of(getattr(road, name)) if row is None else row
+    return all_numbers_of(road, (name,))[0]
+
+
+def all_numbers_of(road: SceneRoad, names: Sequence[str]) -> list[Any]:
+    """Those of several members."""
+    rows = _rows_of(road)
+    return [rows[name] if name in rows else row_of(getattr(road, name)) for name in names]
 
 
 def _rows_of(road: SceneRoad) -> Mapping[str, Any]:

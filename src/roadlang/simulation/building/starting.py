@@ -11,6 +11,7 @@ from ...geometry.arrays import Booleans
 from ...ir.category import ON_FOOT
 from ...ir.scene import SceneActor, SceneRoad
 from ...ir.scene_route import RouteStep
+from ..lanes.road_forms import RoadForms
 from ..vehicles.motion import Motion, Track
 from ..vehicles.poses import foot_points
 
@@ -52,6 +53,7 @@ class LineOffsets:
     """
 
     def __init__(self) -> None:
+        self._forms = RoadForms()
         self._known: dict[Any, float] = {}
 
     def of(self, actor: SceneActor, road: SceneRoad | None, width: float, guide: int) -> float:
@@ -86,15 +88,14 @@ class LineOffsets:
         return own - middle if step.stop >= step.start else middle - own
 
     def _lane_center(self, lane: int, road: SceneRoad, station: float) -> float | None:
-        widths = [len(lane_.width) for lane_ in road.lane_list]
-        if not widths or max(widths) > 1 or len(road.center_offset) > 1:
-            section = road.cross_section()
-            return float(section.offset(lane, station)) if lane in section.ids else None
-        key = (lane, road.lane_list, road.center_offset, road.center_marking)
-        found = self._known.get(key)  # once: the hash of lanes takes as long as all else
+        key = lane, self._forms.number(road)
+        found = self._known.get(key)
         if found is None:
             section = road.cross_section()
             if lane not in section.ids:
                 return None
-            found = self._known[key] = float(section.offset(lane, station))
+            found = float(section.offset(lane, station))
+            widths = [len(lane_.width) for lane_ in road.lane_list]
+            if widths and max(widths) == 1 and len(road.center_offset) <= 1:  # everywhere
+                self._known[key] = found
         return found

@@ -12,6 +12,7 @@ import numpy as np
 
 from ...geometry.arrays import Floats, Integers
 from ...ir.scene import SceneRoad
+from ..lanes.road_forms import RoadForms
 from .leading_over import led_over
 
 SPACING = 1.0
@@ -54,8 +55,10 @@ class LaneGuides:
         ids: list[tuple[int, ...]] = []
         columns: list[Floats] = []
         per_meter: list[float] = []
+        forms = RoadForms()
+        vary: dict[int, bool] = {}  # by form
         for line in roads:
-            tables = {} if line is None else _tables(*line)
+            tables = _tables(*line) if line and _form_may_vary(line[0], forms, vary) else {}
             first.append(len(columns) if tables else -1)
             ids.append(tuple(tables))
             columns += tables.values()
@@ -164,6 +167,16 @@ def lane_guide(road: SceneRoad, lane: int) -> tuple[Floats, Floats] | None:
 def _may_vary(road: SceneRoad) -> bool:
     lists = [lane.width for lane in road.lane_list] or [road.width]
     return any(len(values) > 1 for values in (*lists, road.center_offset))
+
+
+def _form_may_vary(road: SceneRoad, forms: RoadForms, known: dict[int, bool]) -> bool:
+    """The same, asked once for all roads with the same lanes."""
+    form = forms.number(road)
+    if form is None:
+        return _may_vary(road)
+    if form not in known:
+        known[form] = _may_vary(road)
+    return known[form]
 
 
 def _averaged(values: Floats, closed: bool) -> Floats:

@@ -77,16 +77,21 @@ def line_nodes(sources: Sequence[LineSource], spacing: Spacing, nodes: int) -> F
     if laps is not None:
         around = spacing.closed.nonzero()[0]
         out[2, around] += laps[around] * spacing.turn[around, None]
-    last, meters = spacing.last.tolist(), spacing.meters.tolist()
-    for row, used in enumerate(last):
-        if not spacing.closed[row]:
-            for end, step in ((0, -meters[row]), (used, meters[row])):
-                heading = float(out[2, row, end])
-                out[0, row, end] += step * math.cos(heading)
-                out[1, row, end] += step * math.sin(heading)
-        if used + 1 < out.shape[2]:
+    rows = np.flatnonzero(~spacing.closed)
+    _go_straight_on(out, rows, np.zeros(len(rows), dtype=np.int64), -spacing.meters[rows])
+    _go_straight_on(out, rows, spacing.last[rows], spacing.meters[rows])
+    for row, used in enumerate(spacing.last.tolist()):
+        if used + 1 < nodes:
             out[:, row, used + 1 :] = out[:, row, used : used + 1]
     return out
+
+
+def _go_straight_on(out: Floats, rows: Integers, nodes: Integers, meters: Floats) -> None:
+    """Move nodes of some lines ahead, one of each line. The sines are those of single numbers, as
+    in the compiled loop."""
+    headings = out[2, rows, nodes].tolist()
+    out[0, rows, nodes] += meters * np.array([math.cos(heading) for heading in headings])
+    out[1, rows, nodes] += meters * np.array([math.sin(heading) for heading in headings])
 
 
 def _put_between(out: Floats, at: Floats, sources: Sequence[LineSource]) -> None:

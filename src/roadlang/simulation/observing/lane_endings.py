@@ -35,11 +35,13 @@ SOONEST = 0.5
 
 
 def has_lane_endings(roads: list[SceneRoad]) -> bool:
-    """Whether a lane for vehicles of any road ends on the way."""
+    """Whether a lane for vehicles of any road ends on the way. Roads that are bent in many ways
+    share their lanes, which are looked at once."""
+    lists = {id(road.lane_list): road.lane_list for road in roads}
     return any(
         lane.drivable and len(lane.width) > 1 and min(lane.width) < 0.5 * max(lane.width)
-        for road in roads
-        for lane in road.lane_list
+        for lanes in lists.values()
+        for lane in lanes
     )
 
 

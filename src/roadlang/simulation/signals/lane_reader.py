@@ -14,6 +14,7 @@ from ...geometry.rings import outside_ring
 from ...ir.scene import Scene, SceneRoad
 from ...ir.scene_junctions import SceneJunction
 from ..lanes.lane_columns import LANE_COLUMNS, LaneSection, OnRoad, on_road
+from ..lanes.road_forms import RoadForms
 from ..state.world import World
 
 NEEDED = ("along", "offset", "x", "y", "heading", "station", "cross_track_error")
@@ -34,6 +35,7 @@ class LaneReader:
     def __init__(self, world: World) -> None:
         self._world = world
         self._lanes: list[LaneSection] = []
+        self._forms = RoadForms()
         self._known: dict[Any, int] = {}
         self._number = np.array([self._group(agent) for agent in range(len(world.present))])
 
@@ -83,13 +85,14 @@ class LaneReader:
         if world.has_route[agent]:
             return _ALONE
         road = world.scenes[agent // world.slots].roads[world.road[agent]]
-        key = road.lane_list, road.center_offset, road.speed_limit, road.speed_zones
+        form = self._forms.number(road)
+        key = form, road.speed_limit, road.speed_zones
         number = self._known.get(key)
         if number is not None:
             return number
         lanes = LaneSection.of(road)
         self._lanes.append(lanes)
-        if lanes.is_constant and road.lane_list:
+        if lanes.is_constant and form is not None:
             self._known[key] = len(self._lanes) - 1
         return len(self._lanes) - 1
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ...geometry.arrays import Booleans, Floats, Integers
 from ...ir.scene import Scene, SceneRoad
 from ..lanes.lane_columns import LaneSection
+from ..lanes.road_forms import RoadForms
 from ..lanes.surfaces import BESIDE, TireSurface, below
 from ..lines.route_table import RouteTable
 from ..tapes.tape import NotElementwiseError
@@ -44,6 +45,8 @@ class Verges:
     patches: Patches
     known: dict[Any, Any] = field(default_factory=dict, repr=False)
     """edges of roads that were looked up, which are the same for every lookup"""
+    forms: RoadForms = field(default_factory=RoadForms, repr=False)
+    """of those roads"""
 
     @classmethod
     def of(
@@ -81,6 +84,7 @@ class Verges:
         return Verges(
             self.clear[agents], self.friction[agents], self.rolling[agents], self.roads[agents],
             self.has_route[agents], self.edges[agents], self.patches.take(agents), self.known,
+            self.forms,
         )  # fmt: skip
 
     def traced(self, bodies: Bodies, motion: Motion, table: RouteTable) -> TracedVerges:
@@ -198,15 +202,16 @@ class Verges:
     ) -> tuple[float, float] | LaneSection:
         """The edges of a road that is equally wide all along, else its lanes. Most roads that are
         driven together have the same lanes, as they are one road that was bent in many ways."""
-        alike = road.lane_list, road.center_offset, lane
-        found: tuple[float, float] | None = self.known.get(alike) if road.lane_list else None
+        form = self.forms.number(road)
+        alike = "form", form, lane
+        found: tuple[float, float] | None = self.known.get(alike)
         if found is not None:
             return found
         section = LaneSection.of(road)
         if not section.is_constant:
             return section
         left, right = _edges_of(section, lane, np.zeros(())).tolist()
-        if road.lane_list:
+        if form is not None:
             self.known[alike] = left, right
         return left, right
 
