@@ -23,6 +23,24 @@ def test_a_name_of_another_format_is_refused(name: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("command", "fault"),
+    [
+        (["compile", "a.rl", "-o", ""], "the name is empty; `.` is the current folder"),
+        (["run", "a.rl", "-o", ""], "the name is empty; `.` is the current folder"),
+        (["falsify", "a.rl", "-o", ""], "the name is empty; `.` is the current folder"),
+        (["shrink", "0001.json", "-o", ""], "'-o' / '--output': the name is empty\n"),
+        (["extract", "a.png", "--edit", ""], "'--edit': the name is empty\n"),
+    ],
+)
+def test_no_name_is_not_the_current_folder(
+    command: list[str], fault: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whose files would be replaced."""
+    assert run(command) == 2
+    assert fault in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
     "command",
     [
         ["extract", "a.png", "--overlay", "o.png"],

@@ -12,7 +12,7 @@ from ..diagnostics import Code
 from . import exit_codes
 from .console import echo, note, report
 from .finite_range import FiniteRange
-from .output_files import FormatFile, keep_inputs
+from .output_files import FormatFile, OutputPath, keep_inputs
 from .quantities import pixel_size, pixels
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ _SAY_MORE = (
 @click.option("--model", type=click.Path(dir_okay=False), help="Model file for `--with onnx`.")
 @click.option(
     "--edit",
-    type=click.Path(dir_okay=False),
+    type=OutputPath(dir_okay=False),
     metavar="SCENE",
     help="Correct the roads on a page in the browser and save them in this scene file.",
 )

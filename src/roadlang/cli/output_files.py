@@ -10,7 +10,19 @@ from typing import Any
 import click
 
 
-class FormatFile(click.Path):
+class OutputPath(click.Path):
+    """The path of a file or folder that a command writes. No name, as from a variable that is not
+    set, is refused: as a path it is the current folder, of which files would be replaced."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The path. Raises `click.BadParameter`."""
+        if not str(value):
+            here = "; `.` is the current folder" if self.dir_okay else ""
+            self.fail(f"the name is empty{here}", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+class FormatFile(OutputPath):
     """The path of a file in a format (`SVG`); names that end as those of other formats do are
     refused, and so is `-`: no command writes such a file to standard output. `hint`: what writes
     other formats."""

@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 import click
 
 from .finite_range import Seed, WholeNumber
+from .output_files import OutputPath
 from .quantities import seconds
 
 Command: TypeAlias = Callable[..., Any]
@@ -19,7 +20,7 @@ output = click.option(
     default="out",
     show_default=True,
     metavar="DIR",
-    type=click.Path(),
+    type=OutputPath(),
     help="Output folder.",
 )
 count = click.option(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from .console import echo, shown, style
+from .output_files import OutputPath
 
 if TYPE_CHECKING:
     from ..session.falsification import Failure
@@ -17,7 +18,12 @@ if TYPE_CHECKING:
 @click.argument("failure", metavar="FAILURE.json")
 @click.option("--file", "scene_file", metavar="FILE", help="The scene file, if it was moved.")
 @click.option(
-    "-o", "--output", "target", metavar="FILE", help="The scene; by default FAILURE.shrunk.json."
+    "-o",
+    "--output",
+    "target",
+    type=OutputPath(dir_okay=False),
+    metavar="FILE",
+    help="The scene; by default FAILURE.shrunk.json.",
 )
 def command(failure: str, scene_file: str | None, target: str | None) -> None:
     """Write the simplest scene that still fails as FAILURE.json does.
