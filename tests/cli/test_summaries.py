@@ -8,6 +8,7 @@ import pytest
 
 from roadlang.cli.compilation import Compilation
 from roadlang.cli.console import holding, report, violations
+from roadlang.cli.drive_lines import summary
 from roadlang.diagnostics import Code, Source, diagnose
 from roadlang.search.worker_pool import ALONE
 from roadlang.session.expectations import Expectation
@@ -45,6 +46,19 @@ def test_without_a_robustness_none_is_told() -> None:
 )
 def test_in_how_many_scenes_all_hold(satisfied: int, scenes: int, text: str) -> None:
     assert holding(satisfied, scenes).endswith(text)
+
+
+def test_the_worst_scene_may_have_no_finite_robustness() -> None:
+    """It violates what none of its samples is about."""
+    rows = [
+        {"scene": 0, "worst": "slow", "slow": -3.0, "slow satisfied": False, "worst time": 2.0},
+        {"scene": 1, "worst": "late", "late": None, "late satisfied": False},
+        {"scene": 2, "worst": "slow", "slow": 1.0, "slow satisfied": True},
+    ]
+    assert "1 of 3 scenes; worst: scene 1, late; " in summary(rows, [False, False, True])
+    assert "1 of 2 scenes; worst: scene 0, slow -3 at 2.0 s; " in summary(
+        [rows[0], rows[2]], [False, True]
+    )
 
 
 def test_a_scene_that_violates_two_expectations_counts_once(

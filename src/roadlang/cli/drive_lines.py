@@ -67,16 +67,16 @@ def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool], contac
     if failed:
         text += f"; controllers failed in {failed}"
     found = [(*_of_worst(row), row) for row in rows if row.get("worst")]
-    judged = [item for item in found if item[1] is not None]
+    judged = [item for item in found if item[0] is not None]
     if len(rows) < 2 or not judged:
         return f"{text}; "
     holds, rho, worst = min(judged, key=lambda item: badness(*item[:2]))
     if not says_how_near(holds, rho):
         return f"{text}; "
     run = f"{worst['run']}, " if "run" in worst else ""
-    name = worst["worst"]
+    name = worst["worst"] if rho is None else f"{worst['worst']} {rho:.3g}"
     place = _place(worst.get("worst time"), worst.get("worst station"))
-    return f"{text}; worst: {run}scene {worst['scene']}, {name} {rho:.3g}{place}; "
+    return f"{text}; worst: {run}scene {worst['scene']}, {name}{place}; "
 
 
 def _of_worst(row: Mapping[str, Any]) -> tuple[bool | None, float | None]:
