@@ -12,7 +12,7 @@ import pytest
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux")
 
 ALONE = """
-import socket, threading
+import os, socket, threading
 from roadlang.search.start_method import start_method
 print(start_method())
 is_over = threading.Event()
@@ -21,6 +21,8 @@ thread.start()
 print(start_method())
 is_over.set()
 thread.join()
+while len(os.listdir("/proc/self/task")) > 1:
+    pass  # it is joined a moment before it is gone
 print(start_method())
 with socket.socket():
     print(start_method())
@@ -37,6 +39,38 @@ with WorkerPool(None, Workers(2)) as pool:
     print(pool.will_fork)
 print(WorkerPool(None, Workers(1)).will_fork)
 """
+
+
+UNTRACKED = """
+from multiprocessing import resource_tracker
+from roadlang.search.worker_pool import WorkerPool, Workers
+from tests.search.test_start_method import is_loaded
+with WorkerPool(None, Workers(2)) as pool:
+    list(pool.map(is_loaded, ["sys", "os"]))
+print(resource_tracker._resource_tracker._pid)
+"""
+
+
+INHERITED = """
+from roadlang.search.worker_pool import WorkerPool, Workers
+from tests.search.test_start_method import Unsent, number_of
+with WorkerPool(100, Workers(2)) as pool:
+    print(list(pool.map(number_of, [Unsent(number) for number in range(9)])))
+"""
+
+
+class Unsent:
+    """A job that cannot be sent to another process."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+
+    def __reduce__(self) -> str:
+        raise TypeError("it is not sent")
+
+
+def number_of(state: int, job: Unsent) -> int:
+    return state + job.number
 
 
 def is_loaded(state: None, module: str) -> bool:
@@ -62,3 +96,11 @@ def test_processes_are_forked_while_there_is_one_thread_and_no_connection() -> N
 
 def test_forked_processes_have_what_is_loaded_here() -> None:
     assert lines_of(LOADED) == ["True", "[True, False]", "False", "False"]
+
+
+def test_forked_processes_need_no_process_that_keeps_track_of_shared_memory() -> None:
+    assert lines_of(UNTRACKED) == ["None"]
+
+
+def test_jobs_that_are_known_when_processes_are_forked_are_not_sent() -> None:
+    assert lines_of(INHERITED) == [str([*range(100, 109)])]

@@ -1,4 +1,6 @@
-"""The one stop rule that looks at the clock: what is found until then depends on the machine."""
+"""What looks at the clock: the stop rule by which what is found depends on the machine, and how
+long rounds take, by which it does not.
+"""
 
 from __future__ import annotations
 
@@ -13,3 +15,8 @@ def deadline(seconds: float | None) -> Callable[[], bool]:
         return lambda: False
     end = time.monotonic() + seconds
     return lambda: time.monotonic() >= end
+
+
+def now() -> float:
+    """Seconds since some moment."""
+    return time.monotonic()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -33,12 +34,12 @@ class Islands:
                 search = plan.searcher.start(self._axes, _seed(plan.seed, island))
                 search.screen_with(called_by_plugins(self._screened))
             self._searches.append(search)
-        self._pending: list[tuple[Search, list[int], Floats]] = []
+        self._pending: deque[list[tuple[Search, list[int], Floats]]] = deque()
 
     def ask(self, first: int, most: int) -> list[Proposal]:
         """The candidates of the next round, at most `most`, numbered from `first`; none where all
         searches have come to their ends. Raises RL474 where not one begins."""
-        self._pending = []
+        pending: list[tuple[Search, list[int], Floats]] = []
         proposals: list[Proposal] = []
         for search in self._searches:
             count = min(self._batch_size(search), most - len(proposals))
@@ -50,17 +51,18 @@ class Islands:
             # A search that has come to its end takes no more random candidates with it.
             end = (searched[-1] + 1 if searched else start) if has_ended else start + count
             chosen = dict(zip(searched, points.tolist(), strict=True))
-            self._pending.append((search, [index - first for index in searched], points))
+            pending.append((search, [index - first for index in searched], points))
             proposals += (self._proposal(index, chosen.get(index)) for index in range(start, end))
         if not proposals and first == 0:
             fault = "gave no points to begin with"
             raise wrong_result(self._plan.entry, self._plan.span, fault)
+        self._pending.append(pending)
         return proposals
 
     def tell(self, outcomes: Sequence[Outcome], values: Floats) -> None:
-        """What came of the candidates of the round."""
+        """What came of the candidates of the first round that was asked for and not told yet."""
         length = max((len(outcome.descriptor) for outcome in outcomes), default=0)
-        for search, rows, points in self._pending:
+        for search, rows, points in self._pending.popleft():
             if not rows:
                 continue
             descriptors = np.full((len(rows), length), np.nan)

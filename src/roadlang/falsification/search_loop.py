@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain, islice
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from .evaluator import Evaluator, Proposal, Task
 from .grading import Grading
 from .islands import Islands
 from .journal import Journal
+from .lookahead import Lookahead
 from .outcome import Outcome
 from .plan import Plan
 
@@ -44,25 +46,38 @@ def search_failures(
 ) -> SearchResult:
     """Search by the plan. `expired` tells whether the time is over."""
     islands = Islands(plan, axes, lambda points: _screened(points, pool))
-    grading = Grading(expects)
+    grading, lookahead = Grading(expects), Lookahead(plan, pool)
     outcomes: list[Outcome] = []
     distinct = DistinctFailures()
     values: dict[int, float] = {}
-    while len(outcomes) < plan.evaluations and not expired():
-        proposals = islands.ask(len(outcomes), plan.evaluations - len(outcomes))
-        if not proposals:
-            break
-        found = list(_evaluated(proposals, pool, journal))
-        graded = grading.values(found)
-        islands.tell(found, graded)
-        values |= {outcome.index: float(v) for outcome, v in zip(found, graded, strict=True)}
-        is_over = _add(found, outcomes, distinct, plan.failures)
-        if progress is not None:
+    is_over = False
+    while not is_over and len(outcomes) < plan.evaluations and not expired():
+        rounds = _asked(islands, lookahead.begin(), len(outcomes), plan.evaluations)
+        evaluated = _evaluated(list(chain(*rounds)), pool, journal)
+        for proposals in rounds:
+            found = list(islice(evaluated, len(proposals)))
+            graded = grading.values(found)
+            islands.tell(found, graded)
+            values |= {outcome.index: float(v) for outcome, v in zip(found, graded, strict=True)}
+            is_over = is_over or _add(found, outcomes, distinct, plan.failures)
+        lookahead.end(sum(map(len, rounds)))
+        is_over = is_over or not all(rounds)
+        if progress is not None and rounds[0]:
             progress(len(outcomes), plan.evaluations)
-        if is_over:
-            break
     ranked = sorted(distinct.found, key=lambda outcome: (values[outcome.index], outcome.index))
     return SearchResult(tuple(outcomes), tuple(ranked))
+
+
+def _asked(islands: Islands, most: int, first: int, end: int) -> list[list[Proposal]]:
+    """The next rounds, at most so many, numbered from `first` to before `end`; an empty one where
+    the searches have come to their ends."""
+    rounds: list[list[Proposal]] = []
+    while len(rounds) < most and first < end:
+        rounds.append(islands.ask(first, end - first))
+        if not rounds[-1]:
+            break
+        first += len(rounds[-1])
+    return rounds
 
 
 def _add(

@@ -15,7 +15,7 @@ from .worker_pool import ALONE, WorkerPool, Workers
 BLOCKS = ((64, 16), (256, 64))
 """Up to how many scenes how many of them are searched for together: a batch of candidates costs as
 much as hundreds of them. No scene depends on it."""
-LARGEST_BLOCK, SENT_BLOCK = 256, 64
+LARGEST_BLOCK, SENT_BLOCK = 256, 128
 """Of more scenes; of those that come from other processes, where many wait to be written."""
 _FEWEST_FOR_PROCESSES = 8
 _PARTS = 4
@@ -53,7 +53,7 @@ def _search_scenes(
     blocks = [range(1)]
     size = next((size for most, size in BLOCKS if n <= most), LARGEST_BLOCK)
     size = min(size, SENT_BLOCK) if pool.workers > 1 else size
-    blocks += _even_blocks(1, n, size)
+    blocks += _even_blocks(1, n, size, pool.workers)
     for part in (blocks[:1], blocks[1:]):
         most = max(1, min(_MOST_BLOCKS, _MOST_SCENES // size))
         shares = _shares(part, pool.workers, most)
@@ -88,9 +88,12 @@ def _search_stream(
     return found
 
 
-def _even_blocks(start: int, stop: int, size: int) -> list[range]:
-    """Blocks of about `size` scenes: a few that are left over would cost as much as a block."""
+def _even_blocks(start: int, stop: int, size: int, workers: int) -> list[range]:
+    """Blocks of about `size` scenes, as many for each worker unless they were then less than half
+    as large: a few scenes that are left over would cost as much as a block."""
     count = max(1, round((stop - start) / size)) if stop > start else 0
+    for_all = -(-count // workers) * workers
+    count = for_all if for_all <= 2 * count else count
     ends = [start + (stop - start) * part // count for part in range(1, count + 1)]
     return [range(*pair) for pair in zip([start, *ends], ends, strict=False)]
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import gc
 import multiprocessing
 import os
+import pickle  # noqa: TID251 - what processes do with every argument
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
+from dataclasses import dataclass
 from functools import partial
 from multiprocessing import resource_tracker
 from typing import Any
@@ -39,8 +41,9 @@ class WorkerProcesses:
         done, deaths = 0, 0
         while done < len(jobs):
             try:
-                submit = partial(_submit, self._started(), self._are_forked, work)
-                for result in results_in_order(submit, jobs[done:], self._count):
+                rest = jobs[done:]
+                submit = partial(_submit, *self._started(rest), work)
+                for result in results_in_order(submit, range(len(rest)), self._count):
                     done += 1
                     deaths = 0
                     yield result
@@ -63,36 +66,50 @@ class WorkerProcesses:
             self._shared.withdraw()
             self._shared = None
 
-    def _started(self) -> ProcessPoolExecutor:
-        if self._executor is None:
-            self._shared = SharedState(self._state)
-            method = start_method()
-            self._are_forked = method == FORK
-            self._executor = ProcessPoolExecutor(
-                self._count,
-                mp_context=multiprocessing.get_context(method),
-                initializer=_start,
-                initargs=(self._shared.reference,),
-            )
-        return self._executor
+    def _started(self, jobs: Sequence[Any]) -> tuple[ProcessPoolExecutor, bool, Sequence[Any]]:
+        """The processes, whether they are forked, and what `jobs` are called for them: those that
+        are forked now have copies of all, by their numbers."""
+        if self._executor is not None:
+            return self._executor, self._are_forked, jobs
+        method = start_method()
+        self._are_forked = method == FORK
+        self._shared = None if self._are_forked else SharedState(self._state)
+        reference = pickle.dumps(self._state) if self._shared is None else self._shared.reference
+        self._executor = ProcessPoolExecutor(
+            self._count,
+            mp_context=multiprocessing.get_context(method),
+            initializer=_start,
+            initargs=(reference, jobs if self._are_forked else ()),
+        )
+        named = [_Inherited(number) for number in range(len(jobs))] if self._are_forked else jobs
+        return self._executor, self._are_forked, named
+
+
+@dataclass(frozen=True)
+class _Inherited:
+    """A job that a process has a copy of, by its number: it is not sent."""
+
+    number: int
 
 
 def _submit(
     executor: ProcessPoolExecutor,
     are_forked: bool,
+    jobs: Sequence[Any],
     work: Callable[[Any, Any], Any],
-    job: Any,
+    number: int,
 ) -> Future[Any]:
     """Hand out a job. A process that is started for it does not hear Ctrl-C, which goes to all
     processes of a terminal: whoever hands out the work ends it. Nor does one that is forked hear
     SIGTERM before it has let go of what is done here when that comes."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
-        return executor.submit(_run, work, job)
-    resource_tracker.ensure_running()  # where it has to be started it lets signals through
+        return executor.submit(_run, work, jobs[number])
+    if not are_forked:
+        resource_tracker.ensure_running()  # where it has to be started it lets signals through
     held = {signal.SIGINT, signal.SIGTERM} if are_forked else {signal.SIGINT}
     before = signal.pthread_sigmask(signal.SIG_BLOCK, held)
     try:
-        return executor.submit(_run, work, job)
+        return executor.submit(_run, work, jobs[number])
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
@@ -102,14 +119,16 @@ _CLEANING = 10.0
 _process_state: list[Any] = []
 """The state of a worker process: an executor has no other place for what its jobs share.
 Filled once, when the process starts; empty in the process that hands out the work."""
+_process_jobs: list[Any] = []
+"""The jobs that were known when it was forked."""
 
 
 _is_idle = threading.Event()
 """Whether a worker process waits for a job."""
 
 
-def _start(reference: Reference) -> None:
-    """Read the shared state."""
+def _start(reference: Reference, jobs: Sequence[Any]) -> None:
+    """Read the shared state, and keep the jobs that came with a fork."""
     gc.freeze()  # what came with a fork: to look through it would copy its memory
     # Not ignored: programs that are started from here would not hear it either.
     signal.signal(signal.SIGINT, lambda number, frame: None)
@@ -117,6 +136,7 @@ def _start(reference: Reference) -> None:
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
     _process_state.append(read(reference))
+    _process_jobs.extend(jobs)
     _is_idle.set()
     end_on_sigterm(_is_idle.is_set)
     threading.Thread(target=_end_with_parent, daemon=True).start()
@@ -137,7 +157,8 @@ def _run(work: Callable[[Any, Any], Any], job: Any) -> Any:
     where SIGTERM breaks it off."""
     _is_idle.clear()
     try:
-        result = work(_process_state[0], job)
+        known = _process_jobs[job.number] if isinstance(job, _Inherited) else job
+        result = work(_process_state[0], known)
     except Terminated:
         pass  # with it goes what the job held, but for circles
     except BaseException:
