@@ -258,3 +258,19 @@ def test_a_setting_is_a_name_and_a_value(setting: str, fits: bool) -> None:
         with pytest.raises(roadlang.DiagnosticError, match="RL924") as caught:
             parse_overrides(["turns=3", setting, "reach"])
         assert len(caught.value.diagnostics) == 2
+
+
+def test_all_runs_are_checked_before_the_first_is_driven(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    agent = "agent ego is car on bent at 5m { drive with lane_follow { speed: 5m/s } }\n"
+    (folder / "scene.rl").write_text(SCENE + agent)
+    params = write(folder, "- reach: 3m\n- reach: 4kg\n- turns: x3\n")
+    out = folder / "out"
+    code = run(["run", str(folder / "scene.rl"), "--params", str(params), "-o", str(out)])
+    found = capsys.readouterr()
+    assert code == 1
+    assert found.err.count("error[") == 2
+    assert "night.yaml:2" in found.err
+    assert "night.yaml:3" in found.err
+    assert not out.exists()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from roadlang.diagnostics import DiagnosticError
+from roadlang.diagnostics import Code, DiagnosticError, diagnose
 from roadlang.files.journal import JournalFile, read_lines
 
 
@@ -109,3 +109,43 @@ def test_journals_of_one_process_are_not_in_the_way_of_each_other(path: Path) ->
     first = JournalFile(path, "key", resume=False, parse=bytes)
     first.append([b"1"])
     assert JournalFile(path, "key", resume=True, parse=bytes).entries == [b"1"]
+
+
+FAULT = DiagnosticError(diagnose(Code.NOTHING_TO_SEARCH))
+
+
+def ended(journal: JournalFile[bytes], beside: Path, error: Exception = FAULT) -> None:
+    beside.write_text("{}")
+    with pytest.raises(type(error)), journal.removed_if_nothing_is_finished(beside):
+        raise error
+
+
+def test_an_error_before_the_first_line_leaves_nothing(tmp_path: Path) -> None:
+    folder = tmp_path / "new"
+    journal = JournalFile(folder / "journal.jsonl", "key", resume=False, parse=bytes)
+    ended(journal, folder / "provenance.json")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_that_was_there_stays_and_what_is_in_it(path: Path) -> None:
+    (path.parent / "notes.txt").write_text("mine")
+    journal = JournalFile(path, "key", resume=False, parse=bytes)
+    ended(journal, path.parent / "provenance.json")
+    assert [each.name for each in path.parent.iterdir()] == ["notes.txt"]
+
+
+@pytest.mark.parametrize("resume", [False, True])
+def test_an_error_after_the_first_line_leaves_all(path: Path, resume: bool) -> None:
+    journal = JournalFile(path, "key", resume=False, parse=bytes)
+    journal.append([b"1"])
+    if resume:
+        journal = JournalFile(path, "key", resume=True, parse=bytes)
+    ended(journal, path.parent / "provenance.json")
+    assert path.read_bytes().endswith(b"\n1\n")
+    assert (path.parent / "provenance.json").exists()
+
+
+def test_an_interruption_leaves_a_journal_to_go_on_with(path: Path) -> None:
+    journal = JournalFile(path, "key", resume=False, parse=bytes)
+    ended(journal, path.parent / "provenance.json", RuntimeError())
+    assert path.exists()

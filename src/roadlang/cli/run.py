@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..diagnostics import DiagnosticError
 from ..ir.result_files import is_scene_file_name, run_name
 from ..session.outputs import parse_outputs
 from ..session.params import parse_overrides
@@ -155,7 +156,9 @@ class RunBatch:
         each, is_list = variants(load(file), params)
         if self._outputs is not None:
             each = [variant.with_outputs(self._outputs) for variant in each]
-        for number, loaded in enumerate(variant.with_params(overrides) for variant in each):
+        each = [variant.with_params(overrides) for variant in each]
+        _check_all(each)
+        for number, loaded in enumerate(each):
             self._add(loaded, {"run": run_name(number)} if is_list else {}, count, seed)
 
     def _add(
@@ -211,7 +214,7 @@ class RunBatch:
         report(folder.diagnostics)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: list[Any] = []
-        with ProgressBar("drives") as progress:
+        with ProgressBar("drives") as progress, folder.removed_if_nothing_is_driven():
             for drives in drive_in_parts(open_, task, self._workers):
                 folder.add(drives)
                 found += drives.diagnostics
@@ -248,6 +251,13 @@ class RunBatch:
             return some if self._contacts else ""
         satisfied = [_holds(record) for record in self.records]
         return summary(self._rows, satisfied, self._contacts)
+
+
+def _check_all(variants: Sequence[LoadedScenario]) -> None:
+    """Raises `DiagnosticError` with what is wrong in any of them, before the first is driven."""
+    found = [diagnostic for variant in variants for diagnostic in variant.check()]
+    if any(diagnostic.is_error for diagnostic in found):
+        raise DiagnosticError(*dict.fromkeys(found))
 
 
 def _holds(record: dict[str, Any]) -> bool:

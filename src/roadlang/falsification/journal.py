@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Protocol
 
@@ -30,6 +31,10 @@ class Journal(Protocol):
         """Keep outcomes."""
         ...
 
+    def removed_if_nothing_is_finished(self) -> AbstractContextManager[None]:
+        """For the search: an error before anything is finished leaves no file."""
+        ...
+
 
 class NoJournal:
     """Keeps nothing."""
@@ -42,6 +47,10 @@ class NoJournal:
 
     def append(self, outcomes: Sequence[Outcome]) -> None:
         """Forget them."""
+
+    def removed_if_nothing_is_finished(self) -> AbstractContextManager[None]:
+        """There is nothing to remove."""
+        return nullcontext()
 
 
 class SearchJournal:
@@ -67,6 +76,11 @@ class SearchJournal:
         if found is None or found.point != proposal.point:
             return None
         return found if found.is_random == proposal.is_random else None
+
+    def removed_if_nothing_is_finished(self) -> AbstractContextManager[None]:
+        """Where a `DiagnosticError` ends the search before anything is finished, no file is
+        left."""
+        return self._file.removed_if_nothing_is_finished()
 
     def append(self, outcomes: Sequence[Outcome]) -> None:
         """Add lines to the file."""

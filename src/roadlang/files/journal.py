@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -40,6 +41,7 @@ class JournalFile(Generic[T]):
         header = json.dumps({"schema": SCHEMA, "key": key}).encode()
         self.entries: list[T] = []
         self.diagnostics: tuple[Diagnostic, ...] = ()
+        self._made_folder = not path.parent.exists()
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             goes_on = resume and path.exists()
@@ -61,9 +63,26 @@ class JournalFile(Generic[T]):
             ) from error
         except OSError as error:
             raise not_written(path, error) from error
+        self._has_lines = bool(self.entries)
+
+    @contextmanager
+    def removed_if_nothing_is_finished(self, *beside: Path) -> Iterator[None]:
+        """Where a `DiagnosticError` ends the work before there is a line, the file is removed again
+        with others `beside` it, and the folder if it was made for them."""
+        try:
+            yield
+        except DiagnosticError:
+            if not self._has_lines:
+                with suppress(OSError):
+                    for path in (self.path, *beside):
+                        path.unlink(missing_ok=True)
+                    if self._made_folder:
+                        self.path.parent.rmdir()
+            raise
 
     def append(self, lines: Sequence[bytes]) -> None:
         """Write lines at once. Raises `DiagnosticError` RL460."""
+        self._has_lines = self._has_lines or bool(lines)
         try:
             with self.path.open("ab") as file:
                 file.write(b"".join(line + b"\n" for line in lines))

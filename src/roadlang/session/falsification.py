@@ -293,7 +293,7 @@ def falsified(
     if folder is not None:
         journal = SearchJournal(folder / JOURNAL_FILE, search_key(task, plan), resume)
     compiled.expect(plan.evaluations / plan.batch)
-    with WorkerPool(evaluator, workers) as pool:
+    with journal.removed_if_nothing_is_finished(), WorkerPool(evaluator, workers) as pool:
         expired = deadline(plan.seconds)
         result = search_failures(plan, axes, pool, expects, journal, workers.progress, expired)
     return Falsification(loaded, plan, evaluator, result, journal.diagnostics)

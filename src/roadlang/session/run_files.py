@@ -6,6 +6,7 @@ import contextlib
 import dataclasses
 import json
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -69,6 +70,10 @@ class RunFolder:
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """A warning of lines of the journal that cannot be read (RL724)."""
         return self._journal.diagnostics
+
+    def removed_if_nothing_is_driven(self) -> AbstractContextManager[None]:
+        """Where a `DiagnosticError` ends the run before a drive is finished, nothing is left."""
+        return self._journal.removed_if_nothing_is_finished(self._folder / RESULTS_FILE)
 
     def add(self, drives: DriveSet) -> None:
         """Write the files of drives, all of them or none, and then their lines in the journal."""
