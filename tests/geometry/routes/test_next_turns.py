@@ -147,6 +147,17 @@ def test_straight_on_leaves_a_roundabout(arms: tuple[str, ...], leaves_at: str) 
     assert_drivable(graph, route)
 
 
+def test_straight_on_goes_round_a_ring_that_is_no_roundabout_once() -> None:
+    graph = roundabout(EAST, NORTH, WEST, SOUTH, radius=65.0)
+    assert not graph.ring
+    route = shortest_route(graph, [toward(graph, SOUTH)], [NextTurn("right")])
+    assert isinstance(route, PlannedRoute)
+    lanes = [leg.lane for leg in route.legs]
+    assert len(lanes) == len(set(lanes)) == 5, "its own arm and the four parts of the ring"
+    assert route.legs[-1].turn is None
+    assert route.legs[-1].stop == graph.end[lanes[-1]]
+
+
 def test_turns_and_places_follow_each_other() -> None:
     graph = crossing(EAST, NORTH, WEST, SOUTH)
     here = toward(graph, SOUTH)

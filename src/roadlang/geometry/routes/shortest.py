@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from .lane_graph import LANE_CHANGE, LaneGraph, Turn
@@ -53,7 +53,7 @@ def shortest_route(
     graph: LaneGraph, begins: Sequence[RoutePlace], stages: Sequence[Stage]
 ) -> PlannedRoute | int:
     """The cheapest route that begins at one place, and passes all stages in order. After a turn
-    that comes last it goes straight on.
+    that comes last it goes straight on, until it would drive in a lane again.
 
     Where there is none, the number of the first stage that cannot be reached, from 1.
     """
@@ -69,13 +69,21 @@ def shortest_route(
     best = min(reached, key=lambda item: item.cost)
     last, legs = best.place, best.legs
     if stages and isinstance(stages[-1], NextTurn):
-        legs += straight_route(graph, last, ONWARD).legs
+        legs += _once_around(straight_route(graph, last, ONWARD).legs)
     legs = _joined(legs)
     returns = len(stages) > 1 and any(
         place.lane == last.lane and abs(place.station - last.station) < 1e-6 for place in begins
     )
     closed = returns and legs[0].lane == last.lane and abs(legs[0].start - last.station) < 1e-6
     return PlannedRoute(legs, best.cost, closed)
+
+
+def _once_around(legs: Sequence[Leg]) -> tuple[Leg, ...]:
+    """The legs up to where they come back to the lane of an earlier one: nobody goes on round a
+    ring, or a block, that no straight way leaves."""
+    lanes = [leg.lane for leg in legs]
+    count = next((n for n, lane in enumerate(lanes) if lane in lanes[:n]), len(legs))
+    return (*legs[: count - 1], replace(legs[count - 1], turn=None))
 
 
 def _turned(graph: LaneGraph, reached: Sequence[_Reached], turn: str) -> list[_Reached]:
