@@ -6,12 +6,15 @@ import cv2
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction.aerial import Request
 from roadlang_standard.extraction.classical import roads_by_ribbons
+from roadlang_standard.extraction.crosscheck import checked_roads
 from roadlang_standard.extraction.drawing import has_edge_lines
 from roadlang_standard.extraction.drawn_confidence import with_doubts
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
+from roadlang_standard.extraction.road_net import road_net
 from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
 
 from .paper_drawings import drawn, photographed, sheet, wave
@@ -203,3 +206,14 @@ def test_a_shore_beside_dark_water_is_a_photo() -> None:
     filled = shore.copy()
     filled[:, 220:] = (60, 80, 76)
     assert picture_kind(np.clip(filled, 0, 255).astype(np.uint8)).name != PHOTO
+
+
+def test_the_frame_of_a_screen_is_no_road() -> None:
+    image = np.full((480, 640, 3), (190, 195, 200), np.uint8)
+    image[330:] = (140, 110, 90)
+    cv2.rectangle(image, (180, 120), (470, 340), (62, 60, 60), -1)
+    cv2.rectangle(image, (195, 135), (455, 325), (100, 150, 190), -1)
+    noise = np.random.default_rng(1).normal(0, 4, image.shape)
+    photo = np.clip(cv2.GaussianBlur(image, (0, 0), 1) + noise, 0, 255).astype(np.uint8)
+    found = checked_roads(photo, Request(), road_net())
+    assert found.confidence < 0.5

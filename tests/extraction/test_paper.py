@@ -117,6 +117,14 @@ def test_only_what_is_darker_than_a_printed_line_stays_upon_it() -> None:
     assert not cleaned[:, 103:].any()
 
 
+def test_the_faint_margin_of_ruled_paper_is_printed() -> None:
+    ink = np.zeros((100, 200), np.float32)
+    ink[:, 30:32] = 0.35
+    assert (without_ruling(ink, 0.1) == ink).all()
+    ink[10::15] = 0.15
+    assert not without_ruling(ink, 0.1).any()
+
+
 def test_few_straight_lines_are_not_printed() -> None:
     ink = np.zeros((100, 200), np.float32)
     ink[20::30] = 0.3

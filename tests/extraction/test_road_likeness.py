@@ -12,6 +12,7 @@ from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.road_likeness import LIKENESS, likeness_facts
 
 _SHAPE = (600, 800)
+_STAR = ((400, 300, 799, 300), (400, 300, 400, 0), (400, 300, 0, 300), (400, 300, 400, 599))
 
 
 def _line(start: int, end: int, ends: tuple[int, int, int, int], width: float = 4.0) -> FoundRoad:
@@ -49,7 +50,7 @@ def test_a_diagram_in_colors_is_no_sure_road_and_a_town_with_its_shape_is() -> N
         for road in _tree(thinner=0.6)
     ]
     assert _most(*diagram, drawn=False) < 0.5
-    assert _most(*_tree(), drawn=True) > 0.9
+    assert _most(*_tree(width=4.0), drawn=True) > 0.9
     assert _most(*_tree(below=598, width=14.0), drawn=False) > 0.9
 
 
@@ -72,6 +73,28 @@ def test_each_sign_is_what_it_says() -> None:
         0, 1, np.column_stack([40 + 9 * wavy, 300 + 30 * np.sin(wavy)]), np.full(900, 12.0)
     )
     assert likeness_facts(_network(tight), colored=False)["tight"] > 0.3
+
+
+def test_curves_sharp_forks_and_a_small_extent_are_signs() -> None:
+    facts = likeness_facts(_network(*_tree()), colored=True)
+    assert facts["winding"] == pytest.approx(0.0, abs=1e-6)
+    assert facts["forks"] == pytest.approx(np.log1p(5))
+    assert facts["extent"] == pytest.approx(440 / 600)
+    angle = np.linspace(0, 2 * np.pi, 400)
+    ring = np.column_stack([400 + 100 * np.cos(angle), 300 + 100 * np.sin(angle)])
+    circle = likeness_facts(_network(FoundRoad(0, 0, ring, np.full(400, 8.0))), colored=False)
+    assert circle["winding"] == pytest.approx(600 / 100, rel=0.05)
+    assert circle["forks"] == 0.0
+    cross = [_line(0, k, ends) for k, ends in enumerate(_STAR, 1)]
+    assert likeness_facts(_network(*cross), colored=False)["forks"] == 0.0
+
+
+def test_stripes_are_no_sure_roads_and_few_parallel_streets_are() -> None:
+    stripes = [_line(2 * k, 2 * k + 1, (60 * k, 0, 60 * k + 200, 599), 9.0) for k in range(8)]
+    assert _most(*stripes) < 0.5
+    assert _most(*stripes[:3]) > 0.9
+    across = [_line(0, 1, (0, 300, 799, 300), 9.0)]
+    assert _most(*across, *stripes[1:6]) > 0.9
 
 
 def test_a_parking_lot_says_nothing_about_the_width_of_roads() -> None:

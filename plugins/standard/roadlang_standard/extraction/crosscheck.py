@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from .aerial import Request, roads_of_photo
+from .box_lines import are_boxes
 from .classical import roads_by_ribbons
 from .found_network import FoundNetwork, FoundRoad
 from .photo_confidence import calibrated
@@ -42,7 +43,8 @@ def checked_roads(image: Image, request: Request, net: Net) -> FoundNetwork:
     ribbons = _ribbons(image)
     believed = tuple(road for road in ribbons.roads if road.confidence >= _SURE)
     clear = len(ribbons.roads) <= _FEW and _length(believed) >= _LONG * side
-    if not clear:
+    # The frame of a screen or a window is a strip unlike both its sides, too.
+    if not clear or are_boxes(believed, min(image.shape[:2])):
         return calibrated(found, doubt_alone=True)
     remark = "the neural network found little: a strip unlike both its sides was taken for a road"
     node_ids = {road.start for road in believed} | {road.end for road in believed}

@@ -40,6 +40,9 @@ length."""
 _SCATTERED, _LONG_PART = 4, 0.3
 """At least `_SCATTERED` separate parts that do not leave the picture, each at least `_LONG_PART`
 shorter sides long, are figures: roads lead somewhere."""
+_STRIPES, _PARALLEL, _NEARLY = 6, 0.05, 0.95
+"""At least `_STRIPES` lines, each alone, are stripes if the chords of those that have a common
+direction, within `_PARALLEL` radians, are at least `_NEARLY` of the length of all."""
 OPEN = 2
 """More roads than this leave a map."""
 _ALONG, _TOUCHING = 0.7, 1.5
@@ -75,6 +78,7 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
     frames = [part for part, is_box in zip(parts, boxes, strict=True) if is_box]
     # The paper within a frame is as little a road as the paper around it.
     is_ground = drawn and any(rim > _GROUND for _, rim in shares)
+    is_ground |= drawn and _are_stripes(parts)
     for index, part in enumerate(parts):
         explained, rim = shares[index]
         alone = mostly < _MOSTLY or not leaving[index]
@@ -108,6 +112,19 @@ def _rows(parts: list[list[FoundRoad]], inside: list[bool]) -> list[bool]:
     level = [_level(part) if ends else 0 for part, ends in zip(parts, inside, strict=True)]
     many = [way for way in (1, 2) if level.count(way) >= _ROWS]
     return [way in many for way in level]
+
+
+def _are_stripes(parts: list[list[FoundRoad]]) -> bool:
+    """Whether hardly anything but straight parallel lines was found, which never meet."""
+    if len(parts) < _STRIPES or any(len(part) > 1 for part in parts):
+        return False
+    chords = np.array([part[0].points[-1] - part[0].points[0] for part in parts])
+    long = np.hypot(*chords.T)
+    # Twice the angle is the same in both directions of a line.
+    twice = 2 * np.arctan2(chords[:, 1], chords[:, 0])
+    common = np.angle((long * np.exp(1j * twice)).sum())
+    alike = np.abs(np.angle(np.exp(1j * (twice - common)))) <= 2 * _PARALLEL
+    return bool(long[alike].sum() >= _NEARLY * sum(part[0].length for part in parts))
 
 
 def _scattered(parts: list[list[FoundRoad]], inside: list[bool], side: int) -> list[bool]:

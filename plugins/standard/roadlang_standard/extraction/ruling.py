@@ -29,20 +29,31 @@ _MANY, _ACROSS, _UNEVEN = 12, 0.93, 0.12
 """and were if two of these hold: there are fewer than `_MANY`; they usually extend over less than
 `_ACROSS` of the sheet; they deviate from even spacing by more than `_UNEVEN` of the spacing."""
 
+_MARGIN, _PEN = 3.0, 0.5
+"""Fewer lines across the printed ones are margins if they take less than `_PEN` of the light, and
+less than `_MARGIN` times what the printed ones take."""
+
 
 def without_ruling(ink: Layer, level: float) -> Layer:
     """The ink (h, w) without printed lines, of which most is above `level`."""
     marked = ink > level
     seen = ink[marked]
     darkest = float(np.quantile(seen, 1 - _TOP)) if len(seen) else 0.0
-    cleaned = ink
+    cleaned, tones = ink, [0.0, 0.0]
+    few: list[_Lines | None] = [None, None]
     for upright in (False, True):
         slope, lines = _straight(marked, upright)
-        if len(lines) < _FEWEST:
+        if not len(lines):
             continue
         near = _near(marked, upright, slope, lines)
-        if not near.are_drawn(ink, darkest):
+        if len(lines) < _FEWEST:
+            few[upright] = near
+        elif not near.are_drawn(ink, darkest):
             cleaned = np.where(near.printed(ink), 0, cleaned)
+            tones[upright] = float(np.median(near.darkness(ink)))
+    for margin, tone in zip(few, reversed(tones), strict=True):
+        if margin is not None and margin.are_margins(ink, tone):
+            cleaned = np.where(margin.printed(ink), 0, cleaned)
     return np.asarray(cleaned, np.float32)
 
 
@@ -96,12 +107,22 @@ class _Lines:
         """Whether they are streets that somebody drew."""
         if np.median(self.darkness(ink)) < _AS_DARK * darkest:
             return False
-        ends = [self.along[self.marked & (self.line == i)] for i in range(len(self.lines))]
-        across = float(np.median([np.ptp(end) for end in ends])) / self.length
+        across = self._across()
         apart = np.diff(self.lines) / np.median(np.diff(self.lines))
         uneven = float(np.abs(apart - np.maximum(1, np.round(apart))).max())
         signs = (len(self.lines) < _MANY, across < _ACROSS, uneven > _UNEVEN)
         return sum(signs) >= 2
+
+    def _across(self) -> float:
+        """The share of the sheet over which they usually extend."""
+        ends = [self.along[self.marked & (self.line == i)] for i in range(len(self.lines))]
+        return float(np.median([np.ptp(end) for end in ends])) / self.length
+
+    def are_margins(self, ink: Layer, tone: float) -> bool:
+        """Whether they are margins of a sheet with ruling of this darkness across them, 0 if it has
+        none."""
+        darkest = float(self.darkness(ink).max())
+        return darkest < min(_MARGIN * tone, _PEN) and self._across() >= _ACROSS
 
     def printed(self, ink: Layer) -> Booleans:
         """Where the lines are (h, w), and no darker ink upon them."""
