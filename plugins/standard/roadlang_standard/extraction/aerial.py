@@ -13,6 +13,7 @@ from roadlang.geometry import Floats
 from .chroma import mean_chroma
 from .dead_end_extension import extend_dead_ends
 from .dead_ends import dead_ends
+from .divided_roads import with_medians
 from .drafting import Draft, draft, typical_width_of
 from .evidence_pruning import drop_unworthy, prune_by_discounted_length
 from .found_network import FoundNetwork
@@ -137,7 +138,12 @@ def _worth(found: FoundNetwork) -> float:
 
 def _view(image: Image, scale: float, request: Request, net: Net) -> FoundNetwork:
     """What is found in a photo that is resized by the factor `scale`."""
-    found = roads_of_evidence(look(resized(image, scale), net), request.at(scale))
+    view, told = resized(image, scale), request.at(scale)
+    seen = look(view, net)
+    found = roads_of_evidence(seen, told)
+    divided = with_medians(view, seen, found)
+    if divided is not None:
+        found = roads_of_evidence(divided, told)
     found = found if scale == 1 else found.scaled(1 / scale, image.shape[:2])
     return replace(found, scores={**found.scores, "scale": round(scale, 4)})
 

@@ -13,7 +13,7 @@ from roadlang.geometry import Floats
 from .connected_roads import connected_parts
 from .found_network import FoundNetwork, FoundRoad
 
-_LEAST, _EVIDENCE, _WIDE = 0.887, 0.464, -0.368
+_LEAST, _EVIDENCE, _WIDE = 0.882, 0.457, -0.341
 """Log odds of being right: without anything, for each log odd of the evidence, and for each ten
 pixels of width beyond `_NARROW`. `python -m benchmarks.extraction.confidence` fits them; these are
 of 26 photos at 1 m/px and 25 of towns."""
