@@ -29,3 +29,38 @@ def test_a_command_adds_up_matrices_in_one_thread_unless_told_otherwise(
         [sys.executable, "-c", SHOW], capture_output=True, text=True, env=environment, check=True
     )
     assert done.stdout.split()[-2:] == [after, "False"]
+
+
+DRAWN = """
+import os, sys
+from roadlang.cli.main import run
+run(["compile", "none.rl", "--jobs", sys.argv[1]])
+is_imported = "cv2" in sys.modules
+import cv2, numpy
+cv2.GaussianBlur(numpy.zeros((2000, 2000, 3), numpy.uint8), (21, 21), 3.0)
+from roadlang.search.start_method import start_method
+print(is_imported, cv2.getNumThreads(), start_method())
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked on Linux")
+@pytest.mark.parametrize(
+    ("jobs", "before", "after"),
+    [("2", None, ["False", "1", "fork"]), ("1", "2", ["False", "2", "spawn"])],
+)
+def test_processes_that_read_pictures_can_be_forked(
+    jobs: str, before: str | None, after: list[str]
+) -> None:
+    """OpenCV starts no threads in a command that has several processes for them."""
+    name = "OPENCV_FOR_THREADS_NUM"
+    environment = {k: v for k, v in os.environ.items() if k != name} | {"OMP_NUM_THREADS": "1"}
+    if before is not None:
+        environment[name] = before
+    done = subprocess.run(
+        [sys.executable, "-c", DRAWN, jobs],
+        capture_output=True,
+        text=True,
+        env=environment,
+        check=True,
+    )
+    assert done.stdout.split()[-3:] == after

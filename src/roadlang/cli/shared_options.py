@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
@@ -30,8 +31,19 @@ count = click.option(
     help="Number of scenes; by default 1, or all of a grid.",
 )
 seed = click.option("--seed", type=Seed(), default=0, show_default=True, help="Random seed.")
+
+
+def _one_thread_each(_: click.Context, __: click.Parameter, value: int) -> int:
+    """Several processes need no threads of OpenCV, which it starts unless told otherwise before it
+    is imported; a process without threads can be forked, one with them cannot."""
+    if value > 1:
+        os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
+    return value
+
+
 jobs = click.option(
     "--jobs",
+    callback=_one_thread_each,
     type=WholeNumber(min=1, max=256),
     default=1,
     show_default=True,
