@@ -12,7 +12,7 @@ from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_contrast import with_contrast
 from roadlang_standard.extraction.map_letters import LARGER, letters_of_map
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import EXACT, LOSSY
+from roadlang_standard.extraction.map_tones import EXACT, LOSSY, Tolerance
 from roadlang_standard.extraction.road_tones import road_tones
 from tests.extraction.drawn_maps import (
     LIGHT,
@@ -104,3 +104,18 @@ def test_a_jpeg_gets_more_contrast_only_on_gray_land_and_if_all_of_it_is_faint(
     assert with_contrast(image, EXACT) is not image
     is_raised = with_contrast(image, LOSSY) is not image
     assert is_raised is (land == (245, 245, 245) and line == (237, 237, 237))
+
+
+@pytest.mark.parametrize(
+    ("land", "hue", "is_raised"), [(245, 0, True), (245, 20, False), (12, 0, False)]
+)
+@pytest.mark.parametrize("tolerance", [EXACT, LOSSY])
+def test_a_light_gray_map_is_faint_with_streets_that_others_show_clearly(
+    tolerance: Tolerance, land: int, hue: int, is_raised: bool
+) -> None:
+    image = np.full((300, 400, 3), land, np.uint8)
+    street = land - 22 if land > 22 else land + 22
+    for y in (60, 150, 240):
+        cv2.line(image, (0, y), (399, y + 20), (street, street + hue, street), 5)
+    cv2.line(image, (50, 0), (90, 250), (land - 40,) * 3 if land > 40 else (land + 40,) * 3, 5)
+    assert (with_contrast(image, tolerance) is not image) is is_raised

@@ -26,6 +26,10 @@ _NEARLY_ALL, _FAINT_LOSSY, _THIN_LOSSY = 0.9, 50, 30
 """In a JPEG the noise gets more contrast too, and colors of parks would split. So its contrast is
 raised only if the land is gray, and the `_NEARLY_ALL` quantile of the difference is at most
 `_FAINT_LOSSY` for all marked pixels and `_THIN_LOSSY` for thin parts."""
+_FAINT_GRAY, _NO_HUE, _LIGHT = 25, 8, 128
+"""A map is gray if the channels of its marked pixels differ by at most `_NO_HUE` (at the
+`_NEARLY_ALL` quantile). If its land is lighter than `_LIGHT`, its streets may differ from the land
+by up to `_FAINT_GRAY`, and the limit for thin parts is `_FAINT_LOSSY`: no color can split."""
 _STRONG, _ENOUGH = 200, 100
 """In a JPEG, noise at the edges of streets that differ from the land by more than `_STRONG` gray
 levels splits their color. The contrast is then lowered until they differ by `_ENOUGH`."""
@@ -46,7 +50,7 @@ def with_contrast(
         return image
     # Light land gets darker: otherwise white streets could not differ more from it.
     base = seen.land - max(0.0, float(seen.land.max()) + _CLEAR - 255)
-    return seen.stretched(image, base, min(_MOST_STRETCH, _CLEAR / differs))
+    return seen.stretched(base, min(_MOST_STRETCH, _CLEAR / differs))
 
 
 def without_strong_contrast(image: Image, letters: Booleans) -> Image:
@@ -56,14 +60,15 @@ def without_strong_contrast(image: Image, letters: Booleans) -> Image:
     if seen is None or not seen.marked.any():
         return image
     usual = float(np.quantile(seen.away[seen.marked], _MARKED))
-    return image if usual <= _STRONG else seen.stretched(image, seen.land, _ENOUGH / usual)
+    return image if usual <= _STRONG else seen.stretched(seen.land, _ENOUGH / usual)
 
 
 @dataclass(frozen=True)
 class _Contrast:
-    """The color (3,) of the land of a map, how far each pixel (h, w) is off it in gray levels, and
-    whether that is more than noise and no letter (h, w)."""
+    """A map (h, w, 3), the color (3,) of its land, how far each pixel (h, w) is off that in gray
+    levels, and whether this is more than noise and no letter (h, w)."""
 
+    image: Image
     land: NDArray[np.float64]
     away: Image
     marked: Booleans
@@ -76,11 +81,21 @@ class _Contrast:
             return None
         away = away_from(image, land[0])
         differing = away > _SAME_TONE
-        return _Contrast(land[0], away, differing if letters is None else differing & ~letters)
+        return _Contrast(
+            image, land[0], away, differing if letters is None else differing & ~letters
+        )
 
-    def stretched(self, image: Image, base: NDArray[np.float64], times: float) -> Image:
+    def is_light_gray(self) -> bool:
+        """Whether neither the land, which is light, nor nearly all of what is marked has a hue."""
+        if not is_gray(self.land) or self.land.mean() < _LIGHT:
+            return False
+        colors = self.image[self.marked]
+        spread = colors.max(axis=1) - colors.min(axis=1)
+        return bool(np.quantile(spread, _NEARLY_ALL) <= _NO_HUE)
+
+    def stretched(self, base: NDArray[np.float64], times: float) -> Image:
         """The map (h, w, 3) with so many times the contrast, its land in a color `base` (3,)."""
-        return np.clip(base + (image - self.land) * times, 0, 255).round().astype(np.uint8)
+        return np.clip(base + (self.image - self.land) * times, 0, 255).round().astype(np.uint8)
 
 
 def _faint(seen: _Contrast, tolerance: Tolerance) -> float | None:
@@ -91,9 +106,10 @@ def _faint(seen: _Contrast, tolerance: Tolerance) -> float | None:
     if thin.size <= _FEWEST * marked.size:
         return None
     usual = float(np.quantile(thin, _MARKED))
-    is_faint = usual <= _FAINT
+    gray = seen.is_light_gray()
+    is_faint = usual <= (_FAINT_GRAY if gray else _FAINT)
     if is_faint and tolerance.is_lossy:
-        all_of_it = seen.away[seen.marked]
+        all_of_it, limit = seen.away[seen.marked], _FAINT_LOSSY if gray else _THIN_LOSSY
         whole, most = (float(np.quantile(part, _NEARLY_ALL)) for part in (all_of_it, thin))
-        is_faint = is_gray(seen.land) and whole <= _FAINT_LOSSY and most <= _THIN_LOSSY
+        is_faint = is_gray(seen.land) and whole <= _FAINT_LOSSY and most <= limit
     return usual if is_faint else None
