@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from typing import Any
 
 import numpy as np
@@ -112,3 +113,28 @@ def test_what_others_left_in_memory_is_in_no_trace(
     assert pool.taken > 6
     assert [bytes_of(one) for one in again] == expected
     assert [bytes_of(one) for one in kept] == expected
+
+
+def test_memory_is_free_with_the_last_trace(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And not only once the garbage collector comes by."""
+    monkeypatch.setattr(compiled, "is_installed", lambda: False)
+    monkeypatch.setattr(compiled, "is_loaded", lambda: False)
+    pool = MemoryPool()
+    monkeypatch.setattr(recycled_memory, "LARGE", 1024)
+    monkeypatch.setattr(repeating, "LARGE", 8192)
+    for module in (lines, repeating):
+        monkeypatch.setattr(module, "RECYCLED", pool)
+    scenes = records(STANLEY, 3)
+    gc.collect()
+    gc.disable()
+    try:
+        traces = drives(scenes, control_step=0.1)
+        held = len(pool._unused)
+        del traces
+        assert len(pool._unused) > held
+        places = {*pool._unused}
+        del scenes
+        gc.collect()
+        assert {*pool._unused} == places
+    finally:
+        gc.enable()

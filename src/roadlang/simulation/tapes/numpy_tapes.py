@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -25,6 +26,24 @@ WIDE = 3072
 
 class _EndedError(Exception):
     """A number is infinite or NaN that must not be."""
+
+
+@dataclass
+class _Recording:
+    """Where samples of some agents are written."""
+
+    samples: Floats
+    """(T, Q, N)"""
+    next: int
+    agents: slice
+
+    def record(self, rows: Sequence[Any]) -> None:
+        """Write the next."""
+        agents = self.agents
+        sample, used = self.samples[self.next], agents.stop - agents.start
+        for place, row in enumerate(rows):
+            sample[place, agents] = row[:used] if row.ndim else row
+        self.next += 1
 
 
 class NumpyTape:
@@ -54,6 +73,8 @@ class NumpyTape:
         """where the values of cells begin"""
         numbers = [*self._rows[:given], *constants, *(np.array(one) for one in program.numbers)]
         self._memory = Registers(wide, dict(enumerate(numbers)))
+        # No call holds the tape itself: its memory is free with its last user.
+        self._recording = _Recording(np.empty((0, 0, 0)), 0, slice(0, 0))
         steps, self._gives = instructions_of(program, given)
         steps = without_unused(steps, self._gives)
         self._calls = calls_of(steps, program.functions, self._memory, self._lines, self._add)
@@ -63,13 +84,12 @@ class NumpyTape:
             if place != register
         ]
         self._results = [self._memory.number(one, self._calls) for one in self._gives]
-        self._samples, self._sample, self._agents = np.empty((0, 0, 0)), 0, slice(0, 0)
 
     def repeated(
         self, state: Floats, walks: Floats, times: int, samples: Floats, out: Floats
     ) -> int:
         """Carry it out `times` times; arguments and result are those of `interpreting.repeated`."""
-        self._samples, whole = samples, times
+        self._recording.samples, whole = samples, times
         each = len(samples) // times
         with np.errstate(all="ignore"):
             for begin in range(0, state.shape[1], self._wide):
@@ -83,7 +103,7 @@ class NumpyTape:
 
     def _begin(self, state: Floats, walks: Floats, agents: slice) -> None:
         """Put in what is known of some agents; what is beyond the last is like it."""
-        self._agents, program = agents, self._program
+        self._recording.agents, program = agents, self._program
         first = self._first[agents]
         _fill(self._lines.first, first)
         _fill(self._value_cells, first + program.shift[agents])
@@ -95,7 +115,7 @@ class NumpyTape:
 
     def _repeated(self, times: int, each: int) -> int:
         for time in range(times):
-            self._sample = each * time
+            self._recording.next = each * time
             try:
                 for call in self._calls:
                     call()
@@ -107,7 +127,7 @@ class NumpyTape:
         """The calls of what is no arithmetic."""
         takes = [memory.number(register, calls) for register in one.takes]
         if one.operation == do.RECORD:
-            calls.append(partial(self._record, takes))
+            calls.append(partial(self._recording.record, takes))
         elif one.operation == do.FINITE:
             calls.append(partial(_check, takes[0], np.zeros(memory.count)))
         elif one.operation == do.VALUE_OF_CELL:
@@ -142,13 +162,6 @@ class NumpyTape:
         if self._walks is None and one.more >= FEWEST:
             found = [FreeSteps(takes, state, found, self._lines, one.more, self._dt)]
         calls += found
-
-    def _record(self, rows: Sequence[Any]) -> None:
-        agents = self._agents
-        sample, used = self._samples[self._sample], agents.stop - agents.start
-        for place, row in enumerate(rows):
-            sample[place, agents] = row[:used] if row.ndim else row
-        self._sample += 1
 
 
 def _fill(row: Any, column: Any) -> None:

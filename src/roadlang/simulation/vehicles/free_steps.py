@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from functools import cache, partial
 from typing import Any
 
@@ -106,6 +107,48 @@ def _stepped(
     return (along, offset, *after[:3], cosine, sine, tangent, heading, after[3]), curve
 
 
+@dataclass
+class _Limits:
+    """Between which numbers rows have to stay, by what is watched."""
+
+    dt: float
+    least: list[float] = field(default_factory=lambda: [0.0] * 4)
+    most: list[float] = field(default_factory=lambda: [0.0] * 4)
+
+    def look(self, columns: Sequence[Any]) -> None:
+        """Between which numbers columns must stay, of the share of grip that is used, what
+        acceleration is wanted, and what agents are."""
+        used, wanted, *car = columns
+        slow, transfer, drag, rolling = (_most(car[place]) for place in (4, 7, 9, 10))
+        brakes, engine = -_least(wanted), _most(wanted)
+        squared = max(_most(used), -_least(used)) ** 2
+        # What air may add to the forces of the tires until the load of an axle is all moved.
+        air = NEARLY * dynamics.HALF / max(transfer, _TINY) - _most(car[6]) - rolling
+        if not (squared < SHARE and air > 0.0 and _most(car[11]) <= 1.0):
+            raise NearLimitError
+        least, most = self.least, self.most
+        most[SPEED] = math.sqrt(air / max(drag, _TINY))
+        if engine > 0.0:
+            most[SPEED] = min(most[SPEED], NEARLY * _least(car[5]) / engine)
+        braked = max(brakes, rolling) * self.dt / NEARLY
+        least[SPEED] = max(slow, dynamics.LEAST_POWER_SPEED, braked)
+        most[SLIP] = 1.0 - (1.0 - math.sqrt(SHARE - squared)) ** (1.0 / 3.0)
+        most[APPROACH] = NEARLY * _least(car[12])
+        most[MOVED_LOAD] = NEARLY * dynamics.HALF
+        for what in (APPROACH, MOVED_LOAD):
+            least[what] = -most[what]
+
+    def watch_least(self, row: Any, what: int) -> None:
+        """Ask whether all of a row are far enough above."""
+        if not _least(row) >= self.least[what]:
+            raise NearLimitError
+
+    def watch_most(self, row: Any, what: int) -> None:
+        """Ask whether all of a row are far enough below."""
+        if not _most(row) <= self.most[what]:
+            raise NearLimitError
+
+
 class FreeSteps:
     """The steps of some agents, with limits where one of them may come near one."""
 
@@ -115,9 +158,10 @@ class FreeSteps:
     ) -> None:  # fmt: skip
         """`columns`: `COLUMNS`, before; `into`: (10,) rows for the motion after it, which
         `with_limits` fill too."""
-        self._dt, self._with_limits = dt, with_limits
-        self._least, self._most = [0.0] * 4, [0.0] * 4
-        self._wait = 0
+        self._with_limits, self._wait = with_limits, 0
+        self._limits = _Limits(
+            dt
+        )  # no call holds the steps: their memory is free with their last user
         program = free_program(dt, steps)
         count = len(columns[0])
         numbers = [*columns, *(np.array(one) for one in program.numbers)]
@@ -143,44 +187,14 @@ class FreeSteps:
             call()
 
     def _add(self, one: RegisterInstruction, memory: Registers, calls: list[Call]) -> None:
+        limits = self._limits
         takes = [memory.number(register, calls) for register in one.takes]
         if one.operation == do.LIMITS:
-            calls.append(partial(self._look, takes))
+            calls.append(partial(limits.look, takes))
         else:
             if one.more != SLIP:
-                calls.append(partial(self._watch_least, takes[0], one.more))
-            calls.append(partial(self._watch_most, takes[0], one.more))
-
-    def _look(self, columns: Sequence[Any]) -> None:
-        """Between which numbers columns must stay, of the share of grip that is used, what
-        acceleration is wanted, and what agents are."""
-        used, wanted, *car = columns
-        slow, transfer, drag, rolling = (_most(car[place]) for place in (4, 7, 9, 10))
-        brakes, engine = -_least(wanted), _most(wanted)
-        squared = max(_most(used), -_least(used)) ** 2
-        # What air may add to the forces of the tires until the load of an axle is all moved.
-        air = NEARLY * dynamics.HALF / max(transfer, _TINY) - _most(car[6]) - rolling
-        if not (squared < SHARE and air > 0.0 and _most(car[11]) <= 1.0):
-            raise NearLimitError
-        least, most = self._least, self._most
-        most[SPEED] = math.sqrt(air / max(drag, _TINY))
-        if engine > 0.0:
-            most[SPEED] = min(most[SPEED], NEARLY * _least(car[5]) / engine)
-        braked = max(brakes, rolling) * self._dt / NEARLY
-        least[SPEED] = max(slow, dynamics.LEAST_POWER_SPEED, braked)
-        most[SLIP] = 1.0 - (1.0 - math.sqrt(SHARE - squared)) ** (1.0 / 3.0)
-        most[APPROACH] = NEARLY * _least(car[12])
-        most[MOVED_LOAD] = NEARLY * dynamics.HALF
-        for what in (APPROACH, MOVED_LOAD):
-            least[what] = -most[what]
-
-    def _watch_least(self, row: Any, what: int) -> None:
-        if not _least(row) >= self._least[what]:
-            raise NearLimitError
-
-    def _watch_most(self, row: Any, what: int) -> None:
-        if not _most(row) <= self._most[what]:
-            raise NearLimitError
+                calls.append(partial(limits.watch_least, takes[0], one.more))
+            calls.append(partial(limits.watch_most, takes[0], one.more))
 
 
 def _least(row: Any) -> float:
