@@ -106,3 +106,25 @@ def test_on_a_road_that_is_drawn_only_what_is_in_one_place_is_certain() -> None:
     road = ROAD.replace("lanes: 2", f"lanes: 2, {sine}")
     assert overlaps("20m", "20m", road=road) == ONE_PLACE
     assert overlaps("20m", "24.9m", road=road) == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "options", "spacing"),
+    [
+        ("pedestrian", "", "1m"),
+        ("car", "", "5m"),
+        ("bus", "", "13m"),
+        ("car", ", apart: 2m", "7m"),
+    ],
+)
+def test_copies_in_one_place_are_told_the_spacing_that_they_need(
+    kind: str, options: str, spacing: str
+) -> None:
+    text = f"{ROAD}agent a is {kind} on main at 40m {{ count: 2{options} }}\n"
+    with pytest.raises(roadlang.DiagnosticError) as caught:
+        testing.sample(text)
+    (found,) = caught.value.diagnostics
+    row = f"put its copies in a row with `spacing: {spacing}`"
+    assert found.help == (f"{row}, or anywhere with `at random`",)
+    spaced = text.replace("count: 2", f"count: 2, spacing: {spacing}")
+    assert len(testing.sample(spaced)[0].agents) == 2

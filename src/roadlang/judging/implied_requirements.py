@@ -3,6 +3,7 @@ perturbation is too short for the stations."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 
@@ -18,6 +19,7 @@ from ..world.networks import edge_batch, network_root
 from ..world.placement import (
     blocker_of,
     lacking_road,
+    least_spacing,
     placed_tries,
     room_among_others,
     room_on_road,
@@ -109,7 +111,8 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
         help_ = f"leave {-float(room.min()):.2g}m more, or write `apart: 0.1m` for less room, "
         help_ += "or `overlap: true` if they may stand in each other"
         if other == actor.name and "spacing" not in actor.options:
-            help_ = "put its copies in a row with `spacing: 8m`, or anywhere with `at random`"
+            row = f"`spacing: {math.ceil(least_spacing(actor, candidates))}m`"
+            help_ = f"put its copies in a row with {row}, or anywhere with `at random`"
         elif _runs_back(actor, candidates.scenario):
             help_ = "`spacing` leads away from the other agent or object: leave out its sign"
         raise DiagnosticError(

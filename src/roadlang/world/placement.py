@@ -14,6 +14,7 @@ from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
 from .copies import counts, is_group, most_copies
 from .named_roads import name_of_road
+from .placement_faults import DEFAULT_APART
 from .placement_order import can_be_placed_again, placement_order
 from .placement_without_overlap import Arrangement
 from .positions import starts_of
@@ -177,3 +178,11 @@ def blocker_of(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     if number == COPY:
         return actor.name
     return arrangement.order[number].name if number >= 0 else None
+
+
+def least_spacing(actor: ScenarioActor, candidates: CandidateBatch) -> float:
+    """Meters from center to center at which copies in a row keep clear of each other, whichever
+    they are."""
+    found = _arrangement(candidates).placed(actor)
+    apart = np.where(np.isfinite(found["apart"]), found["apart"], DEFAULT_APART)
+    return float(np.nanmax(found["length"] + apart))
