@@ -104,6 +104,18 @@ def test_what_is_wrong_with_a_network(tmp_path: Path, made: Any, reason: str) ->
     assert reason in str(found.value)
 
 
+def test_a_damaged_network_gives_no_more_than_the_error(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """onnxruntime shows a banner where it tries again."""
+    path = tmp_path / "policy.onnx"
+    network(path)
+    path.write_bytes(path.read_bytes().replace(b"Gemm", b"Ge\x9bm"))
+    with pytest.raises(roadlang.DiagnosticError, match="it cannot be loaded"):
+        testing.sample(SCENE, 1, folder=tmp_path).run("builtin", duration=1.0)
+    assert capfd.readouterr() == ("", "")
+
+
 def seeing(path: Path, reading: str, shape: list[int]) -> None:
     """A network that brakes by 0.05 for each meter that a ray reads less than 40 m."""
     values = [

@@ -132,7 +132,8 @@ def _session(path: str, name: str) -> Any:
     options.log_severity_level = 4
     with _faults_of(name, "it cannot be loaded"):
         providers = ["CPUExecutionProvider"]
-        return onnxruntime.InferenceSession(content, options, providers=providers)
+        quiet = {"enable_fallback": 0}  # its second try, with the same provider, prints a banner
+        return onnxruntime.InferenceSession(content, options, providers=providers, **quiet)
 
 
 @contextmanager
