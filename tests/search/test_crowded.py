@@ -10,7 +10,9 @@ from hypothesis import strategies as st
 
 from roadlang.ir.encoding import to_json
 from roadlang.scenes.sampling import SamplingResult
-from roadlang.search.rejection_sampling import CROWDED
+from roadlang.search.effort import CROWDED, FEWEST_CROWDED, crowded_attempts
+from roadlang.session.loading import loads
+from roadlang.world.index import index_scenario
 from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
@@ -92,3 +94,17 @@ def test_the_table_counts_no_attempt_after_a_scene_was_given_up(sample: Sample) 
 def test_workers_do_not_decide_which_are_given_up(sample: Sample, text: str) -> None:
     n = 40
     assert outcome(sample(text, n, jobs=2), n) == outcome(sample(text, n, jobs=1), n)
+
+
+@pytest.mark.parametrize(
+    ("counts", "attempts"),
+    [((), CROWDED), ((400,), CROWDED), ((300, 500), 20), ((5000,), FEWEST_CROWDED)],
+)
+def test_a_scene_of_many_copies_is_given_up_sooner(counts: tuple[int, ...], attempts: int) -> None:
+    """Each attempt takes longer, and all are more alike."""
+    objects = [
+        f"object trees{number} is tree on main at 0%..100% {{ count: {count}, side: left }}\n"
+        for number, count in enumerate(counts)
+    ]
+    loaded = loads(STRAIGHT + "".join(objects))
+    assert crowded_attempts(index_scenario(loaded.scenario, loaded.registry)) == attempts

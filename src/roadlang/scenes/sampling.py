@@ -22,6 +22,7 @@ from ..judging.impossible import FIRST, impossible_requirements
 from ..judging.requirement import Requirement
 from ..plugins.registry import Registry
 from ..search.accepted import Concretize
+from ..search.effort import crowded_attempts
 from ..search.rejection_report import RejectionRow, RejectionStats, as_text, rows_of
 from ..search.scene_search import SceneSearch
 from ..search.searching import search
@@ -204,7 +205,8 @@ def _causes(task: SceneSearch[Any], texts: Sequence[str]) -> tuple[str, ...]:
 def _first_candidates(task: SceneSearch[Any]) -> CandidateBatch:
     """Some candidates as the sampler proposes them: what it chooses is not drawn again."""
     acceptance, seed = task.acceptance, task.seed
-    count = 1 if acceptance.has_varying_stations else FIRST
+    count = min(FIRST, crowded_attempts(acceptance.scenario))
+    count = 1 if acceptance.has_varying_stations else count
     if task.sampler.kind.sequential:
         return first_of_stream(acceptance, task.sampler, seed, count)
     return CandidateBatch(acceptance.scenario, seed, np.zeros(count, np.int64), np.arange(count))

@@ -39,6 +39,13 @@ UNBATCHED = 1_000
 WITH_PICTURES = 20
 """Attempts where every candidate is extracted from a picture of its own: seconds each."""
 
+CROWDED, FEWEST_CROWDED = 40, 4
+"""Attempts of a scene that fail only because something finds no room, at the last of which it is
+given up: each has been arranged many times. Counted attempt by attempt, so that the size of batches
+does not decide it. So many where at most these copies are placed; of more copies fewer attempts,
+for each takes longer, and all are more alike:"""
+CROWD = 400
+
 
 def count_or_none(value: object, name: str) -> int | None:
     """A count or None. Raises `TypeError` for anything else, `ValueError` below 0."""
@@ -53,6 +60,17 @@ def attempts_of(sampler: KindInstance, acceptance: Acceptance) -> int:
     with sampler.guarded:
         limit = count_or_none(sampler.kind.limit(), "limit")
     return limit if limit is not None else default_attempts(acceptance)
+
+
+def crowded_attempts(scenario: IndexedScenario) -> int:
+    """After how many attempts that fail for want of room a scene is given up."""
+    counts = [
+        scenario.value_bounds.of(actor.options["count"])[1]
+        for actor in scenario.actors.values()
+        if "count" in actor.options
+    ]
+    copies = float(np.clip(sum(counts), CROWD, 1e9))
+    return max(FEWEST_CROWDED, int(CROWDED * CROWD / copies))
 
 
 def batch_size(acceptance: Acceptance) -> int:

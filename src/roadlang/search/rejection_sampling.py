@@ -11,16 +11,11 @@ from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Floats, Integers
 from ..judging.acceptance import Acceptance
 from .accepted import Accepted
-from .effort import attempts_of, batch_size, later_batch_size
+from .effort import attempts_of, batch_size, crowded_attempts, later_batch_size
 from .rejection_report import RejectionStats
 
 Propose = Callable[[CandidateBatch], Mapping[str, Floats]]
 """The coordinates, by name, that candidates are to have."""
-
-CROWDED = 40
-"""Attempts of a scene that fail only because something finds no room, at the last of which it is
-given up: each has been arranged many times. Counted attempt by attempt, so that the size of batches
-does not decide it."""
 
 MANY = 16
 """Scenes of which the first attempt alone is judged at first: it is all that many of them need."""
@@ -45,15 +40,15 @@ def accepted_attempts(
     first, end = (0, limit) if attempts is None else (attempts.start, min(attempts.stop, limit))
     stats = RejectionStats.empty(len(acceptance.requirements))
     accepted: dict[int, Accepted] = {}
-    crowded = {} if crowded is None else crowded
-    pending, start = [s for s in scenes if crowded.get(s, 0) < CROWDED], first
+    crowded, most = {} if crowded is None else crowded, crowded_attempts(acceptance.scenario)
+    pending, start = [s for s in scenes if crowded.get(s, 0) < most], first
     while pending and start < end:
         width = max(1, together // len(pending))
         one_each = start == 0 and len(pending) >= MANY
         width = min(width, end - start, 1 if one_each else 4 * start + 4)
         tries = np.arange(start, start + width)
         candidates = _candidates(acceptance, seed, pending, tries, propose)
-        left = np.array([CROWDED - crowded.get(scene, 0) for scene in pending])
+        left = np.array([most - crowded.get(scene, 0) for scene in pending])
         judged = acceptance.judge(candidates, candidates.scenes, np.repeat(left, width))
         fine = judged.accepted.reshape(len(pending), width)
         failed = np.cumsum(acceptance.rejected_last(judged).reshape(fine.shape), axis=1)
@@ -65,7 +60,7 @@ def accepted_attempts(
             if fine[row, last[row]]:
                 place = row * width + int(last[row])
                 accepted[scene] = Accepted.of(candidates, judged, place, scene)
-        pending = [s for s in pending if s not in accepted and crowded[s] < CROWDED]
+        pending = [s for s in pending if s not in accepted and crowded[s] < most]
         start, together = start + width, later
     return [accepted[scene] for scene in sorted(accepted)], stats
 
