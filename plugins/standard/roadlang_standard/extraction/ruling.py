@@ -29,7 +29,7 @@ _MANY, _ACROSS, _UNEVEN = 12, 0.93, 0.12
 """and were if two of these hold: there are fewer than `_MANY`; they usually extend over less than
 `_ACROSS` of the sheet; they deviate from even spacing by more than `_UNEVEN` of the spacing."""
 
-_MARGIN, _PEN = 3.0, 0.5
+_MARGIN, _PEN = 4.0, 0.5
 """Fewer lines across the printed ones are margins if they take less than `_PEN` of the light, and
 less than `_MARGIN` times what the printed ones take."""
 
