@@ -6,13 +6,13 @@ import cv2
 import numpy as np
 
 from roadlang_standard.extraction.map_lines import (
-    parts_touching,
     short_parts,
     with_line_colors,
     without_outlines,
 )
 from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import flat_colors, map_tone, map_tones
+from roadlang_standard.extraction.mask_parts import parts_touching
 from roadlang_standard.extraction.mixed_pixels import slopes, with_thin_lines
 from roadlang_standard.extraction.road_tones import road_tones
 

@@ -9,9 +9,8 @@ import pytest
 
 import roadlang
 from roadlang.diagnostics import DiagnosticError
-from roadlang.handles.handle import Handle
+from roadlang.handles.handle import SPACING, Handle
 from roadlang.handles.handles import dragged, handles_of, removed
-from roadlang.handles.networks import SPACING
 from roadlang.ir.scene import Scene
 from roadlang.syntax.network_edits import network_moves_of
 
