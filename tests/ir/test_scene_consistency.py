@@ -64,6 +64,10 @@ FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
         put({"n": "x"}, *BRAKE, "when", "numbers"),
         "agents[0].drive[1].when.numbers",
     ),
+    "an unknown variable": (
+        put({">": ["ego.sped", 1.0]}, *BRAKE, "when", "formula"),
+        "agents[0].drive[1].when.formula",
+    ),
     "a list of numbers": (
         put([], *BRAKE, "during", "numbers"),
         "agents[0].drive[1].during.numbers",

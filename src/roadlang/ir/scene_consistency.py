@@ -21,7 +21,8 @@ class InconsistentScene(ValueError):
 
 def check_scene(scene: Scene) -> None:
     """Raises `InconsistentScene` for roads whose columns have different lengths or whose lanes
-    cannot be, for things on roads that are not there, and for conditions without a formula."""
+    cannot be, for things on roads that are not there, and for conditions without a formula or
+    about what they do not declare."""
     for number, road in enumerate(scene.roads):
         _check_road(road, f"roads[{number}]")
     names = {road.name for road in scene.roads}
@@ -30,7 +31,7 @@ def check_scene(scene: Scene) -> None:
             if actor.road is not None and actor.road not in names:
                 place = f"{kind}[{number}].road"
                 raise InconsistentScene(place, f"there is no road `{actor.road}`")
-    for place, condition in _conditions(scene):
+    for place, condition in conditions(scene):
         _check_condition(condition, place)
 
 
@@ -54,7 +55,7 @@ def _check_road(road: SceneRoad, place: str) -> None:
         raise InconsistentScene(f"{place}.{member}", str(error)) from error
 
 
-def _conditions(scene: Scene) -> Iterator[tuple[str, Mapping[str, Any]]]:
+def conditions(scene: Scene) -> Iterator[tuple[str, Mapping[str, Any]]]:
     """Each condition of a scene, with the way to it."""
     for number, verdict in enumerate(scene.expectations):
         if verdict.formula is not None and "monitor" not in verdict.formula:
@@ -74,7 +75,7 @@ def _check_condition(condition: Mapping[str, Any], place: str) -> None:
     if "formula" not in condition:
         raise InconsistentScene(place, "a condition has a `formula`")
     try:
-        from_json(condition["formula"])
+        formula = from_json(condition["formula"])
     except DiagnosticError as error:
         message = error.diagnostics[0].message
         raise InconsistentScene(f"{place}.formula", message) from error
@@ -84,6 +85,9 @@ def _check_condition(condition: Mapping[str, Any], place: str) -> None:
         raise InconsistentScene(f"{place}.signals", fault)
     if not isinstance(numbers, Mapping) or not all(map(_is_number, numbers.values())):
         raise InconsistentScene(f"{place}.numbers", "this is a map of numbers")
+    for name in sorted(formula.variables - signals.keys() - numbers.keys()):
+        fault = f"`{name}` is neither in `signals` nor in `numbers`"
+        raise InconsistentScene(f"{place}.formula", fault)
 
 
 def _is_call(value: object) -> bool:

@@ -133,15 +133,18 @@ class Scene:
         Raises `DiagnosticError` (RL461) for anything else.
         """
         from ..ir.encoding import scene_from_json
+        from .recorded_options import check_options
 
         if not isinstance(text, str | bytes):
             raise arguments.wrong_type("text", "the text of a document", text)
         try:
-            return cls(scene_from_json(text))
+            record = scene_from_json(text)
+            check_options(record, installed())
         except ValueError as error:
             raise DiagnosticError(
                 diagnose(Code.NOT_A_SCENE, path=path, reason=str(error))
             ) from error
+        return cls(record)
 
     def __repr__(self) -> str:
         roads = ", ".join(self.roads)
