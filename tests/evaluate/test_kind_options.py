@@ -12,6 +12,7 @@ from roadlang.api import (
     DiagnosticError,
     Length,
     LengthInterval,
+    Like,
     ListOf,
     Perturber,
     Point,
@@ -89,6 +90,8 @@ class Bounded(Perturber):
     named: dict[str, Length] = option(None, help="a map", minimum=0.0)
     span: LengthInterval = option(None, help="an interval", minimum=0.0)
     place: Point = option(None, help="a point, whose numbers have no bounds", minimum=0.0)
+    either: Length | ListOf[Length] = option(1.0, help="one or a list", minimum=0.0)
+    like: ListOf[Like] = option((), help="a list in the unit of something else", minimum=0.0)
     mixed: ListOf[ListOf[Length]] = option((), help="a list of lists", minimum=0.0)
 
 
@@ -115,6 +118,8 @@ OPTIONS = {schema.name: schema for schema in schema_of(Bounded)}
         ("many", (1.0, -1.0), False), ("many", (), True), ("many", 1.0, True),
         ("named", {"a": 1.0, "b": 2}, True), ("named", {"a": 1.0, "b": -2}, False),
         ("span", (0.0, np.inf), True), ("span", (-1.0, 4.0), False),
+        ("either", 1.0, True), ("either", -1.0, False), ("either", (1.0, 2.0), True),
+        ("either", (1.0, -1.0), False), ("like", (1.0, 0.0), True), ("like", (-1.0,), False),
         ("place", (-1.0, -1.0), True), ("mixed", ((1.0,), (2.0, -2.0)), False),
         ("mixed", ((1.0,), (2.0, np.array([[1.0], [0.0]]))), True),
     ],

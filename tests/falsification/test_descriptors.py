@@ -80,6 +80,29 @@ def test_there_is_no_gap_to_those_who_have_left() -> None:
     assert least_gap(ego, [gone]) == math.inf
 
 
+def strolling(rng: np.random.Generator, times: int) -> AgentTrace:
+    """An agent of any size that turns as it goes, comes late, leaves early, and is nowhere once."""
+    x, y, heading = np.cumsum(rng.normal(0.0, (2.0, 2.0, 0.3), (times, 3)), axis=0).T
+    x[rng.integers(times)] = math.nan
+    zero: Any = np.zeros(times)
+    rest: Any = (zero,) * 7
+    come, leave = rng.integers(0, (times // 2, times // 2))
+    present: Any = zero + ((np.arange(times) >= come) & (np.arange(times) < times - leave))
+    length, width = rng.uniform(0.5, 12.0), rng.uniform(0.5, 3.0)
+    place: Any = (x + rng.uniform(-40.0, 40.0), y + rng.uniform(-40.0, 40.0), heading)
+    return AgentTrace("a", zero, *place, *rest, present=present, length=length, width=width)
+
+
+def test_the_least_gap_is_that_of_all_outlines_at_all_times() -> None:
+    """Though few of them are looked at."""
+    rng = np.random.default_rng(4)
+    for _ in range(60):
+        ego, *others = (strolling(rng, 30) for _ in range(4))
+        there = [(ego.present > 0.0) & (other.present > 0.0) for other in others]
+        gaps = [outlines(ego, o)[at] for o, at in zip(others, there, strict=True)]
+        assert least_gap(ego, others) == pytest.approx(np.nanmin(np.concatenate(gaps)))
+
+
 def test_a_drive_is_described_by_its_road_and_its_deciding_moment() -> None:
     """In units of what counts as distinct."""
     verdict = DRIVE.verdicts["apart"]

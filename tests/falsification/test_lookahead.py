@@ -76,7 +76,12 @@ def test_every_worker_has_a_whole_round_and_the_result_is_that_of_one(
 
 @pytest.mark.parametrize(
     ("searcher", "seconds", "changes"),
-    [("cma", 0.1, {}), ("halton", 6.0, {}), ("halton", 0.1, {"failures": 100})],
+    [
+        ("cma", 0.1, {}),
+        ("halton", 6.0, {}),
+        ("halton", 4.0, {}),  # of half a round: a whole one would take 8 s
+        ("halton", 0.1, {"failures": 100}),
+    ],
 )
 def test_a_round_is_divided_where_its_results_are_waited_for_or_it_takes_long(
     searcher: str, seconds: float, changes: dict[str, int], monkeypatch: pytest.MonkeyPatch

@@ -127,11 +127,13 @@ def test_an_error_before_the_first_line_leaves_nothing(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_a_folder_that_was_there_stays_and_what_is_in_it(path: Path) -> None:
-    (path.parent / "notes.txt").write_text("mine")
+@pytest.mark.parametrize("notes", [["notes.txt"], []])
+def test_a_folder_that_was_there_stays_and_what_is_in_it(path: Path, notes: list[str]) -> None:
+    for name in notes:
+        (path.parent / name).write_text("mine")
     journal = JournalFile(path, "key", resume=False, parse=bytes)
     ended(journal, path.parent / "provenance.json")
-    assert [each.name for each in path.parent.iterdir()] == ["notes.txt"]
+    assert [each.name for each in path.parent.iterdir()] == notes
 
 
 @pytest.mark.parametrize("resume", [False, True])

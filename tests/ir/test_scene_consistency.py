@@ -18,6 +18,7 @@ agent ego is car on main at 5m {
   drive with brake { when: ego.station > 30m, while: ego.speed > 1m/s }
 }
 object tree is tree on main at 20m { side: left, offset: 2m }
+object zebra is crosswalk on main at 40m
 expect in_lane: always (abs(ego.cross_track_error) < 1m)
 """
 
@@ -41,14 +42,16 @@ def put(value: Any, *way: Any) -> Callable[[Any], None]:
     return change
 
 
+COLUMNS = "reference_stations", "x", "y", "heading", "curvature", "width"
 BRAKE = ("agents", 0, "drive", 1)
 FORMULA = ("expectations", 0, "formula")
 SIGNAL = (*FORMULA, "signals", "ego.cross_track_error")
 FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
-    "a column too short": (shorter("x"), "roads[0].x"),
-    "widths too short": (shorter("width"), "roads[0].width"),
+    **{f"{name} too short": (shorter(name), f"roads[0].{name}") for name in COLUMNS},
+    "offsets too short": (put([0.0, 0.0], "roads", 0, "center_offset"), "roads[0].center_offset"),
     "elevations too short": (put([1.0], "roads", 0, "elevation"), "roads[0].elevation"),
     "one station": (put([0.0], "roads", 0, "stations"), "roads[0].stations"),
+    "a station twice": (put(0.0, "roads", 0, "stations", 1), "roads[0].stations"),
     "stations back": (put(5.0, "roads", 0, "stations", 2), "roads[0].stations"),
     "a lane without width": (
         put([0.0], "roads", 0, "lane_list", 0, "width"),
@@ -56,6 +59,7 @@ FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
     ),
     "an agent on no road": (put("other", "agents", 0, "road"), "agents[0].road"),
     "an object on no road": (put("other", "objects", 0, "road"), "objects[0].road"),
+    "a marking on no road": (put("other", "markings", 0, "road"), "markings[0].road"),
     "no formula": (put({}, *FORMULA), "expectations[0].formula"),
     "what is no formula": (put({"zz": 1}, *FORMULA, "formula"), "expectations[0].formula.formula"),
     "a signal in a word": (put("x", *SIGNAL), "expectations[0].formula.signals"),
@@ -67,6 +71,10 @@ FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
     "an unknown variable": (
         put({">": ["ego.sped", 1.0]}, *BRAKE, "when", "formula"),
         "agents[0].drive[1].when.formula",
+    ),
+    "a truth among numbers": (
+        put({"n": True}, *BRAKE, "when", "numbers"),
+        "agents[0].drive[1].when.numbers",
     ),
     "a list of numbers": (
         put([], *BRAKE, "during", "numbers"),
@@ -89,6 +97,12 @@ def test_the_place_that_does_not_fit_is_named(written: str, fault: str) -> None:
 
 def test_a_scene_that_was_sampled_is_consistent(written: str) -> None:
     check_scene(Scene.from_json(written).record)
+
+
+def test_a_monitor_needs_no_formula(written: str) -> None:
+    document = json.loads(written)
+    put({"monitor": "any"}, *FORMULA)(document)
+    assert Scene.from_json(json.dumps(document)).record.expectations[0].formula is not None
 
 
 def test_the_place_is_a_member_of_the_error(written: str) -> None:

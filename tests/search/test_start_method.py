@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -53,9 +54,10 @@ print(resource_tracker._resource_tracker._pid)
 
 INHERITED = """
 from roadlang.search.worker_pool import WorkerPool, Workers
-from tests.search.test_start_method import Unsent, number_of
+from tests.search.test_start_method import Sent, Unsent, number_of
 with WorkerPool(100, Workers(2)) as pool:
     print(list(pool.map(number_of, [Unsent(number) for number in range(9)])))
+    print(list(pool.map(number_of, [Sent(number) for number in range(20, 29)])))
 """
 
 
@@ -69,7 +71,14 @@ class Unsent:
         raise TypeError("it is not sent")
 
 
-def number_of(state: int, job: Unsent) -> int:
+@dataclass(frozen=True)
+class Sent:
+    """A job that is found after the processes were forked."""
+
+    number: int
+
+
+def number_of(state: int, job: Unsent | Sent) -> int:
     return state + job.number
 
 
@@ -102,5 +111,5 @@ def test_forked_processes_need_no_process_that_keeps_track_of_shared_memory() ->
     assert lines_of(UNTRACKED) == ["None"]
 
 
-def test_jobs_that_are_known_when_processes_are_forked_are_not_sent() -> None:
-    assert lines_of(INHERITED) == [str([*range(100, 109)])]
+def test_only_jobs_that_come_after_processes_are_forked_are_sent() -> None:
+    assert lines_of(INHERITED) == [str([*range(100, 109)]), str([*range(120, 129)])]

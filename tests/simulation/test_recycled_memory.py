@@ -66,6 +66,33 @@ def test_memory_much_too_large_is_left_for_others() -> None:
     assert small.shape == (COUNT,)
 
 
+def test_the_smallest_memory_that_is_large_enough_is_used() -> None:
+    pool = MemoryPool()
+    arrays = [pool.empty(3 * COUNT // 2), pool.empty(COUNT)]
+    places = [_place(array) for array in arrays]
+    while arrays:
+        del arrays[0]  # the larger one is unused first
+    assert _place(pool.empty(COUNT)) == places[1]
+
+
+class _TakenByAnother(dict[int, Floats]):
+    """Unused memory, all of which another thread takes after this one has looked what is there."""
+
+    def values(self) -> Any:
+        found = [*super().values()]
+        self.clear()
+        return found
+
+
+def test_memory_that_another_thread_takes_is_not_used() -> None:
+    pool = MemoryPool()
+    array = pool.empty(COUNT)
+    place = _place(array)
+    del array
+    pool._unused = _TakenByAnother(pool._unused)
+    assert _place(pool.empty(COUNT)) != place
+
+
 def test_no_more_unused_memory_is_kept_than_was_said() -> None:
     pool = MemoryPool(kept=3 * LARGE)
     arrays = [pool.empty(COUNT) for _ in range(4)]

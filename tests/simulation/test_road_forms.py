@@ -40,13 +40,18 @@ def test_roads_whose_lanes_lie_elsewhere_have_other_numbers(road: SceneRoad) -> 
 
 
 def test_lanes_that_are_no_more_are_not_taken_for_new_ones(road: SceneRoad) -> None:
-    """A new object may be where another was in memory."""
+    """A new object may be where another was in memory, also where that one had lanes like those of
+    a road that is still there."""
     forms = RoadForms()
     numbers = set()
     for meters in range(1, 40):
+        copied = tuple([replace(one) for one in road.lane_list])
+        assert forms.number(replace(road, lane_list=copied)) == 0
+        del copied
         lanes = tuple([replace(one, width=(0.1 * meters,)) for one in road.lane_list])
         numbers.add(forms.number(replace(road, lane_list=lanes)))
     assert len(numbers) == 39
+    assert 0 not in numbers
 
 
 def test_a_road_that_lists_no_lanes_has_none(road: SceneRoad) -> None:

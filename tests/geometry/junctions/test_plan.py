@@ -139,24 +139,25 @@ def test_a_ring_may_be_a_little_longer_than_wide(longer: float, is_ring: bool) -
 
 
 @pytest.mark.parametrize(
-    ("radius", "one_way", "is_ring"),
+    ("radius", "one_way", "halves", "is_ring"),
     [
-        (55.0, None, True), (70.0, None, False), (70.0, "forward", True),
-        (70.0, "backward", False), (140.0, "forward", True), (170.0, "forward", False),
+        (55.0, "forward", (), True), (70.0, "forward", (), False),
+        (70.0, "forward", (1,), False), (70.0, "forward", (1, 2), True),
+        (70.0, "backward", (1, 2), False), (140.0, "forward", (1, 2), True),
+        (170.0, "forward", (1, 2), False),
     ],
 )  # fmt: skip
-def test_only_a_one_way_ring_may_be_great(
-    radius: float, one_way: str | None, is_ring: bool
+def test_only_a_ring_that_is_one_way_all_around_may_be_great(
+    radius: float, one_way: str, halves: tuple[int, ...], is_ring: bool
 ) -> None:
     """Counter-clockwise, as traffic on the right goes round."""
     around = np.linspace(0.0, math.tau, 121).round(9)
     line = (radius * np.stack([np.cos(around), np.sin(around)], axis=-1)).round(9)
-    halves = [line[:61].tolist(), [*line[60:120].tolist(), line[0].tolist()]]
+    around_it = [line[:61].tolist(), [*line[60:120].tolist(), line[0].tolist()]]
     arms = [[line[0].tolist(), (300.0, 0.0)], [line[60].tolist(), (-300.0, 0.0)]]
-    network = network_of_polylines([*halves, *arms])
+    network = network_of_polylines([*around_it, *arms])
     sections = dict(sections_of(network))
-    if one_way:
-        sections |= {id: one_way_section(sections[id], one_way == "forward") for id in (1, 2)}
+    sections |= {id: one_way_section(sections[id], one_way == "forward") for id in halves}
     assert bool(plan_junctions(network, sections).ring) == is_ring
 
 
