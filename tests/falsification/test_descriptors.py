@@ -87,10 +87,11 @@ def strolling(rng: np.random.Generator, times: int) -> AgentTrace:
     zero: Any = np.zeros(times)
     rest: Any = (zero,) * 7
     come, leave = rng.integers(0, (times // 2, times // 2))
-    present: Any = zero + ((np.arange(times) >= come) & (np.arange(times) < times - leave))
-    length, width = rng.uniform(0.5, 12.0), rng.uniform(0.5, 3.0)
+    there = (np.arange(times) >= come) & (np.arange(times) < times - leave)
+    length, width = rng.uniform((1.0, 0.5), (12.0, 3.0))
+    columns: Any = {"present": zero + there, "length": length, "width": width}
     place: Any = (x + rng.uniform(-40.0, 40.0), y + rng.uniform(-40.0, 40.0), heading)
-    return AgentTrace("a", zero, *place, *rest, present=present, length=length, width=width)
+    return AgentTrace("a", zero, *place, *rest, **columns)
 
 
 def test_the_least_gap_is_that_of_all_outlines_at_all_times() -> None:
