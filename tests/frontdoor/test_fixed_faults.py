@@ -102,6 +102,44 @@ def test_lanes_that_are_drawn_are_not_judged_before() -> None:
     assert faults(text) == []
 
 
+LISTED = (
+    "road main { draw with segments { pieces: [straight(300m)] }\n"
+    "  right: [drive(3.5m), drive(3.5m), shoulder(2m)]\n"
+)
+MERGE, CHANGE = "drive with merge { to: left }", "drive with change_lane { to: right }"
+
+
+@pytest.mark.parametrize(
+    ("lanes", "agent", "is_fault"),
+    [
+        ("}", f"lane: -1, drive with traffic, {MERGE}", True),
+        ("}", "lane: -1, drive with traffic, drive with merge", True),
+        ("}", f"lane: -2, drive with traffic, {MERGE}", False),
+        ("}", f"lane: -2, drive with traffic, {CHANGE}", False),
+        ("}", f"lane: -3, drive with traffic, {CHANGE}", True),
+        ("}", f"lane: choice(-1, -2), drive with traffic, {MERGE}", False),
+        ("}", f"lane: -1, drive with traffic, {CHANGE}, {MERGE}", False),
+        ("}", "lane: -1, drive with traffic, drive with merge { when: ego.lane == -2 }", False),
+        ("}", f"lane: -1, facing: back, drive with traffic, {MERGE}", False),
+        ("left: [drive(3.5m)] }", f"lane: -1, drive with traffic, {MERGE}", False),
+        ("left: [drive(3.5m)] }", f"lane: 1, drive with traffic, {MERGE}", False),
+        ("}\nworld { traffic: left }", f"lane: -1, drive with traffic, {MERGE}", False),
+    ],
+)
+def test_a_lane_beside_the_own_one_has_to_be_there(lanes: str, agent: str, is_fault: bool) -> None:
+    text = f"{LISTED}{lanes}\nagent ego is car on main at 50m {{ {agent} }}\n"
+    assert [code for code, _ in faults(text)] == ["RL613"] * is_fault
+
+
+def test_the_side_on_which_no_lane_is_and_the_lanes_are_named() -> None:
+    text = (
+        f"{LISTED}}}\nagent ego is car on main at 9m {{ lane: -1, drive with car_follow, {MERGE} }}"
+    )
+    (found,) = [d for d in roadlang.loads(text).check() if d.is_error]
+    assert found.message == "`main` has no lane to the left of -1"
+    assert found.help == ("its lanes from left to right are -1, -2, -3",)
+
+
 @pytest.fixture
 def pictures(tmp_path: Path) -> Path:
     shutil.copy(EXAMPLES / "town.png", tmp_path)

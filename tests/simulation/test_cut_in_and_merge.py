@@ -169,6 +169,41 @@ def test_after_the_merge_it_keeps_its_distance_whatever_drives_then() -> None:
     assert np.abs(np.diff(ego.acceleration[merged])).max() < 1.5
 
 
+def test_without_a_lane_to_merge_into_it_drives_on_in_its_own() -> None:
+    """To the left of the first agent is nothing, and of the second one traffic that comes toward
+    it."""
+    texts = [
+        f"road main {{ draw with segments {{ pieces: [straight(700m)] }}, lanes: 2{oneway} }}"
+        """
+        agent ego is car on main at 10m {
+          lane: -1, start_speed: 15m/s, drive with lane_follow { speed: 20m/s }
+          drive with merge { to: left, within: 100m, speed: 20m/s, when: ego.speed > 0m/s }
+        }
+        """
+        for oneway in (", oneway: true", "")
+    ]
+    for trace in drive_together(texts, duration=20):
+        ego = trace.agents["ego"]
+        assert np.abs(ego.y - ego.y[0]).max() < 0.1
+        assert ego.speed.min() > 14.0
+        assert ego.speed[-1] == pytest.approx(20.0, abs=0.3)
+
+
+def test_without_a_lane_to_merge_into_it_stops_where_its_own_ends() -> None:
+    """It merges to the right where only the lane to the left goes on."""
+    (trace,) = drive("""
+    road wide { draw with segments { pieces: [straight(250m)] }, lanes: 2, oneway: true }
+    road single { draw with segments { pieces: [straight(250m)] }, lanes: 1, oneway: true }
+    road works from wide { then: single, taper: 50m }
+    agent ego is car on works at 83m {
+      lane: -2, drive with car_follow, drive with merge { to: right, when: ego.speed > 0m/s }
+    }
+    """, duration=40)  # fmt: skip
+    ego = trace.agents["ego"]
+    assert ego.speed.min() < 0.05
+    assert 180.0 < ego.station[-1] < 250.0
+
+
 RAMP = """
 road before { draw with segments { pieces: [straight(300m)] }, lanes: 2, oneway: true }
 road beside { draw with segments { pieces: [straight(250m)] }, lanes: 3, oneway: true }

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from roadlang.api import ControlBatch, ObservationBatch
-    from roadlang.geometry import Floats
+    from roadlang.geometry import Booleans, Floats
 
 HEADWAY, GAP = 0.8, 2.0
 """Seconds and meters that it keeps to who it merges behind."""
@@ -70,7 +70,7 @@ class Merge(Controller):
     """Merge into the adjacent lane: adapt the speed to a gap, change lanes where there is room,
     and stop before the end of its own lane if there is none. It returns if the gap closes during
     the first half of the change. Afterwards the controller before it drives on, but keeps its
-    distance to the vehicle ahead."""
+    distance to the vehicle ahead. While there is no such lane it drives on in its own."""
 
     name: ClassVar[str] = "merge"
     leaves_open: ClassVar[str] = "the rest of the drive"
@@ -80,7 +80,8 @@ class Merge(Controller):
         words=("left", "right"),
         minimum=-32,
         maximum=32,
-        help="the lane: `left`, `right` or its id",
+        help="the lane: `left` or `right`, the next one there unless its traffic comes toward the "
+        "agent, or the id of a lane",
         example="left",
     )
     within: Length = option(
@@ -125,9 +126,7 @@ class Merge(Controller):
         if (state[:, _PHASE] != DONE).any():
             waiting = state[:, _PHASE] == WAITING
             state[waiting & has_returned(seen, state[:, _ORIGIN]), _CLOCK] = 0.0
-            middle = np.where(
-                state[:, _CLOCK] > 0.0, state[:, _TARGET], seen.offset_of_lane(self.to)
-            )
+            middle = np.where(state[:, _CLOCK] > 0.0, state[:, _TARGET], self._target(seen))
             exists = np.isfinite(middle)
             near = seen.nearby(SIGHT)
             lane = lane_traffic(seen, np.where(exists, middle, 0.0), near)
@@ -142,7 +141,7 @@ class Merge(Controller):
             state[begins, _CLOCK] = 0.0
             line[begins] = middle[begins]
             waiting = state[:, _PHASE] == WAITING
-            acceleration = np.where(waiting, self._waiting(seen, lane, state), np.nan)
+            acceleration = np.where(waiting, self._waiting(seen, lane, state, exists), np.nan)
             moving = state[:, _PHASE] == MOVING
             limit = np.where(moving, self._following(seen, *lane.nearest_ahead()), limit)
             steering = np.where(moving, along_line(seen), np.nan)
@@ -169,28 +168,43 @@ class Merge(Controller):
             state[back, _PHASE] = WAITING
             line[back] = origin[back]
 
-    def _waiting(self, seen: ObservationBatch, lane: LaneTraffic, state: Floats) -> Floats:
+    def _target(self, seen: ObservationBatch) -> Floats:
+        """(N,) where the middle of the lane is, NaN where there is none to merge into."""
+        import numpy as np
+
+        middle = seen.offset_of_lane(self.to)
+        if not isinstance(self.to, str):
+            return middle
+        return np.where(seen.direction_of_lane(self.to) < 0.0, np.nan, middle)
+
+    def _waiting(
+        self, seen: ObservationBatch, lane: LaneTraffic, state: Floats, exists: Booleans
+    ) -> Floats:
         """(N,) acceleration: to the target speed, behind who is ahead in either lane, and to a stop
-        before the end."""
+        before the end. `exists` (N,): whether there is a lane to merge into."""
         import numpy as np
 
         speed = seen.speed
         wanted = target_speed(seen, self.speed, self.deceleration)
         free = toward(speed, wanted, self.acceleration, self.deceleration)
         in_lane = self._behind(seen, *ahead_in_lane(seen))
-        gentle = self._aligned(seen, lane, np.broadcast_to(wanted, speed.shape))
-        left, needed = self._stop(seen, state)
+        aligned = self._aligned(seen, lane, np.broadcast_to(wanted, speed.shape))
+        gentle = np.where(exists, aligned, np.inf)
+        left, needed = self._stop(seen, state, exists)
         late = (needed >= STOPS * self.deceleration) | (left < 0.1)
         stopping = np.where(late, -np.maximum(needed, GENTLE * self.deceleration), np.inf)
         stopping = np.where((left < 0.5) & (speed <= STANDING), -HOLDING, stopping)
         least = np.minimum(np.minimum(free, in_lane), np.minimum(gentle, stopping))
         return np.maximum(least, -HARDEST)
 
-    def _stop(self, seen: ObservationBatch, state: Floats) -> tuple[Floats, Floats]:
+    def _stop(
+        self, seen: ObservationBatch, state: Floats, exists: Booleans
+    ) -> tuple[Floats, Floats]:
         """(N,) meters to where it waits if there is no room, and the braking to stop there."""
         import numpy as np
 
-        left = self._left(seen, state) - 0.5 * seen.length - LANE_END_GAP
+        end = np.where(exists, self._left(seen, state), seen.lane_end())
+        left = end - 0.5 * seen.length - LANE_END_GAP
         return left, seen.speed * seen.speed / (2.0 * np.maximum(left, 0.05))
 
     def _aligned(self, seen: ObservationBatch, lane: LaneTraffic, wanted: Floats) -> Floats:

@@ -24,6 +24,7 @@ from ..plugins.kinds import Controller
 from ..plugins.registry import Registry
 from ..world.placement_faults import missing_scale, unknown_lane
 from .fixed_closed_roads import fixed_closed_roads
+from .fixed_lane_changes import lanes_not_beside
 from .fixed_overlaps import fixed_overlaps
 from .fixed_positions import intervals_off_road, position_fault
 from .fixed_roads import fixed_roads
@@ -116,6 +117,9 @@ def _lane_faults(actor: ScenarioActor, scenario: IndexedScenario) -> Iterator[Di
         fault = None if lane is None else unknown_lane(actor, lane, lanes, span)
         if fault is not None:
             yield fault
+    start = None if "lane" not in actor.options else _fixed_number(actor.options["lane"], scenario)
+    if start is not None:
+        yield from lanes_not_beside(actor, start, lanes, scenario)
 
 
 def _fixed_number(value: Value, scenario: IndexedScenario) -> int | None:
