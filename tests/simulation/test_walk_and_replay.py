@@ -162,6 +162,7 @@ LONG = '"' + "1" * 200_000 + '"'
         ("time,agent,x,y,heading\n0,eg,0,0,0\n1,eg,1,1,0\n", "it has no agent `ego`"),
         ("time,x,y,heading\n0,0,0,0\n1,1_000,1,0\n", "`x` is `1_000` in row 2"),
         ("time,x,y,heading\n0,0,0,0\n1,inf,1,0\n", "`x` is `inf` in row 2"),
+        ("time,x,y,heading\n0,0,0,0\n1,,1,0\n", "numbers: `x` is empty in row 2"),
         ("time,x,y,heading\n0,0,0,0\n1,5,0\n", "row 2 has 3 columns, not 4"),
         ("{", "it is not the trace of a drive"),
         pytest.param('{"a":' * 20_000, "it is not the trace of a drive", id="deeply nested"),

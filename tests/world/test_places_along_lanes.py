@@ -187,6 +187,9 @@ def test_a_junction_that_is_not_there(sample: Sample) -> None:
         sampled(sample, "agent ego is car on town at junction(99)")
     (found,) = caught.value.diagnostics
     assert found.code == "RL472"
+    assert found.message.startswith(
+        "`position junction` asks for a road or place that cannot exist: "
+    )
     assert "no lane leads to junction 99; the ids of the junctions are: 1," in found.message
 
 

@@ -54,10 +54,16 @@ def column(file: Path, rows: Rows, name: str) -> Floats:
         except ValueError:
             numbers[index] = np.nan
         if not np.isfinite(numbers[index]):
-            cell = row[name] if len(row[name]) <= _MOST_SHOWN else f"{row[name][:_MOST_SHOWN]}..."
-            reason = f"not all of its values are numbers: `{name}` is `{cell}` in row {index + 1}"
+            found = f"`{name}` is {_shown(row[name])} in row {index + 1}"
+            reason = f"not all of its values are numbers: {found}"
             raise table_fault(file, reason)
     return numbers
+
+
+def _shown(cell: str) -> str:
+    if not cell:
+        return "empty"
+    return f"`{cell}`" if len(cell) <= _MOST_SHOWN else f"`{cell[:_MOST_SHOWN]}...`"
 
 
 def table_fault(file: Path, reason: str, help_: tuple[str, ...] = ()) -> DiagnosticError:

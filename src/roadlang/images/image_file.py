@@ -19,6 +19,7 @@ from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file, unusable_world_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
 from .placed_pixels import MOST_PIXELS, Pixels, PlacedPixels, placed
+from .silent_codecs import silent_codecs
 from .tiff_bands import TiffBands
 
 LEAST_SIDE = 2
@@ -174,7 +175,9 @@ def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
     try:
         if header.format == "TIFF":
             content = TiffBands.in_color(content)
-        pixels: NDArray[np.generic] | None = cv2.imdecode(np.frombuffer(content, np.uint8), mode)
+        with silent_codecs():
+            pixels: NDArray[np.generic] | None
+            pixels = cv2.imdecode(np.frombuffer(content, np.uint8), mode)
         return pixels
     except cv2.error:
         return None
