@@ -108,7 +108,7 @@ def test_the_worst_is_no_expectation_that_equality_decides() -> None:
     )
     run(["run", "bend.rl"])
     row = results()[0]
-    assert (row["calm"], row["calm satisfied"]) == ("0.0", "true")
+    assert (row["calm"], row["calm satisfied"]) == ("0", "true")
     assert row["worst"] == "slow"
 
 

@@ -27,7 +27,8 @@ def frame_of(columns: Mapping[str, Any], index: str) -> pandas.DataFrame:
 
 
 def to_csv(columns: Mapping[str, Sequence[Any]]) -> str:
-    """A line of names and one for each row; lists and maps are JSON, None is empty."""
+    """A line of names and one for each row; lists and maps are JSON, None is empty. Integers are
+    written without a decimal point, as they are drawn: `8`."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(columns)
@@ -40,4 +41,6 @@ def _cell(value: Any) -> Any:
         return "true" if value else "false"
     if isinstance(value, list | tuple | dict):
         return json.dumps(value)
+    if isinstance(value, float):
+        return str(value).removesuffix(".0")
     return "" if value is None else value
