@@ -115,6 +115,8 @@ def test_black_streets_of_a_jpeg_have_one_color_with_less_contrast() -> None:
     even = without_strong_contrast(noisy, letters)
     number = [len(flat_colors(without_letters(one, letters), LOSSY)) for one in (noisy, even)]
     assert number == [3, 2]
+    dark = np.clip(noisy.astype(int) + 30, 0, 255).astype(np.uint8)
+    assert without_strong_contrast(dark, letters).min() > 100
     pale = np.clip(noisy.astype(int) + 100, 0, 255).astype(np.uint8)
     assert without_strong_contrast(pale, letters) is pale
     assert without_strong_contrast(np.zeros_like(noisy), letters).max() == 0

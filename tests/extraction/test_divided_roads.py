@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.aerial import Request, roads_of_evidence, roads_of_photo
+from roadlang_standard.extraction.chroma import mean_chroma
 from roadlang_standard.extraction.divided_roads import with_medians
 from roadlang_standard.extraction.found_network import FoundNetwork
+from roadlang_standard.extraction.photo_confidence import CHROMA
 from roadlang_standard.extraction.photo_evidence import Seen
 from roadlang_standard.extraction.road_net import Net
 
@@ -113,6 +115,8 @@ def test_photos_are_read_this_way_and_a_given_width_is_believed() -> None:
         return np.repeat(0.95 * gray[None, ::2, ::2], 2, axis=0).astype(np.float32)
 
     net = Net(gray_is_road, "")
-    assert len(near_the_wide_road(roads_of_photo(picture, net=net))) == 2
+    found = roads_of_photo(picture, net=net)
+    assert len(near_the_wide_road(found)) == 2
+    assert found.scores[CHROMA] == pytest.approx(mean_chroma(picture), abs=0.01)
     told = Request(width=20.0)
     assert len(near_the_wide_road(roads_of_photo(picture, told, net))) == 1

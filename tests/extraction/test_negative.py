@@ -6,16 +6,25 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import pytest
 
 from benchmarks.extraction.conditions import gray_infrared, snow
 from benchmarks.extraction.scores import Case, relaxed_f1
-from roadlang_standard.extraction.aerial import Request
+from roadlang_standard.extraction.aerial import Request, _worth
 from roadlang_standard.extraction.crosscheck import checked_roads
+from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.negative import exposures
 from roadlang_standard.extraction.road_net import road_net
 from training.rendering.aerial import render_aerial
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def seen(sure: float, length: float) -> FoundNetwork:
+    """One straight road."""
+    line = np.array([(0.0, 5.0), (length, 5.0)])
+    road = FoundRoad(0, 1, line, np.full(2, 8.0), confidence=sure)
+    return FoundNetwork(line, (road,), np.zeros((10, 2000), bool))
 
 
 def test_a_summer_photo_in_color_is_looked_at_as_it_is() -> None:
@@ -49,6 +58,17 @@ def test_a_gray_photo_is_also_looked_at_as_its_negative() -> None:
 
 def test_one_tone_has_one_look() -> None:
     assert len(exposures(np.full((32, 32, 3), (10, 200, 90), np.uint8))) == 1
+
+
+@pytest.mark.parametrize(
+    ("sure", "length", "is_better"),
+    [(0.8, 1000.0, True), (0.5, 1500.0, False)],
+)
+def test_an_exposure_is_better_by_sure_roads_and_a_little_by_long_ones(
+    sure: float, length: float, is_better: bool
+) -> None:
+    assert (_worth(seen(sure, length)) > _worth(seen(0.9, 100.0))) is is_better
+    assert _worth(seen(sure, length)) < _worth(seen(0.95, 1000.0))
 
 
 def test_plowed_roads_are_found_in_snow() -> None:

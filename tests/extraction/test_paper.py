@@ -125,6 +125,18 @@ def test_the_faint_margin_of_ruled_paper_is_printed() -> None:
     assert not without_ruling(ink, 0.1).any()
 
 
+@pytest.mark.parametrize(("dark", "length"), [(0.45, 100), (0.3, 70)])
+def test_a_margin_is_about_as_faint_as_the_lines_and_as_long_as_the_sheet(
+    dark: float, length: int
+) -> None:
+    ink = np.zeros((100, 200), np.float32)
+    ink[10::15] = 0.1
+    ink[:length, 30:32] = dark
+    cleaned = without_ruling(ink, 0.08)
+    assert cleaned[:length, 30:32].min() == pytest.approx(dark)
+    assert not cleaned[:, 40:].any()
+
+
 def test_few_straight_lines_are_not_printed() -> None:
     ink = np.zeros((100, 200), np.float32)
     ink[20::30] = 0.3

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drawn_confidence import with_doubts
+from roadlang_standard.extraction.drawn_confidence import _are_stripes, with_doubts
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.road_likeness import LIKENESS, likeness_facts
 
@@ -89,12 +89,36 @@ def test_curves_sharp_forks_and_a_small_extent_are_signs() -> None:
     assert likeness_facts(_network(*cross), colored=False)["forks"] == 0.0
 
 
+def test_a_fork_is_sharp_where_roads_leave_it_and_not_in_a_bend() -> None:
+    """What they do farther away does not matter."""
+    along = np.arange(0.0, 300.0)
+    beyond = np.maximum(0.0, along - 40.0)
+    rises = (0.0, -4.0)
+    first, second = (
+        FoundRoad(0, number, np.column_stack([along, 300.0 + rise * beyond]), np.full(300, 4.0))
+        for number, rise in enumerate(rises, 1)
+    )
+    back = _line(0, 3, (0, 300, 0, 599))
+    assert likeness_facts(_network(first, second, back), colored=False)["forks"] > 0.0
+    assert likeness_facts(_network(first, second), colored=False)["forks"] == 0.0
+
+
 def test_stripes_are_no_sure_roads_and_few_parallel_streets_are() -> None:
     stripes = [_line(2 * k, 2 * k + 1, (60 * k, 0, 60 * k + 200, 599), 9.0) for k in range(8)]
     assert _most(*stripes) < 0.5
     assert _most(*stripes[:3]) > 0.9
     across = [_line(0, 1, (0, 300, 799, 300), 9.0)]
     assert _most(*across, *stripes[1:6]) > 0.9
+    assert _most(*stripes, drawn=False) > 0.9  # of a map, whose streets go on
+
+
+def test_stripes_are_straight_and_meet_no_other_line() -> None:
+    along = np.arange(0.0, 500.0)
+    for bent, are_stripes in ((3.0, True), (30.0, False)):
+        y = [60.0 * k + bent * np.sin(along / 20) for k in range(8)]
+        lines = [FoundRoad(0, 1, np.column_stack([along, one]), np.full(500, 4.0)) for one in y]
+        assert _are_stripes([[line] for line in lines]) is are_stripes
+        assert not _are_stripes([[line, line] for line in lines])
 
 
 def test_a_parking_lot_says_nothing_about_the_width_of_roads() -> None:
