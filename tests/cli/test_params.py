@@ -220,12 +220,13 @@ def test_a_table_has_a_cell_for_every_name() -> None:
     assert to_csv(columns_of(rows)) == 'a,b,c\n1,"[1, 2]",\ntrue,,"say ""x"""\n'
 
 
+@pytest.mark.parametrize("command", ["compile", "run"])
 def test_an_error_that_all_runs_share_is_said_once(
-    folder: Path, capsys: pytest.CaptureFixture[str]
+    command: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "scene.rl").write_text(SCENE + "require odd: always (bent < 3m)\n")
     params = write(folder, "- reach: 4m\n- reach: 5m\n")
-    words = ["compile", str(folder / "scene.rl"), "--params", str(params)]
+    words = [command, str(folder / "scene.rl"), "--params", str(params)]
     assert run([*words, "-o", str(folder / "out")]) == 1
     assert capsys.readouterr().err.count("error[") == 1
     assert not (folder / "out").exists()
@@ -274,3 +275,16 @@ def test_all_runs_are_checked_before_the_first_is_driven(
     assert "night.yaml:2" in found.err
     assert "night.yaml:3" in found.err
     assert not out.exists()
+
+
+def test_runs_of_which_there_is_only_a_warning_are_driven(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    agent = "agent ego is car on main at 5m { drive with lane_follow { speed: 5m/s } }\n"
+    (folder / "scene.rl").write_text(SCENE + agent)
+    params = write(folder, "- reach: 2m\n- reach: 2.5m\n")
+    out = folder / "out"
+    words = ["run", str(folder / "scene.rl"), "--params", str(params), "-o", str(out)]
+    assert run([*words, "--duration", "1s"]) == 0
+    assert "warning[RL192]" in capsys.readouterr().err
+    assert len([*out.glob("run-*")]) == 2

@@ -64,3 +64,28 @@ def test_processes_that_read_pictures_can_be_forked(
         check=True,
     )
     assert done.stdout.split()[-3:] == after
+
+
+TOLD = """
+import os, sys
+from roadlang.cli.main import run
+run(["compile", "none.rl", "--jobs", sys.argv[1]])
+print(os.environ.get("OPENCV_FOR_THREADS_NUM"))
+"""
+
+
+@pytest.mark.parametrize(
+    ("jobs", "before", "after"), [("2", None, "1"), ("1", None, "None"), ("2", "3", "3")]
+)
+def test_several_processes_have_one_thread_of_opencv_each_unless_told_otherwise(
+    jobs: str, before: str | None, after: str
+) -> None:
+    name = "OPENCV_FOR_THREADS_NUM"
+    environment = {k: v for k, v in os.environ.items() if k != name}
+    if before is not None:
+        environment[name] = before
+    done = subprocess.run(
+        [sys.executable, "-c", TOLD, jobs], capture_output=True, text=True, env=environment,
+        check=True,
+    )  # fmt: skip
+    assert done.stdout.split()[-1] == after

@@ -34,7 +34,7 @@ def test_a_column_of_another_length_is_named(name: str) -> None:
         from_json(json.dumps(changed))
 
 
-@pytest.mark.parametrize("size", [None, "4", -1.0, float("nan"), True, []])
+@pytest.mark.parametrize("size", [None, "4", -1.0, float("nan"), float("inf"), True, []])
 def test_a_size_that_is_no_length_is_named(size: object) -> None:
     changed = document()
     changed["agents"]["ego"]["width"] = size

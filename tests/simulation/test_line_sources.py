@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from roadlang.simulation.lines.line_nodes import Spacing, line_nodes
 from roadlang.simulation.lines.line_sources import LineSource, straight_line, without_jumps
 
 
@@ -36,3 +37,13 @@ def test_headings_are_looked_at_wherever_a_line_stands_among_many() -> None:
     changed = [number for number, one in enumerate(found) if one is not lines[number]]
     assert changed == [0, 63, 64, 150]
     assert all(np.abs(np.diff(found[number].heading)).max() < 1.0 for number in changed)
+
+
+def test_nodes_beyond_both_ends_lie_straight_on() -> None:
+    """Motion needs one on either side of each place."""
+    ends = np.array([0.0, 6.0])
+    source = LineSource(ends, 2.0 + ends, np.full(2, 7.0), np.zeros(2), 3.5)
+    spacing = Spacing.of([source], 0.0)
+    x, y = line_nodes([source], spacing, spacing.nodes)[:2, 0]
+    assert x.tolist() == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+    assert (y == 7.0).all()

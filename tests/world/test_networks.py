@@ -7,7 +7,8 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import ClassVar
+from types import SimpleNamespace
+from typing import Any, ClassVar
 
 import cv2
 import numpy as np
@@ -16,7 +17,9 @@ import pytest
 from roadlang.api import Extraction, Extractor, Picture
 from roadlang.diagnostics import DiagnosticError
 from roadlang.geometry import RoadNetwork
+from roadlang.ir.scenario import FileSource
 from roadlang.scenes.sampling import SamplingResult
+from roadlang.world.roadless_sources import advice_without_roads
 
 Sample = Callable[..., SamplingResult]
 TOWN = '''
@@ -139,6 +142,14 @@ def test_a_picture_without_a_road_says_so(sample: Sample, tmp_path: Path) -> Non
     (found,) = caught.value.diagnostics
     assert found.code == "RL412"
     assert "`extract with aerial` for a photo" in found.help[-1]
+
+
+def test_who_gets_no_road_from_a_file_is_told_to_view_it() -> None:
+    """As from the reader of a plugin; those of maps say it themselves (RL479)."""
+    source = FileSource("town.osm", "/maps/town.osm")
+    network: Any = SimpleNamespace(source=source)
+    candidates: Any = None
+    assert advice_without_roads(network, candidates).startswith("`roadlang view town.osm` shows")
 
 
 def test_a_typed_picture_without_a_road_says_how_one_is_drawn(sample: Sample) -> None:

@@ -77,7 +77,7 @@ class Compilation:
 
     def report(self) -> None:
         """A summary to stdout; diagnostics and the table of requirements to stderr."""
-        report(dict.fromkeys(self.found))
+        report(self.found)
         if self.scenes is None:
             return
         if self.scenes.result.missing:

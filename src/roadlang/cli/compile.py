@@ -77,7 +77,7 @@ def command(  # noqa: PLR0913 - one parameter per option
         records = [run.record() for run in runs]
         click.echo(json.dumps(records if is_list else records[0], indent=2))
     elif not all(checked):
-        report(dict.fromkeys(found for run in runs for found in run.found))
+        report(found for run in runs for found in run.found)
     else:
         for run in runs:
             run.report()

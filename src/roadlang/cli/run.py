@@ -221,7 +221,7 @@ class RunBatch:
                 for drive in () if self._as_json else drives:
                     print_drive(drive, run.get("run", ""), in_full=len(scenes) == 1)
                 progress(len(folder.finished), len(scenes))
-        report(dict.fromkeys(found))
+        report(found)
         numbers = [scene.index for scene in scenes]
         records = folder.records(numbers)
         self._contacts += folder.contacts(numbers)
@@ -257,7 +257,7 @@ def _check_all(variants: Sequence[LoadedScenario]) -> None:
     """Raises `DiagnosticError` with what is wrong in any of them, before the first is driven."""
     found = [diagnostic for variant in variants for diagnostic in variant.check()]
     if any(diagnostic.is_error for diagnostic in found):
-        raise DiagnosticError(*dict.fromkeys(found))
+        raise DiagnosticError(*found)
 
 
 def _holds(record: dict[str, Any]) -> bool:
