@@ -8,7 +8,7 @@ import numpy as np
 from roadlang.geometry import Booleans
 from roadlang_standard.extraction.map_contrast import without_strong_contrast
 from roadlang_standard.extraction.map_letters import LARGER, letters_of_map, without_letters
-from roadlang_standard.extraction.map_or_drawing import _is_marked
+from roadlang_standard.extraction.map_or_drawing import _is_marked, are_named
 from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import LOSSY, flat_colors, map_tone, without_jpeg_noise
 from roadlang_standard.extraction.map_water import _constant, masks_without_water
@@ -131,3 +131,23 @@ def test_a_gap_between_a_house_and_a_river_is_no_paint_on_a_road() -> None:
     paint[75:79, 100:300] = paint[219:223, 110:310] = paint[343:347, 110:310] = False
     marked = [_is_marked(map_tone(_BLACK, mask)) for mask in (river, paint)]
     assert marked == [False, True]
+
+
+def test_a_road_of_uneven_width_is_marked_by_what_is_painted_on_it() -> None:
+    rows, columns = np.indices((_SIDE, _SIDE))
+    road = np.abs(rows - 200) < np.where(columns // 60 % 2, 14, 30)
+    middle = (np.abs(rows - 200) < 3) & (columns % 40 < 20)
+    assert map_tone(_BLACK, road).even < 0.9
+    assert _is_marked(map_tone(_BLACK, road & ~middle))
+    assert not _is_marked(map_tone(_BLACK, road))
+
+
+def test_streets_of_any_of_their_colors_are_interrupted_by_names() -> None:
+    whole, interrupted, letters = (np.zeros((_SIDE, _SIDE), np.uint8) for _ in range(3))
+    whole[100:110], interrupted[300:310] = 1, 1
+    cv2.putText(letters, "Mill Lane", (160, 309), cv2.FONT_HERSHEY_SIMPLEX, 0.45, 1, 1)
+    letters = cv2.dilate(letters, np.ones((3, 7), np.uint8))  # a word hangs together
+    interrupted[:, 155:227] = 0
+    streets = [map_tone(color, one > 0) for color, one in ((_WHITE, whole), (_BLACK, interrupted))]
+    assert are_named(streets, letters > 0)
+    assert not are_named(streets[:1], letters > 0)

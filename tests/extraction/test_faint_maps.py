@@ -107,14 +107,15 @@ def test_a_jpeg_gets_more_contrast_only_on_gray_land_and_if_all_of_it_is_faint(
 
 
 @pytest.mark.parametrize(
-    ("land", "hue", "is_raised"), [(245, 0, True), (245, 20, False), (12, 0, False)]
+    ("land", "hue", "off", "is_raised"),
+    [(245, 0, 22, True), (245, 0, 30, False), (245, 20, 22, False), (12, 0, 22, False)],
 )
 @pytest.mark.parametrize("tolerance", [EXACT, LOSSY])
 def test_a_light_gray_map_is_faint_with_streets_that_others_show_clearly(
-    tolerance: Tolerance, land: int, hue: int, is_raised: bool
+    tolerance: Tolerance, land: int, hue: int, off: int, is_raised: bool
 ) -> None:
     image = np.full((300, 400, 3), land, np.uint8)
-    street = land - 22 if land > 22 else land + 22
+    street = land - off if land > off else land + off
     for y in (60, 150, 240):
         cv2.line(image, (0, y), (399, y + 20), (street, street + hue, street), 5)
     cv2.line(image, (50, 0), (90, 250), (land - 40,) * 3 if land > 40 else (land + 40,) * 3, 5)

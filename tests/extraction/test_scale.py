@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction import aerial
 from roadlang_standard.extraction.aerial import Request, roads_of_photo
-from roadlang_standard.extraction.found_network import FoundNetwork
+from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.masks import without_holes, without_specks
 from roadlang_standard.extraction.scale import resized, view_scales
 from training.rendering.aerial import render_aerial
@@ -63,3 +66,20 @@ def test_a_hole_of_as_many_pixels_as_asked_for_stays(least: int, filled: bool) -
     mask[5:8, 5:8] = False
     assert without_holes(mask, least).all() == filled
     assert without_specks(~mask, least).any() != filled
+
+
+def test_a_smaller_view_is_better_only_where_its_roads_are_surer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """However long they are: narrow roads are missed in it, and others run together."""
+
+    def viewed(image: Any, scale: float, request: Any, net: Any) -> FoundNetwork:
+        line = np.array([(0.0, 5.0), (300.0 / scale, 5.0)])
+        road = FoundRoad(0, 1, line, np.full(2, 8.0), confidence=0.75 + 0.1 * scale)
+        return FoundNetwork(line, (road,), np.zeros((64, 64), bool), scores={"scale": scale})
+
+    monkeypatch.setattr(aerial, "_view", viewed)
+    monkeypatch.setattr(aerial, "view_scales", lambda image, meters: (1.0, 0.1))
+    image = np.full((64, 64, 3), (60, 110, 80), np.uint8)
+    net: Any = object()
+    assert aerial.roads_of_photo(image, net=net).scores["scale"] == 1.0

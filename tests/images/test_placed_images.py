@@ -14,7 +14,8 @@ import pytest
 
 from roadlang.geometry.local_projection import LocalProjection
 from roadlang.images.image_file import OpenedImage, open_image
-from roadlang.images.placed_pixels import _to_degrees
+from roadlang.images.image_scale import FoundScale
+from roadlang.images.placed_pixels import _to_degrees, placed
 from roadlang.ir.picture import Picture
 from roadlang.world.pictures import picture_of
 from tests.geometry.test_local_projection import kruger
@@ -253,3 +254,10 @@ def test_a_place_is_on_earth_but_not_next_to_a_pole(
     found = opened(path)
     assert (found.shown.origin is not None) is is_place
     assert (found.shown.warning is None) is is_place
+
+
+def test_a_world_file_does_not_matter_where_the_picture_says_its_scale() -> None:
+    fault = "`town.pgw`, line 3: 'abc' is not a number"
+    assert placed(shown(), FoundScale(0.5), "town.png", None, fault).warning is None
+    for found in (None, FoundScale(None)):
+        assert placed(shown(), found, "town.png", None, fault).warning is not None
