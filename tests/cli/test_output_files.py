@@ -57,18 +57,23 @@ def test_commands_refuse_such_names_before_they_read(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("command", [["run"], ["falsify", "--evaluations", "8"]])
+@pytest.mark.parametrize(
+    "command", [["run"], ["run", "--params", "two.yaml"], ["falsify", "--evaluations", "8"]]
+)
 def test_a_drive_that_cannot_begin_leaves_no_folder(
     command: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "way.csv").write_text("time,x,y,heading\n0,5,0,0\n1,5\n")
+    (tmp_path / "two.yaml").write_text("- speed: 30m/s\n- speed: 20m/s\n")
     (tmp_path / "a.rl").write_text(
+        "param speed = 30m/s\n"
         "road main { draw with waypoints { points: [(0m, 0m), (100m, 0m)] } }\n"
         "agent ego is car on main at 5m..20m { drive with replay { file: 'way.csv' } }\n".replace(
             "'", '"'
         )
-        + "expect slow: always (ego.speed < 30m/s)\n"
+        + "expect slow: always (ego.speed < speed)\n"
     )
-    assert run([*command, "a.rl", "-o", "out"]) == 1
-    assert not (tmp_path / "out").exists()
+    for folder in ("out", "out/deep"):
+        assert run([*command, "a.rl", "-o", folder]) == 1
+        assert not (tmp_path / "out").exists()

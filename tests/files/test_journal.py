@@ -121,7 +121,7 @@ def ended(journal: JournalFile[bytes], beside: Path, error: Exception = FAULT) -
 
 
 def test_an_error_before_the_first_line_leaves_nothing(tmp_path: Path) -> None:
-    folder = tmp_path / "new"
+    folder = tmp_path / "new" / "deep"
     journal = JournalFile(folder / "journal.jsonl", "key", resume=False, parse=bytes)
     ended(journal, folder / "provenance.json")
     assert not list(tmp_path.iterdir())

@@ -41,7 +41,8 @@ class JournalFile(Generic[T]):
         header = json.dumps({"schema": SCHEMA, "key": key}).encode()
         self.entries: list[T] = []
         self.diagnostics: tuple[Diagnostic, ...] = ()
-        self._made_folder = not path.parent.exists()
+        self._made_folders = [folder for folder in path.parents if not folder.exists()]
+        """the innermost first"""
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             goes_on = resume and path.exists()
@@ -68,7 +69,7 @@ class JournalFile(Generic[T]):
     @contextmanager
     def removed_if_nothing_is_finished(self, *beside: Path) -> Iterator[None]:
         """Where a `DiagnosticError` ends the work before there is a line, the file is removed again
-        with others `beside` it, and the folder if it was made for them."""
+        with others `beside` it, and the folders that were made for them."""
         try:
             yield
         except DiagnosticError:
@@ -76,8 +77,8 @@ class JournalFile(Generic[T]):
                 with suppress(OSError):
                     for path in (self.path, *beside):
                         path.unlink(missing_ok=True)
-                    if self._made_folder:
-                        self.path.parent.rmdir()
+                    for folder in self._made_folders:
+                        folder.rmdir()
             raise
 
     def append(self, lines: Sequence[bytes]) -> None:

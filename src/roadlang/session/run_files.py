@@ -38,8 +38,7 @@ _RESERVED = frozenset(ending[1:] for ending in (*_ENDINGS, *FINDINGS))
 class RunFolder:
     """A folder of drives. `key` stands for all that they depend on, `provenance` says it to people;
     `resume`: what is there of an earlier run with the same key is kept; otherwise its files are
-    removed. `backends` write files of
-    drives beside the traces.
+    removed. `backends` write files of drives beside the traces.
 
     `finished` holds the rows of scenes by their number. Raises `DiagnosticError` RL702 where the
     journal is that of another run, RL460 where nothing can be written.
