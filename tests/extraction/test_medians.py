@@ -95,3 +95,13 @@ def test_the_edge_of_a_shadow_and_wheel_tracks_are_no_medians() -> None:
         worn[row] = np.add(ASPHALT, 25 if row // 3 % 2 else -25)
     for picture in (shaded, worn):
         assert not cleared(picture, level(MIDDLE, 22.0)).any()
+
+
+def test_noise_of_the_photo_neither_hides_a_median_nor_looks_like_one() -> None:
+    """Colors are averaged along the road."""
+    noise = np.random.default_rng(1).normal(0.0, 40.0, (HIGH, WIDE, 3))
+    divided, plain = (
+        (photo(median=median) + noise).clip(0, 255).astype(np.uint8) for median in (4, 0)
+    )
+    assert cleared(divided, level(MIDDLE, 22.0))[MIDDLE, 20:-20].all()
+    assert not cleared(plain, level(MIDDLE, 22.0)).any()

@@ -103,3 +103,16 @@ def test_several_runs_stand_for_the_first_of_them(tmp_path: Path) -> None:
     assert results_folder(tmp_path) == tmp_path / "run-1"
     (tmp_path / "provenance.json").write_text("{}")
     assert results_folder(tmp_path) == tmp_path
+
+
+def test_a_line_is_read_with_all_that_was_judged_and_measured(tmp_path: Path) -> None:
+    verdicts = [
+        {"name": "a", "robustness": 2.0, "satisfied": True, "time": 1.0},
+        {"name": "b", "robustness": None, "satisfied": False, "time": None},
+    ]
+    drive = {"row": {"scene": 4}, "record": {"expectations": verdicts}, "measures": {"gap": 3.0}}
+    (tmp_path / JOURNAL_FILE).write_text(HEADER + json.dumps(drive) + "\n")
+    (found,) = _entries(tmp_path, "")
+    assert found.expectations == (judged("a", 2.0, True), judged("b", None, False))
+    assert found.measures == {"gap": 3.0}
+    assert found.result_row(0).has_failed
