@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import errno
+import itertools
 import os
 import stat
 import subprocess
@@ -246,3 +247,41 @@ def test_names_that_lead_out_of_the_folder_are_refused(tmp_path: Path, name: str
     with pytest.raises(ValueError, match="is not the name of a file in a folder"):
         fill(tmp_path / "set", name)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_files_of_a_side_room_are_moved_and_the_rest_of_it_is_removed(tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    with staged_set(folder, MARKER, everything) as files:
+        side = files.side_room()
+        first, second = side.lay(b"1"), side.lay(b"2")
+        assert first != second
+        files.add("a", second)
+        files.add(MARKER, b"{}")
+    assert names_in(folder) == {"a", MARKER}
+    assert (folder / "a").read_bytes() == b"2"
+
+
+def test_a_side_room_keeps_what_a_lost_process_of_the_same_number_wrote(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with staged_set(tmp_path / "out", MARKER, everything) as files:
+        side = files.side_room()
+        monkeypatch.setattr("roadlang.files.staging._numbers", itertools.count())
+        first = side.lay(b"1")
+        monkeypatch.setattr("roadlang.files.staging._numbers", itertools.count())
+        assert side.lay(b"2") != first
+        assert first.read_bytes() == b"1"
+
+
+def lay_in_a_lost_room(folder: Path) -> None:
+    with staged_set(folder, MARKER, everything) as files:
+        side = files.side_room()
+        side.path.rmdir()
+        side.lay(b"1")
+
+
+def test_a_side_room_that_cannot_be_written_is_reported(tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    with pytest.raises(DiagnosticError, match="RL460"):
+        lay_in_a_lost_room(folder)
+    assert not list(tmp_path.iterdir())

@@ -9,9 +9,11 @@ be locked, what such a process left stays.
 from __future__ import annotations
 
 import contextlib
+import itertools
 import os
 import shutil
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 from .locking import folder_lock, held_lock, may_be_held
@@ -20,6 +22,29 @@ from .transaction import write as write_new
 from .writing import created, reported
 
 Belonging = Callable[[Path], Iterable[str]]
+_SIDE = ".side"
+"""The folder in a room that other processes write in: no name of a backend begins with a dot."""
+_numbers = itertools.count()
+"""Of the files that this process has written there."""
+
+
+@dataclass(frozen=True)
+class SideRoom:
+    """Where other processes of this machine write what is to become files of `folder`. What is not
+    added in the end, as that of a process that was lost, is removed with the room."""
+
+    folder: Path
+    path: Path
+
+    def lay(self, content: bytes) -> Path:
+        """Write a content under a name that nobody else has. Raises `DiagnosticError` RL460."""
+        with reported(self.folder):
+            while True:
+                place = self.path / f"{os.getpid()}-{next(_numbers)}"
+                # A process that was lost may have had the same number.
+                with contextlib.suppress(FileExistsError):
+                    write_new(place, content)
+                    return place
 
 
 class StagedFiles:
@@ -30,17 +55,34 @@ class StagedFiles:
         self._room = room
         self._names: list[str] = []
 
-    def add(self, name: str, content: bytes) -> None:
-        """Write a file of another name than those before. Raises `DiagnosticError` RL460."""
+    def side_room(self) -> SideRoom:
+        """For other processes. Raises `DiagnosticError` RL460."""
+        side = self._room / _SIDE
+        with reported(self._folder):
+            side.mkdir(exist_ok=True)
+        return SideRoom(self._folder, side)
+
+    def add(self, name: str, content: bytes | Path) -> None:
+        """Write a file of another name than those before, or move it from a side room.
+        Raises `DiagnosticError` RL460."""
         if not is_plain(name):
             raise ValueError(f"`{name}` is not the name of a file in a folder")
         with reported(self._folder):
-            write_new(os.path.join(self._room, name), content)
+            place = os.path.join(self._room, name)
+            if isinstance(content, Path):
+                os.rename(content, place)
+            else:
+                write_new(place, content)
         self._names.append(name)
 
     def paths(self) -> dict[str, Path]:
         """Where they are, by name."""
         return {name: self._room / name for name in self._names}
+
+    def close_side_room(self) -> None:
+        """Remove it, with what was not added."""
+        if (self._room / _SIDE).exists():
+            shutil.rmtree(self._room / _SIDE)
 
 
 @contextlib.contextmanager
@@ -61,6 +103,7 @@ def staged_set(folder: Path, marker: str, belonging: Belonging) -> Iterator[Stag
         files = StagedFiles(folder, room)
         yield files
         with reported(folder):
+            files.close_side_room()
             if base is folder or not _became(folder, room, files):
                 _move(folder, files, marker, belonging)
 

@@ -4,15 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.kind_instance import KindInstance
+from ..ir.manifest import OutputFile
 from ..ir.scene import Scene, Verdict
 from ..search.accepted import Concretize, Sample
+from ..search.searching import LARGEST_BLOCK, SENT_BLOCK
 from .emitting import Output, outputs_of_scene, wants_all
 from .instantiate import ConcreteScene
 from .spool import packed
+
+Lay = Callable[[bytes], bytes | Path]
+"""Where the content of a file stays until it is taken; pickled with the scenario."""
+
+
+def held(content: bytes) -> bytes:
+    """It is handed back with the scene."""
+    return content
+
+
+@dataclass(frozen=True)
+class EmittedFile:
+    """A file of a scene, and its content or where that was laid."""
+
+    record: OutputFile
+    content: bytes | Path
 
 
 @dataclass(frozen=True)
@@ -20,18 +39,25 @@ class EmittedScene:
     """`made` has an outline of the scene, `whole` all of it where somebody wants all scenes."""
 
     made: ConcreteScene
-    outputs: tuple[Output, ...]
+    files: tuple[EmittedFile, ...]
     whole: bytes | None
 
 
 @dataclass(frozen=True)
 class Emission:
-    """The backends that scenes are written by, and who takes what they write."""
+    """The backends that scenes are written by, and who takes what they write. With a `lay` other
+    than `held` workers hand back little of a scene."""
 
     backends: Sequence[KindInstance]
     take: Callable[[EmittedScene], None]
+    lay: Lay = held
 
-    def taken(self, sample: Sample[EmittedScene]) -> Sample[ConcreteScene]:
+    @property
+    def handling(self) -> tuple[Callable[[Sample[EmittedScene]], Sample[ConcreteScene]], int]:
+        """What a search does with each scene, and the most that a worker hands back together."""
+        return self._taken, SENT_BLOCK if self.lay is held else LARGEST_BLOCK
+
+    def _taken(self, sample: Sample[EmittedScene]) -> Sample[ConcreteScene]:
         """What is kept of a scene after its files were taken."""
         self.take(sample.result)
         return Sample(sample.result.made, sample.coordinates)
@@ -40,6 +66,7 @@ class Emission:
 def emitted(
     concretize: Concretize[ConcreteScene],
     backends: Sequence[KindInstance],
+    lay: Lay,
     candidates: CandidateBatch,
     numbers: Sequence[int],
 ) -> list[EmittedScene]:
@@ -48,7 +75,7 @@ def emitted(
     return [
         EmittedScene(
             replace(made, scene=outline_of(made.scene)),
-            _outputs(backends, made),
+            tuple(EmittedFile(o.record(), lay(o.content)) for o in _outputs(backends, made)),
             packed(made.scene) if keeps else None,
         )
         for made in concretize(candidates, numbers)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from ..evaluate.candidates import fixed_candidate
 from ..evaluate.evaluation import build
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
-from ..ir.manifest import MANIFEST_FILE
+from ..ir.manifest import MANIFEST_FILE, OutputFile
 from ..ir.picture import Picture
 from ..ir.scenario import Scenario
 from ..ir.scene import Scene
@@ -35,6 +36,11 @@ class Output:
     content: bytes
     backend: str
     scene: int | None
+
+    def record(self) -> OutputFile:
+        """What the manifest says of it."""
+        digest = hashlib.sha256(self.content).hexdigest()
+        return OutputFile(self.path, digest, len(self.content), self.backend, self.scene)
 
 
 def backends_of(
@@ -121,7 +127,7 @@ class OutputNames:
         self._calls = {backend.entry.recorded: backend.call for backend in backends}
         self._names: dict[str, str] = {}
 
-    def add(self, output: Output) -> None:
+    def add(self, output: Output | OutputFile) -> None:
         """Raises `DiagnosticError` RL931 where two have one name."""
         if output.path in self._names:
             raise DiagnosticError(

@@ -96,11 +96,11 @@ def sample_scenes(
         workers = Workers(progress=workers.progress)
     make: Concretize[Any] = concretize
     if emission is not None:
-        make = partial(emitted, concretize, emission.backends)
+        make = partial(emitted, concretize, emission.backends, emission.lay)
     task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
     if impossible := impossible_requirements(task.acceptance, seed):
         return _nothing(task, impossible, n or 1)
-    found = search(task, n, workers, None if emission is None else emission.taken)
+    found = search(task, n, workers, *(() if emission is None else emission.handling))
     concrete = [sample.result for sample in found.samples]
     _see_scenes(found.stats, task.acceptance, [item.scene for item in concrete])
     table = rows_of(found.stats, task.acceptance.requirements, frozenset())

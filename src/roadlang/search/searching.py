@@ -16,7 +16,7 @@ BLOCKS = ((64, 16), (256, 64))
 """Up to how many scenes how many of them are searched for together: a batch of candidates costs as
 much as hundreds of them. No scene depends on it."""
 LARGEST_BLOCK, SENT_BLOCK = 256, 128
-"""Of more scenes; of those that come from other processes, where many wait to be written."""
+"""Of more scenes; of those that other processes send whole, where many wait to be written."""
 _FEWEST_FOR_PROCESSES = 8
 _PARTS = 4
 """Parts of the work for each worker: few, for each costs a message, but all should end together."""
@@ -32,13 +32,15 @@ def search(
     n: int | None,
     workers: Workers = ALONE,
     keep: Callable[[Sample[T]], Sample[Any]] | None = None,
+    sent: int = SENT_BLOCK,
 ) -> AcceptedSamples[Any]:
     """The first `n` scenes by the scenario's sampler. `keep` says what is kept of each; it is
-    called with one after the other, in their order, as soon as they are there."""
+    called with one after the other, in their order, as soon as they are there. `sent`: the most
+    scenes that another process hands back together."""
     with WorkerPool(task, workers) as pool:
         if task.sampler.kind.sequential:
             return _search_stream(task, n, pool, workers.progress, keep)
-        return _search_scenes(task, n or 1, pool, workers.progress, keep)
+        return _search_scenes(task, n or 1, pool, workers.progress, keep, sent)
 
 
 def _search_scenes(
@@ -47,12 +49,13 @@ def _search_scenes(
     pool: WorkerPool[SceneSearch[T]],
     progress: Progress | None,
     keep: Callable[[Sample[T]], Sample[Any]] | None,
+    sent: int,
 ) -> AcceptedSamples[Any]:
     """Scene 0 first and alone: if it is given up, so is everything."""
     found = AcceptedSamples[Any](n, RejectionStats.empty(len(task.acceptance.requirements)))
     blocks = [range(1)]
     size = next((size for most, size in BLOCKS if n <= most), LARGEST_BLOCK)
-    size = min(size, SENT_BLOCK) if pool.workers > 1 else size
+    size = min(size, sent) if pool.workers > 1 else size
     blocks += _even_blocks(1, n, size, pool.workers)
     for part in (blocks[:1], blocks[1:]):
         most = max(1, min(_MOST_BLOCKS, _MOST_SCENES // size))

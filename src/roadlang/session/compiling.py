@@ -6,7 +6,7 @@ import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..scenes.emitted import Emission, EmittedScene
+from ..scenes.emitted import Emission, EmittedScene, held
 from ..scenes.emitting import send
 from ..scenes.spool import SceneSpool
 from .emitting import SetWriting
@@ -34,12 +34,15 @@ def compiled(
         with SetWriting(loaded, folder) as writing:
 
             def take(scene: EmittedScene) -> None:
-                for output in scene.outputs:
-                    writing.add(output)
+                for file in scene.files:
+                    writing.take(file.record, file.content)
                 if scene.whole is not None:
                     spool.add(scene.whole)
 
-            emission = Emission(writing.backends, take)
+            # What processes write themselves need not be sent: memory for that is slow to come by.
+            is_near = workers.jobs > 1 and workers.executor is None
+            lay = writing.side_room().lay if is_near else held
+            emission = Emission(writing.backends, take, lay)
             scenes = sampled(loaded, n, seed, workers, after_pass, emission)
             manifest = writing.finish(scenes.result, seed, spool)
         send(writing.backends, spool)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..files.staging import staged_set
+from ..files.staging import SideRoom, staged_set
 from ..ir.manifest import MANIFEST_FILE, OutputFile
 from ..ir.values import NO_OPTIONS, PassCall
 from ..plugins.finding import entry_of
@@ -18,7 +18,7 @@ from ..scenes.emitting import (
     outputs_of_scene,
     send,
 )
-from .manifest import file_of, files_named_in, manifest_of
+from .manifest import files_named_in, manifest_of
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
@@ -80,9 +80,17 @@ class SetWriting:
 
     def add(self, output: Output) -> None:
         """Write a file, unless another has its name."""
-        self._names.add(output)
-        self._files.add(output.path, output.content)
-        self._written.append(file_of(output))
+        self.take(output.record(), output.content)
+
+    def take(self, record: OutputFile, content: bytes | Path) -> None:
+        """Write a file of which everything is known, or move it here from the side room."""
+        self._names.add(record)
+        self._files.add(record.path, content)
+        self._written.append(record)
+
+    def side_room(self) -> SideRoom:
+        """Where other processes of this machine write."""
+        return self._files.side_room()
 
     def finish(self, result: SamplingResult, seed: int, scenes: Sequence[Scene]) -> Manifest:
         """Add what is written once for all scenes."""

@@ -18,7 +18,6 @@ from ..ir.scenario import Scenario
 from ..version import __version__
 
 if TYPE_CHECKING:
-    from ..scenes.emitting import Output
     from ..scenes.sampling import SamplingResult
     from .loading import LoadedScenario
 
@@ -55,12 +54,6 @@ def manifest_of(
         ),
         files=tuple(sorted(written, key=lambda file: file.path)),
     )
-
-
-def file_of(output: Output) -> OutputFile:
-    """What the manifest says of a file."""
-    digest = hashlib.sha256(output.content).hexdigest()
-    return OutputFile(output.path, digest, len(output.content), output.backend, output.scene)
 
 
 def _rounded(value: float | None) -> float | None:
