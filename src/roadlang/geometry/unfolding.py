@@ -15,8 +15,7 @@ def unfolded_lines(line: Floats, center: Floats, tolerance: float = SEEN_FROM) -
     than the offset; (m, 2) each.
 
     A point belongs to it if no point of the center line (n, 2) is nearer than its own by more than
-    `tolerance`. All in one unit of length: in pixels, unless the
-    tolerance is given.
+    `tolerance`. All are in one unit of length: pixels, unless the tolerance is given.
     """
     forward = (np.diff(line, axis=0) * np.diff(center, axis=0)).sum(axis=1)
     if (forward >= 0).all():

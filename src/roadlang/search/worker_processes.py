@@ -121,8 +121,6 @@ _process_state: list[Any] = []
 Filled once, when the process starts; empty in the process that hands out the work."""
 _process_jobs: list[Any] = []
 """The jobs that were known when it was forked."""
-
-
 _is_idle = threading.Event()
 """Whether a worker process waits for a job."""
 

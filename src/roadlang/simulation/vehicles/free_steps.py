@@ -159,9 +159,8 @@ class FreeSteps:
         """`columns`: `COLUMNS`, before; `into`: (10,) rows for the motion after it, which
         `with_limits` fill too."""
         self._with_limits, self._wait = with_limits, 0
-        self._limits = _Limits(
-            dt
-        )  # no call holds the steps: their memory is free with their last user
+        # No call holds the steps themselves: their memory is free with their last user.
+        self._limits = _Limits(dt)
         program = free_program(dt, steps)
         count = len(columns[0])
         numbers = [*columns, *(np.array(one) for one in program.numbers)]
