@@ -36,9 +36,15 @@ EDITS: dict[str, tuple[tuple[Any, ...], Any, str]] = {
         True,
         "agents[0].sensors[0].options.noise",
     ),
+    "of every sensor": (
+        ("agents", 0, "sensors", 0, "options", "delay"),
+        {"q": 1},
+        "agents[0].sensors[0].options.delay",
+    ),
     "of the simulator": (("simulate", "options", "duration"), "2s", "simulate.options.duration"),
     "of a signal": ((*WHEN, "options", "of"), 7, f"{STATION}.options.of"),
     "an agent that is not there": ((*WHEN, "options", "agent"), "eg", f"{STATION}.options.agent"),
+    "null for an agent": ((*WHEN, "options", "agent"), None, f"{STATION}.options"),
     "no agent": ((*WHEN, "options"), {}, f"{STATION}.options"),
 }
 

@@ -68,6 +68,10 @@ FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
         put({"n": "x"}, *BRAKE, "when", "numbers"),
         "agents[0].drive[1].when.numbers",
     ),
+    "what is no term": (
+        put({">": ["ego.station", True]}, *BRAKE, "when", "formula"),
+        "agents[0].drive[1].when.formula",
+    ),
     "an unknown variable": (
         put({">": ["ego.sped", 1.0]}, *BRAKE, "when", "formula"),
         "agents[0].drive[1].when.formula",

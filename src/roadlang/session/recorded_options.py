@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from ..ir.scene import Scene
 from ..ir.scene_consistency import InconsistentScene, conditions
 from ..plugins.attribution import PluginFault, attributed
+from ..plugins.common_options import common_options
 from ..plugins.drive_signals import named_entities
 from ..plugins.given_options import given_options, option_faults
 from ..plugins.options import OptionSchema
@@ -33,7 +34,8 @@ def check_options(scene: Scene, registry: Registry) -> None:
     for call in _calls(scene):
         entry = _entry(call, registry)
         if entry is not None:
-            _check_values(call, entry.options)
+            common = common_options("sense") if call.verb == "sense" else ()
+            _check_values(call, (*entry.options, *common))
     things = (*scene.agents, *scene.standing)
     names = {thing.name for thing in things} | {thing.group for thing in things}
     for call in _signals(scene):
@@ -78,10 +80,10 @@ def _entry(call: _RecordedCall, registry: Registry) -> KindEntry | None:
 
 def _check_values(call: _RecordedCall, schemas: tuple[OptionSchema, ...]) -> None:
     for schema in schemas:
+        if call.options.get(schema.name) is None and schema.required:
+            fault = f"`{call.verb} {call.kind}` needs the option `{schema.name}`"
+            raise InconsistentScene(f"{call.place}.options", fault)
         if schema.name not in call.options:
-            if schema.required:
-                fault = f"`{call.verb} {call.kind}` needs the option `{schema.name}`"
-                raise InconsistentScene(f"{call.place}.options", fault)
             continue
         given = given_options([schema], {schema.name: call.options[schema.name]})
         for found in option_faults(call.kind, [schema], given):

@@ -115,6 +115,8 @@ def _term_from_json(value: Json) -> t.Term:
         return t.Constant(float(value))
     if isinstance(value, str):
         return t.Variable(value)
+    if not isinstance(value, dict):
+        raise _refusal(value)
     word, operands = _head(value)
     parts = tuple(_term_from_json(operand) for operand in operands)
     if word in get_args(t.FunctionName):
