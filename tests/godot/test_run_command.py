@@ -64,7 +64,7 @@ def test_results_are_a_table_of_scenes_by_run(
     assert "run-001: scene 0: 5.0 s driven in" in capsys.readouterr().out
     rows = list(csv.DictReader((tmp_path / "out/results.csv").open()))
     assert [row["run"] for row in rows] == ["run-000", "run-001"]
-    assert [row["limit"] for row in rows] == ["9.0", "6.0"]
+    assert [row["limit"] for row in rows] == ["9", "6"]
     assert [row["calm satisfied"] for row in rows] == ["true", "false"]
     assert float(rows[0]["calm"]) - float(rows[1]["calm"]) == pytest.approx(3.0, abs=0.2)
     assert (tmp_path / "out/run-001/scene-0000.trace.csv").exists()
