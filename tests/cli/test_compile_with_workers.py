@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import multiprocessing
 import os
-import signal
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from roadlang.diagnostics import DiagnosticError
 from roadlang.search.worker_pool import ALONE, Workers
 from roadlang.session.compiling import compiled
 from roadlang.session.emitting import SetWriting
+from tests.search.worker_killer import WorkerKiller
 
 TEXT = """
 road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 40m)] } width: 8m }
@@ -71,17 +71,9 @@ def test_in_a_folder_that_is_there_the_rest_stays(tmp_path: Path, alone: dict[st
 
 
 def test_a_process_that_is_lost_leaves_nothing(tmp_path: Path, alone: dict[str, bytes]) -> None:
-    before = {process.pid for process in multiprocessing.active_children()}
-    killed: list[int] = []
-
-    def kill_one(done: int, wanted: int) -> None:
-        ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
-        if not killed and ours and ours[0] is not None:
-            killed.append(ours[0])
-            os.kill(ours[0], signal.SIGKILL)
-
-    compiled(roadlang.loads(TEXT), tmp_path / "out", MANY, 3, Workers(2, progress=kill_one))
-    assert killed
+    killer = WorkerKiller()
+    compiled(roadlang.loads(TEXT), tmp_path / "out", MANY, 3, Workers(2, progress=killer))
+    assert killer.killed
     assert files_in(tmp_path / "out") == alone
 
 

@@ -20,6 +20,7 @@ import roadlang
 from roadlang import Falsification
 from roadlang.session.cluster import cluster
 from tests.cli.command_lines import roadlang as roadlang_here
+from tests.search.worker_killer import WorkerKiller
 
 pytestmark = pytest.mark.slow
 
@@ -50,17 +51,9 @@ def alone() -> Falsification:
 def test_two_processes_give_the_table_of_one_also_where_one_is_killed(
     alone: Falsification,
 ) -> None:
-    before = {process.pid for process in multiprocessing.active_children()}
-    killed: list[int] = []
-
-    def kill_one(done: int, wanted: int) -> None:
-        ours = [p.pid for p in multiprocessing.active_children() if p.pid not in before]
-        if not killed and ours and ours[0] is not None:
-            killed.append(ours[0])
-            os.kill(ours[0], signal.SIGKILL)
-
-    found = roadlang.loads(TEXT).falsify(**FEW, jobs=2, progress=kill_one)
-    assert killed
+    killer = WorkerKiller()
+    found = roadlang.loads(TEXT).falsify(**FEW, jobs=2, progress=killer)
+    assert killer.killed
     assert found.outcomes == alone.outcomes
     assert [one.outcome for one in found.failures] == [one.outcome for one in alone.failures]
 
