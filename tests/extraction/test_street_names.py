@@ -98,6 +98,24 @@ def test_no_street_is_below_words_that_stand_beside_one_another() -> None:
     assert not streets.any()
 
 
+def test_a_house_that_touches_a_name_hides_no_street() -> None:
+    letters = name((slice(94, 106), slice(154, 260)))
+    letters[106:132, 190:208] = True
+    streets, named = streets_below_names(street_on_the_left(), letters, WIDTH)
+    assert streets[100, 160:254].all()
+    assert not streets[:92].any()
+    assert not streets[112:].any()
+    assert named[100, 160:254].all()
+    assert not named[120:].any()
+
+
+def test_two_lines_of_text_are_no_name_with_a_house_beside_it() -> None:
+    letters = name((slice(90, 110), slice(154, 260)))
+    letters[110:136, 190:208] = True
+    streets, _ = streets_below_names(street_on_the_left(), letters, WIDTH)
+    assert not streets.any()
+
+
 def test_a_narrow_street_is_found_to_the_end_of_a_name_that_hides_it() -> None:
     image = np.full((360, 480, 3), 240, np.uint8)
     for line in ((40, 40, 440, 40), (40, 40, 40, 320), (40, 320, 440, 320), (40, 180, 330, 180)):

@@ -42,12 +42,21 @@ _INSET = 2
 """Margin around marked letters, in pixels."""
 
 
+_PIECE, _OFF, _REFITS, _ONE_LINE = 4.0, 0.6, 4, 17.0
+"""Where corners of houses touch a name, pixels more than `_OFF` of its height off its middle line
+are theirs. Its height is the median of pieces `_PIECE` pixels long; the line is fitted to the
+middles of these, `_REFITS` times. Two lines of text look like one with houses beside it: what is
+left is to be at most `_ONE_LINE` pixels tall."""
+
+
 @dataclass(frozen=True)
 class _Name:
-    """The middle line (n, 2) of a name, in pixels from end to end, and its height."""
+    """The middle line (n, 2) of a name, in pixels from end to end, its height, and its pixels
+    (m, 2)."""
 
     line: NDArray[np.float64]
     height: float
+    points: NDArray[np.float64]
 
 
 def streets_below_names(
@@ -69,29 +78,61 @@ def streets_below_names(
         if max(wide, tall) < _LONG * np.sqrt(area / _LONG):
             continue
         window = (slice(top, top + tall), slice(left, left + wide))
-        name = _name(words[window] == word, (left, top))
-        if name is None:
-            continue
-        line = _street(mask, name, width)
-        if line is None:
-            continue
-        points = np.round(line * 16).astype(np.int32)
-        cv2.polylines(drawn, [points], False, 1, max(1, round(width)), cv2.LINE_8, 4)
-        if name.height > _HIDES * width:
-            named[window] |= words[window] == word
+        y, x = np.nonzero(words[window] == word)
+        points = np.stack([x + left, y + top], axis=1).astype(np.float64)
+        for pixels in (points, _without_houses(points)):
+            name = _name(pixels) if len(pixels) else None
+            line = None if name is None else _street(mask, name, width)
+            if name is None or line is None:
+                continue
+            street = np.round(line * 16).astype(np.int32)
+            cv2.polylines(drawn, [street], False, 1, max(1, round(width)), cv2.LINE_8, 4)
+            if name.height > _HIDES * width:
+                named[tuple(name.points.astype(np.intp).T[::-1])] = True
+            break
     return np.asarray(drawn > 0), named
 
 
-def _name(word: Booleans, corner: tuple[int, int]) -> _Name | None:
-    """The middle line of a word (h, w) whose upper left corner is at (x, y); None if it is none, or
-    in several lines."""
-    y, x = np.nonzero(word)
-    points = np.stack([x, y], axis=1).astype(np.float64)
+def _axes(
+    points: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """The middle (2,) of pixels (n, 2), and the directions (2,) along and across them."""
     middle = points.mean(axis=0)
     across_all, mixed, down_all = np.cov((points - middle).T)[[0, 0, 1], [0, 1, 1]]
     angle = np.arctan2(2 * mixed, across_all - down_all) / 2
     along = np.array([np.cos(angle), np.sin(angle)])
-    across = np.array([-along[1], along[0]])
+    return middle, along, np.array([-along[1], along[0]])
+
+
+def _without_houses(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The pixels (n, 2) of a name without those of houses that touch its side; none if it is not
+    written on one line."""
+    kept, height = points, np.inf
+    for _ in range(_REFITS):
+        if len(kept) < _LOWEST:
+            return kept[:0]
+        middle, along, across = _axes(kept)
+        u, v = (points - middle) @ along, (points - middle) @ across
+        piece = np.floor((u - u.min()) / _PIECE).astype(np.intp)
+        counts = np.bincount(piece)
+        full = np.flatnonzero(counts)
+        height = float(np.median(counts[full])) / _PIECE
+        medians = v[np.lexsort((v, piece))][(np.cumsum(counts) - (counts + 1) // 2)[full]]
+        kept = points[np.abs(v - _bend(full, medians)(piece)) <= _OFF * height]
+    return kept if height <= _ONE_LINE else kept[:0]
+
+
+def _bend(places: NDArray[np.intp], middles: NDArray[np.float64]) -> np.polynomial.Polynomial:
+    """The curve through most of the middles (n,) of pieces: those of houses are far off."""
+    degree = min(3, max(1, len(places) - 1))
+    bend = np.polynomial.Polynomial.fit(places, middles, degree)
+    weights = 1 / np.maximum(np.abs(middles - bend(places)), 1.0)
+    return np.polynomial.Polynomial.fit(places, middles, degree, w=weights)
+
+
+def _name(points: NDArray[np.float64]) -> _Name | None:
+    """The middle line of the pixels (n, 2) of a word; None if it is none, or in several lines."""
+    middle, along, across = _axes(points)
     u, v = (points - middle) @ along, (points - middle) @ across
     start, end = float(u.min()) + _INSET, float(u.max()) - _INSET
     height = len(points) / (end - start + 2 * _INSET)
@@ -104,7 +145,7 @@ def _name(word: Booleans, corner: tuple[int, int]) -> _Name | None:
     for _ in range(_ROUNDS):
         away = np.linalg.norm(points[:, None] - line[None, :], axis=2).min(axis=1)
         if away.mean() <= _BAND * height:
-            return _Name(line + corner, height) if _bends_once(line) else None
+            return _Name(line, height, points) if _bends_once(line) else None
         line = _nearer(line, points)
     return None
 
