@@ -31,7 +31,7 @@ _DIAGNOSTICS = (
     "Diagnostic", "DiagnosticError", "Label", "Source", "Span", "Fix", "Code", "diagnose",
     "did_you_mean",
 )  # fmt: skip
-_FILES = ("read_input", "read_image", "to_json", "scene_from_json")
+_FILES = ("read_input", "read_image", "to_json", "scene_from_json", "program_environment")
 _GEOMETRY = (
     "Curve", "WidthProfile", "OffsetProfile", "Lane", "CrossSection", "Road", "Node", "Edge",
     "RoadNetwork", "network_of_polylines", "Step", "Path", "Straight", "Arc", "Clothoid",
@@ -91,7 +91,7 @@ def api_page() -> str:
         *_section("What methods get and return", (*_DATA, *others)),
         *_section("Scenes", (*_SCENE, *of_scenes), _ABOUT_SCENES),
         *_section("Diagnostics", _DIAGNOSTICS, _ABOUT_DIAGNOSTICS),
-        *_section("Files", _FILES),
+        *_section("Files and programs", _FILES),
         *_geometry(),
     ]
     return "\n".join(lines).rstrip() + "\n"

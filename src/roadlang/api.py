@@ -1,8 +1,4 @@
-"""All that a plugin author imports.
-
-What is needed only while a kind runs is imported when it is first used: checking a scene file
-imports the kinds that it names, and should not pay for scenes and traces.
-"""
+"""All that a plugin author imports; what only running kinds need is imported at its first use."""
 
 from __future__ import annotations
 
@@ -27,7 +23,7 @@ from .ir.dimension import (
     SPEED,
     TIME,
     Dimension,
-)
+)  # fmt: skip
 from .plugins.annotations import (
     Acceleration,
     AgentName,
@@ -171,6 +167,7 @@ if TYPE_CHECKING:
     from .ir.surroundings import LanePlace, LanePlaces, LanesBeside, Neighbor, Neighbors
     from .ir.trace import AgentTrace, Trace
     from .plugins.hookspecs import hookimpl
+    from .plugins.program_environment import program_environment
     from .scenes.figure_colors import FIGURE_COLORS, FigureColors
     from .scenes.junction_curbs import CurbCorner, beside_curb, junction_curbs
     from .scenes.junction_paint import PaintedShape, crosswalk_paint, junction_paint
@@ -190,6 +187,7 @@ if TYPE_CHECKING:
     from .simulation.vehicles.bodies import Body, body_of, vehicle_parameters
     from .simulation.vehicles.line_steering import line_steering
 
+# Checking a scene file imports the kinds that it names, and should not pay for scenes and traces.
 _LATER = {
     ".diagnostics": "Code Diagnostic DiagnosticError Fix Label Source Span diagnose did_you_mean",
     ".ir.actuation": "ActuationBatch",
@@ -224,6 +222,7 @@ _LATER = {
     ".files.table_text": "number_in",
     ".images.plugin_input": "read_image read_input read_text",
     ".plugins.hookspecs": "hookimpl",
+    ".plugins.program_environment": "program_environment",
     ".scenes.figure_colors": "FIGURE_COLORS FigureColors",
     ".scenes.junction_curbs": "CurbCorner beside_curb junction_curbs",
     ".scenes.junction_paint": "PaintedShape crosswalk_paint junction_paint",
@@ -273,9 +272,9 @@ __all__ = [
     "call_of", "crosswalk_paint", "diagnose", "did_you_mean", "geometry", "hookimpl",
     "junction_curbs", "junction_paint", "junction_surface", "kind_of", "lane_guide",
     "line_steering", "list_of", "map_of", "number_in", "one_of", "option", "paint_rings", "pair_of",
-    "quantity", "read_image", "read_input", "read_text", "record_of", "road_surface",
-    "route_points", "scene_from_json", "shown_junctions", "signal_heads", "simulate_scenes",
-    "surface_names", "surface_stretches", "to_json", "vehicle_parameters",
+    "program_environment", "quantity", "read_image", "read_input", "read_text", "record_of",
+    "road_surface", "route_points", "scene_from_json", "shown_junctions", "signal_heads",
+    "simulate_scenes", "surface_names", "surface_stretches", "to_json", "vehicle_parameters",
 ]  # fmt: skip
 
 

@@ -71,15 +71,23 @@ import os, sys
 from roadlang.cli.main import run
 run(["compile", "none.rl", "--jobs", sys.argv[1]])
 print(os.environ.get("OPENCV_FOR_THREADS_NUM"))
+from roadlang_standard.process.program import ControllerProcess
+ask = "import os; print(*(os.environ.get(each) for each in sys.argv[1:]), flush=True)"
+names = ("OPENCV_FOR_THREADS_NUM", "ROADLANG_ONE_THREAD")
+started = ControllerProcess([sys.executable, "-c", "import sys; " + ask, *names])
+print(started.receive(60.0))
+started.close()
 """
 
 
 @pytest.mark.parametrize(
-    ("jobs", "before", "after"), [("2", None, "1"), ("1", None, "None"), ("2", "3", "3")]
+    ("jobs", "before", "after"),
+    [("2", None, ["1", "None"]), ("1", None, ["None", "None"]), ("2", "3", ["3", "3"])],
 )
 def test_several_processes_have_one_thread_of_opencv_each_unless_told_otherwise(
-    jobs: str, before: str | None, after: str
+    jobs: str, before: str | None, after: list[str]
 ) -> None:
+    """`after`: of roadlang, and of a program that it starts."""
     name = "OPENCV_FOR_THREADS_NUM"
     environment = {k: v for k, v in os.environ.items() if k != name}
     if before is not None:
@@ -88,4 +96,4 @@ def test_several_processes_have_one_thread_of_opencv_each_unless_told_otherwise(
         [sys.executable, "-c", TOLD, jobs], capture_output=True, text=True, env=environment,
         check=True,
     )  # fmt: skip
-    assert done.stdout.split()[-1] == after
+    assert done.stdout.split()[-3:] == [*after, "None"]

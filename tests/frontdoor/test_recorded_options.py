@@ -21,6 +21,7 @@ agent ego is car on main at 5m {
 agent others is car on main at 50m {
   count: 2, spacing: 10m, drive with car_follow { speed: 5m/s }
 }
+object tree is tree on main at 90m { side: left, offset: 2m }
 expect apart: always (gap(ego, others) > 1m)
 simulate with builtin { duration: 2s }
 """
@@ -28,6 +29,15 @@ FOLLOW = ("agents", 0, "drive", 0, "options")
 WHEN = ("agents", 0, "drive", 1, "when", "signals", "ego.station")
 STATION = 'agents[0].drive[1].when.signals["ego.station"]'
 EDITS: dict[str, tuple[tuple[Any, ...], Any, str]] = {
+    "a very long car": (("agents", 0, "length"), 1e9, "agents[0].length"),
+    "a car inside out": (("agents", 0, "width"), -1.8, "agents[0].width"),
+    "a mass of nothing": (("agents", 0, "options", "mass"), 0.0, "agents[0].options.mass"),
+    "a wheelbase in words": (
+        ("agents", 0, "options", "wheelbase"),
+        "long",
+        "agents[0].options.wheelbase",
+    ),
+    "a flat tree": (("objects", 0, "height"), 0.0, "objects[0].height"),
     "a word for a number": ((*FOLLOW, "speed"), "fast", "agents[0].drive[0].options.speed"),
     "a list for a number": ((*FOLLOW, "speed"), [1, "a"], "agents[0].drive[0].options.speed"),
     "a number out of bounds": ((*FOLLOW, "speed"), -1.0, "agents[0].drive[0].options.speed"),

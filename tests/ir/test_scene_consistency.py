@@ -19,7 +19,9 @@ agent ego is car on main at 5m {
 }
 object tree is tree on main at 20m { side: left, offset: 2m }
 object zebra is crosswalk on main at 40m
-expect in_lane: always (abs(ego.cross_track_error) < 1m)
+let slow = ego.speed < 9m/s
+expect in_lane: always (abs(ego.cross_track_error) < 1m and slow) { weights: { slow: 2 } }
+expect held: always (ego.speed < 9m/s) { semantics: held, strict: true }
 """
 
 
@@ -42,6 +44,9 @@ def put(value: Any, *way: Any) -> Callable[[Any], None]:
     return change
 
 
+CONDITION = "expectations[0].formula"
+EVALUATION = ("expectations", 0, "formula", "evaluation")
+OPERAND = {">": ["ego.speed", 1.0]}
 COLUMNS = "reference_stations", "x", "y", "heading", "curvature", "width"
 BRAKE = ("agents", 0, "drive", 1)
 FORMULA = ("expectations", 0, "formula")
@@ -79,6 +84,40 @@ FAULTS: dict[str, tuple[Callable[[Any], None], str]] = {
     "a truth among numbers": (
         put({"n": True}, *BRAKE, "when", "numbers"),
         "agents[0].drive[1].when.numbers",
+    ),
+    "an evaluation in a word": (put("held", *EVALUATION), f"{CONDITION}.evaluation"),
+    "unknown semantics": (
+        put({"semantics": "helt"}, *EVALUATION),
+        f"{CONDITION}.evaluation.semantics",
+    ),
+    "an unknown robustness": (
+        put({"robustness": ["time"]}, *EVALUATION),
+        f"{CONDITION}.evaluation.robustness",
+    ),
+    "what is no truth": (put({"strict": 1}, *EVALUATION), f"{CONDITION}.evaluation.strict"),
+    "an unknown word of evaluation": (
+        put({"strikt": True}, *EVALUATION),
+        f"{CONDITION}.evaluation.strikt",
+    ),
+    "two that do not go together": (
+        put({"semantics": "held", "robustness": "time"}, *EVALUATION),
+        f"{CONDITION}.evaluation.semantics",
+    ),
+    "weights in a map": (
+        put({"weights": {"a": 1}}, *EVALUATION),
+        f"{CONDITION}.evaluation.weights",
+    ),
+    "a weight without operand": (
+        put({"weights": [2.0]}, *EVALUATION),
+        f"{CONDITION}.evaluation.weights[0]",
+    ),
+    "a weight of zero": (
+        put({"weights": [[OPERAND, 0]]}, *EVALUATION),
+        f"{CONDITION}.evaluation.weights[0][1]",
+    ),
+    "a weight of no formula": (
+        put({"weights": [[OPERAND, 1.5], [{"zz": 1}, 2]]}, *EVALUATION),
+        f"{CONDITION}.evaluation.weights[1][0]",
     ),
     "a list of numbers": (
         put([], *BRAKE, "during", "numbers"),

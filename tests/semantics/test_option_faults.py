@@ -21,6 +21,7 @@ TOWN = PLAN + "network town from plan\n"
 SECTIONS = f"road main {{ {DRAWN}, % }}\n"
 CONTROL = PLAN + "network town from plan { % }\n"
 OPTIONS = LEAD + "agent ego is car on main at 20m { % }\n"
+IN_OUTER_LANE = LEAD + "agent ego is car on main at 20m { lane: -2, % }\n"
 PLACES = LEAD + EGO + "agent b is car %\n"
 ROUTES = TOWN + "agent ego is car on town { % }\n"
 IN_TOWN = TOWN + "agent ego is car on town at %\n"
@@ -94,14 +95,14 @@ FAULTS = [
     (OPTIONS, "drive with traffic { politness: 0.5 }", "RL220", "politness", "politeness"),
     (OPTIONS, "drive with traffic { aggression: 2 }", "RL208", "2", None),
     (OPTIONS, "drive with change_lane", "RL221", "change_lane", None),
-    (OPTIONS, "drive with change_lane { to: lft }", "RL223", "lft", "left"),
+    (IN_OUTER_LANE, "drive with change_lane { to: lft }", "RL223", "lft", "left"),
     (OPTIONS, "drive with change_lane { to: 2m }", "RL201", "2m", None),
     (OPTIONS, "drive with cut_in { target: laed }", "RL101", "laed", "lead"),
     (OPTIONS, "drive with cut_in { target: main }", "RL228", "main", None),
     (OPTIONS, "drive with cut_in { target: lead, gap: 8s }", "RL201", "8s", None),
     (OPTIONS, "drive with overtake { target: lead, withn: 50m }", "RL220", "withn", "within"),
     (OPTIONS, "drive with overtake { target: lead, gap: 0m }", "RL208", "0m", None),
-    (OPTIONS, "drive with merge { within: 150 }", "RL202", "150", "150m"),
+    (IN_OUTER_LANE, "drive with merge { within: 150 }", "RL202", "150", "150m"),
     (OPTIONS, "drive with merge { into: left }", "RL220", "into", None),
     (OPTIONS, "drive with stop_at { station: 50s }", "RL201", "50s", None),
     (OPTIONS, "drive with stop_at { distnce: 5m }", "RL220", "distnce", "distance"),

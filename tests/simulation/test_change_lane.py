@@ -114,11 +114,12 @@ def test_left_means_no_lane_of_oncoming_traffic() -> None:
         ROAD
         + """
     agent ego is car on main at 100m {
-      lane: -1, drive with lane_follow { speed: 20m/s }, drive with change_lane { to: left }
+      lane: -1, drive with lane_follow { speed: 20m/s }
+      drive with change_lane { to: left, when: time > 1s }
     }
     """
     )
-    (trace,) = drive(text.replace("}, drive", "}\n drive"), duration=8.0)
+    (trace,) = drive(text, duration=8.0)
     assert np.abs(trace.agents["ego"].y - INNER).max() < 0.01
 
 

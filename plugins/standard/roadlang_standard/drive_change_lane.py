@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.api import ControlBatch, LaneKind, ObservationBatch
     from roadlang.geometry import Booleans, Floats
 
 SIGHT = 200.0
@@ -81,6 +81,11 @@ class ChangeLane(Controller):
         example="50m",
     )
     force: Flag = option(False, help="change lanes even if there is no room")
+
+    def takes_lane(self, kind: type[LaneKind], is_oncoming: bool) -> bool:
+        if self.force:
+            return kind.drivable
+        return kind.name in BESIDE or (kind.drivable and not is_oncoming)
 
     def start(self, count: int) -> NDArray[np.float64]:
         """(count, 6) of each agent: phase, offsets of the new and of the old lane, time since the

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from roadlang.api import ControlBatch, ObservationBatch
+    from roadlang.api import ControlBatch, LaneKind, ObservationBatch
     from roadlang.geometry import Booleans, Floats
 
 HEADWAY, GAP = 0.8, 2.0
@@ -105,6 +105,9 @@ class Merge(Controller):
 
     def initial_speed(self) -> InitialSpeed:
         return InitialSpeed(self.speed)
+
+    def takes_lane(self, kind: type[LaneKind], is_oncoming: bool) -> bool:
+        return kind.drivable and not is_oncoming
 
     def start(self, count: int) -> NDArray[np.float64]:
         """Of each agent: phase, distance traveled when it took over (NaN before), offset of the new

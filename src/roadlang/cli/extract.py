@@ -211,8 +211,8 @@ def _opened(images: tuple[str, ...]) -> OpenedImage:
         opened = open_tiles([(Path(image), image) for image in images], images[0], None)
     else:
         opened = open_image(Path(images[0]), images[0], None)
-    if opened.shown.warning is not None:
-        report([opened.shown.warning])
+    if opened.warnings:
+        report(opened.warnings)
     return opened
 
 

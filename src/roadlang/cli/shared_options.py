@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
 import click
 
+from ..plugins.program_environment import one_thread_for_opencv
 from .finite_range import Seed, WholeNumber
 from .output_files import OutputPath
 from .quantities import seconds
@@ -34,10 +34,10 @@ seed = click.option("--seed", type=Seed(), default=0, show_default=True, help="R
 
 
 def _one_thread_each(_: click.Context, __: click.Parameter, value: int) -> int:
-    """Several processes need no threads of OpenCV, which it starts unless told otherwise before it
-    is imported; a process without threads can be forked, one with them cannot."""
+    """Several processes need no threads of OpenCV; a process without threads can be forked, one
+    with them cannot."""
     if value > 1:
-        os.environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
+        one_thread_for_opencv()
     return value
 
 

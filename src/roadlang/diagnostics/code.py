@@ -205,6 +205,7 @@ class Code:
     CUT_TAPER: Final = "RL443"
     ROADS_ON_LEVELS: Final = "RL444"
     PLACES_APART: Final = "RL445"
+    PARTLY_DAMAGED_IMAGE: Final = "RL446"
     MISSING_FILE: Final = "RL450"
     UNUSABLE_FILE: Final = "RL451"
     OUTPUT_NOT_WRITTEN: Final = "RL460"

@@ -7,19 +7,20 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..diagnostics import Code, DiagnosticError, Span, diagnose
+from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..files.matching import files_matching
 from ..files.picture_formats import READABLE, other_content
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
+from .codec_output import codec_output
 from .image_header import ImageHeader, is_complete, read_header
 from .image_scale import FoundScale, scale_in_file, unusable_world_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
 from .placed_pixels import MOST_PIXELS, Pixels, PlacedPixels, placed
-from .silent_codecs import silent_codecs
 from .tiff_bands import TiffBands
 
 LEAST_SIDE = 2
@@ -30,10 +31,17 @@ _HALF, _WHITE, _NEARLY_ALL = 0.5, 200.0, 0.99
 @dataclass(frozen=True)
 class OpenedImage:
     """`shown`: (height, width, 3) BGR, with scale and place where the files, or those next to them,
-    have them; `inputs`: these files, their paths as written and sha256."""
+    have them; `inputs`: these files, their paths as written and sha256; `damage`: RL446 of each
+    that is decoded in part only."""
 
     shown: PlacedPixels
     inputs: tuple[tuple[str, str], ...]
+    damage: tuple[Diagnostic, ...] = ()
+
+    @property
+    def warnings(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the pictures, and why their place is not known."""
+        return (*self.damage, *filter(None, (self.shown.warning,)))
 
     @property
     def pixels(self) -> Pixels:
@@ -69,10 +77,11 @@ def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | Non
     """
     read = [_read(path, name, span) for path, name in files]
     inputs = tuple(item for each in read for item in each.inputs)
+    damage = tuple(each.damage for each in read if each.damage is not None)
     if len(read) == 1:
         path, name = files[0]
         shown = placed(read[0].pixels, read[0].found, name, span, unusable_world_file(path))
-        return OpenedImage(shown, inputs)
+        return OpenedImage(shown, inputs, damage)
     tiles = [
         Tile(name, each.pixels, each.found or FoundScale(None), each.shown)
         for (_, name), each in zip(files, read, strict=True)
@@ -81,7 +90,7 @@ def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | Non
         pixels, scale = mosaic(tiles, MOST_PIXELS)
     except TilesDoNotFit as fault:
         raise _refusal(Code.TILES_DO_NOT_FIT, span, written, reason=str(fault)) from None
-    return OpenedImage(placed(pixels, scale, written, span), inputs)
+    return OpenedImage(placed(pixels, scale, written, span), inputs, damage)
 
 
 @dataclass(frozen=True)
@@ -91,6 +100,7 @@ class _ReadImage:
     """(height, width) where it shows something; None: everywhere."""
     found: FoundScale | None
     inputs: tuple[tuple[str, str], ...]
+    damage: Diagnostic | None
 
 
 def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
@@ -102,7 +112,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     if not is_complete(header.format, content):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
     bands = TiffBands.of(content) if header.format == "TIFF" else TiffBands()
-    pixels = None if bands.is_misread else _decoded(content, header)
+    pixels, damage = (None, None) if bands.is_misread else _decoded(content, header)
     if pixels is None or pixels.size == 0:
         raise _refusal(
             Code.DAMAGED_IMAGE, span, written, format=header.format, help=(bands.unsupported,)
@@ -115,7 +125,10 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
         (written, hashlib.sha256(content).hexdigest()),
         *((os.path.join(folder, name), digest) for name, digest in beside),
     )
-    return _ReadImage(as_colors(pixels), bands.shown(pixels), found, inputs)
+    warning = None
+    if damage is not None:
+        warning = _diagnosed(Code.PARTLY_DAMAGED_IMAGE, span, written, reason=damage)
+    return _ReadImage(as_colors(pixels), bands.shown(pixels), found, inputs, warning)
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:
@@ -147,7 +160,11 @@ def _check_size(header: ImageHeader, written: str, span: Span | None) -> None:
         raise _refusal(Code.IMAGE_TOO_SMALL, span, written, size=size)
 
 
-def _refusal(
+def _refusal(code: str, span: Span | None, written: str, **words: Any) -> DiagnosticError:
+    return DiagnosticError(_diagnosed(code, span, written, **words))
+
+
+def _diagnosed(
     code: str,
     span: Span | None,
     written: str,
@@ -156,17 +173,16 @@ def _refusal(
     reason: str = "",
     size: str = "",
     format: str = "",
-) -> DiagnosticError:
+) -> Diagnostic:
     path = None if span is not None else written
     hints = tuple(filter(None, help))
-    return DiagnosticError(
-        diagnose(
-            code, span, help=hints, path=path, file=written, reason=reason, size=size, format=format
-        )
+    return diagnose(
+        code, span, help=hints, path=path, file=written, reason=reason, size=size, format=format
     )
 
 
-def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
+def _decoded(content: bytes, header: ImageHeader) -> tuple[NDArray[np.generic] | None, str | None]:
+    """The pixels, and what of the file is damaged, in words."""
     import cv2
 
     # Only color mode honors the orientation that cameras note in JPEG files.
@@ -175,12 +191,12 @@ def _decoded(content: bytes, header: ImageHeader) -> NDArray[np.generic] | None:
     try:
         if header.format == "TIFF":
             content = TiffBands.in_color(content)
-        with silent_codecs():
+        with codec_output() as printed:
             pixels: NDArray[np.generic] | None
             pixels = cv2.imdecode(np.frombuffer(content, np.uint8), mode)
-        return pixels
+        return pixels, printed.damage
     except cv2.error:
-        return None
+        return None, None
     finally:
         _set_log_level(level)
 

@@ -79,6 +79,7 @@ def _check_condition(condition: Mapping[str, Any], place: str) -> None:
     except DiagnosticError as error:
         message = error.diagnostics[0].message
         raise InconsistentScene(f"{place}.formula", message) from error
+    _check_evaluation(condition.get("evaluation", {}), place)
     signals, numbers = condition.get("signals", {}), condition.get("numbers", {})
     if not isinstance(signals, Mapping) or not all(map(_is_call, signals.values())):
         fault = "each signal is a map with its `kind` and `options`"
@@ -88,6 +89,17 @@ def _check_condition(condition: Mapping[str, Any], place: str) -> None:
     for name in sorted(formula.variables - signals.keys() - numbers.keys()):
         fault = f"`{name}` is neither in `signals` nor in `numbers`"
         raise InconsistentScene(f"{place}.formula", fault)
+
+
+def _check_evaluation(evaluation: object, place: str) -> None:
+    from ..stl.formats.evaluation_json import UnreadableEvaluation, evaluation_from_json
+
+    if not isinstance(evaluation, Mapping):
+        raise InconsistentScene(f"{place}.evaluation", "this is a map")
+    try:
+        evaluation_from_json(evaluation)
+    except UnreadableEvaluation as error:
+        raise InconsistentScene(f"{place}.evaluation.{error.place}", str(error)) from error
 
 
 def _is_call(value: object) -> bool:

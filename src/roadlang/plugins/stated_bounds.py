@@ -89,7 +89,12 @@ def _rows(
     """Options by name, for each combination of their values; integers as such."""
     integers = {option.name for option in schema_of(kind) if _is_integer(option.type)}
     rows = (dict(zip(options, combination, strict=True)) for combination in combinations)
-    return [{key: round(v) if key in integers else v for key, v in row.items()} for row in rows]
+    return [{key: _whole(v) if key in integers else v for key, v in row.items()} for row in rows]
+
+
+def _whole(value: Any) -> Any:
+    """A number as an integer; a word that an option takes in place of one as it is."""
+    return round(value) if isinstance(value, int | float) else value
 
 
 def _inside(value: Any, shares: Iterator[float]) -> Any:

@@ -22,14 +22,16 @@ from ..ir.scenario import (
 from ..ir.values import PassCall, TextValue, Value
 from ..plugins.kinds import Controller
 from ..plugins.registry import Registry
+from ..world.lane_plan import default_lane_kind
 from ..world.placement_faults import missing_scale, unknown_lane
+from ..world.planned_lanes import PlannedLane, planned_lanes
 from .fixed_closed_roads import fixed_closed_roads
 from .fixed_lane_changes import lanes_not_beside
 from .fixed_overlaps import fixed_overlaps
 from .fixed_positions import intervals_off_road, position_fault
 from .fixed_roads import fixed_roads
 from .fixed_runs import equal_outputs, large_grids
-from .fixed_surfaces import road_lane_ids, surface_faults
+from .fixed_surfaces import road_lane_plan, surface_faults
 from .missing_sensors import missing_sensors
 from .refused_options import refused_options
 from .unsupported import unsupported_parts
@@ -103,9 +105,10 @@ def _file_has_scale(source: FileSource) -> bool:
 
 def _lane_faults(actor: ScenarioActor, scenario: IndexedScenario) -> Iterator[Diagnostic]:
     """RL613 for the lane that an actor begins in, and for those that its controllers move to."""
-    lanes = road_lane_ids(scenario.roads[str(actor.on)], scenario)
+    lanes = planned_lanes(road_lane_plan(scenario.roads[str(actor.on)], scenario), scenario)
     if lanes is None:
         return
+    ids = tuple(lane.id for lane in lanes)
     written = [(actor.options.get("lane"), actor.span_of("lane"))]
     for call in actor.drive:
         kind = scenario.kind(call)[1]
@@ -114,12 +117,25 @@ def _lane_faults(actor: ScenarioActor, scenario: IndexedScenario) -> Iterator[Di
             written += zip(map(call.options.get, kind.lane_options), places, strict=True)
     for value, span in written:
         lane = None if value is None else _fixed_number(value, scenario)
-        fault = None if lane is None else unknown_lane(actor, lane, lanes, span)
+        fault = None if lane is None else unknown_lane(actor, lane, ids, span)
         if fault is not None:
             yield fault
-    start = None if "lane" not in actor.options else _fixed_number(actor.options["lane"], scenario)
+    start = _start_lane(actor, lanes, scenario)
     if start is not None:
         yield from lanes_not_beside(actor, start, lanes, scenario)
+
+
+def _start_lane(
+    actor: ScenarioActor, lanes: tuple[PlannedLane, ...], scenario: IndexedScenario
+) -> int | None:
+    """The lane in which an actor begins, where no draw and no other actor decides it."""
+    if "lane" in actor.options:
+        return _fixed_number(actor.options["lane"], scenario)
+    if actor.options.keys() & {"side", "offset"} or isinstance(actor.options.get("at"), PassCall):
+        return None
+    usual = default_lane_kind(scenario, drivable=True)
+    own = [lane.id for lane in lanes if lane.direction == "forward" and lane.kind is usual]
+    return min(own, key=abs, default=None)
 
 
 def _fixed_number(value: Value, scenario: IndexedScenario) -> int | None:

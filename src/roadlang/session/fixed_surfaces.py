@@ -10,7 +10,7 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.lanes import DEFAULT_LANES
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.values import ConstantValue, Entries, Items, Options, Value
-from ..world.lane_plan import known_ids, lane_plan
+from ..world.lane_plan import LanePlan, known_ids, lane_plan
 from ..world.surface_faults import PATCHES, patch_span, unknown_patch_lane, unknown_patch_road
 from .fixed_positions import drawer_of, interval_fault
 
@@ -55,12 +55,12 @@ def unknown_roads(
             yield fault
 
 
-def road_lane_ids(road: ScenarioRoad, scenario: IndexedScenario) -> tuple[int, ...] | None:
-    """The lanes of a road; None where they are not known yet."""
+def road_lane_plan(road: ScenarioRoad, scenario: IndexedScenario) -> LanePlan:
+    """What is written about the lanes of a road; of one that is drawn, at least how many."""
     plan = lane_plan(road, scenario)
     if plan.owner is None and drawer_of(road, scenario) is not None:
-        plan = replace(plan, owner=road, lanes=ConstantValue(DEFAULT_LANES))
-    return known_ids(plan, scenario)
+        return replace(plan, owner=road, lanes=ConstantValue(DEFAULT_LANES))
+    return plan
 
 
 def _patches(source: ScenarioRoad | ScenarioNetwork, scenario: IndexedScenario) -> Iterator[_Patch]:
@@ -98,7 +98,7 @@ def _lane_fault(
 ) -> Iterator[Diagnostic]:
     lane = _constant(patch.get("lane"), scenario)
     if isinstance(source, ScenarioRoad):
-        ids = road_lane_ids(source, scenario)
+        ids = known_ids(road_lane_plan(source, scenario), scenario)
     else:
         ids = known_ids(lane_plan(source, scenario), scenario)
     fault = (

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Set
 from typing import Any, NamedTuple
 
 from ..ir.scene import Scene
+from ..ir.scene_actor import SceneActor
 from ..ir.scene_consistency import InconsistentScene, conditions
 from ..plugins.attribution import PluginFault, attributed
 from ..plugins.common_options import common_options
@@ -13,6 +14,9 @@ from ..plugins.drive_signals import named_entities
 from ..plugins.given_options import given_options, option_faults
 from ..plugins.options import OptionSchema
 from ..plugins.registry import AmbiguousKind, KindEntry, Registry
+
+_SIZES = ("length", "width", "height")
+"""Members of agents and objects that are options of most of their kinds too."""
 
 
 class _RecordedCall(NamedTuple):
@@ -25,12 +29,20 @@ class _RecordedCall(NamedTuple):
 
 
 def check_options(scene: Scene, registry: Registry) -> None:
-    """Raises `InconsistentScene` for an option of a controller, sensor, simulator or drive signal
-    that a scene file could not have given it, and for a signal of what is not in the scene.
+    """Raises `InconsistentScene` for an option or size of an agent or object, and for an option of
+    a controller, sensor, simulator or drive signal, that a scene file could not have given it, and
+    for a signal of what is not in the scene.
 
-    What the registry does not have is reported where it is used. Options that controllers, sensors
-    and simulators do not have, such as those of another version, are passed over.
+    What the registry does not have is reported where it is used. Options that kinds do not have,
+    such as those of another version, are passed over, but for those of drive signals.
     """
+    for thing, call in _things(scene):
+        entry = _entry(call, registry)
+        if entry is not None:
+            sizes = {each.name: each for each in entry.options if each.name in _SIZES}
+            for name, schema in sizes.items():
+                _check_value(getattr(thing, name), schema, call, f"{call.place}.{name}")
+            _check_values(call, entry.options)
     for call in _calls(scene):
         entry = _entry(call, registry)
         if entry is not None:
@@ -44,6 +56,12 @@ def check_options(scene: Scene, registry: Registry) -> None:
             _check_names(call, entry.options)
             _check_values(call, entry.options)
             _check_entities(call, named_entities(entry, call.options), names)
+
+
+def _things(scene: Scene) -> Iterator[tuple[SceneActor, _RecordedCall]]:
+    for verb, member in (("agent", "agents"), ("object", "objects"), ("object", "markings")):
+        for number, thing in enumerate(getattr(scene, member)):
+            yield thing, _RecordedCall(verb, thing.kind, thing.options, f"{member}[{number}]")
 
 
 def _calls(scene: Scene) -> Iterator[_RecordedCall]:
@@ -85,9 +103,14 @@ def _check_values(call: _RecordedCall, schemas: tuple[OptionSchema, ...]) -> Non
             raise InconsistentScene(f"{call.place}.options", fault)
         if schema.name not in call.options:
             continue
-        given = given_options([schema], {schema.name: call.options[schema.name]})
-        for found in option_faults(call.kind, [schema], given):
-            raise InconsistentScene(f"{call.place}.options.{schema.name}", found.message)
+        place = f"{call.place}.options.{schema.name}"
+        _check_value(call.options[schema.name], schema, call, place)
+
+
+def _check_value(value: object, schema: OptionSchema, call: _RecordedCall, place: str) -> None:
+    given = given_options([schema], {schema.name: value})
+    for found in option_faults(call.kind, [schema], given):
+        raise InconsistentScene(place, found.message)
 
 
 def _check_names(call: _RecordedCall, schemas: tuple[OptionSchema, ...]) -> None:

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.evaluation import evaluate
 from ..evaluate.indexed_scenario import IndexedScenario
@@ -19,7 +18,7 @@ from ..geometry.lanes import DEFAULT_LANES, Direction, Marking
 from ..ir.values import ConstantValue, PassCall, Value
 from ..plugins.kinds import LaneKind
 from .cross_sections import LaneBatch
-from .lane_plan import LanePlan, lane_calls, traffic_side
+from .lane_plan import LanePlan, default_lane_kind, lane_calls, side_directions, traffic_side
 
 _UNIT = WidthProfile.constant(1.0)
 _DOUBLE = 4
@@ -60,27 +59,17 @@ def _counted(plan: LanePlan, candidates: CandidateBatch, count: int) -> LaneBatc
     oneway = plan.oneway is not None and bool(_fixed(plan.oneway, candidates))
     share = WidthProfile.constant(float(count))
     section = CrossSection.of_lane_count(count, share, oneway=oneway)
-    kind = _default_kind(candidates.scenario, drivable=True)
+    kind = default_lane_kind(candidates.scenario, drivable=True)
     named = (replace(lane, kind=kind.name, users=kind.users) for lane in section.lanes)
     section = replace(section, lanes=tuple(named))
     widths: dict[int, Any] = {}
     if plan.sidewalks is not None:
         width = np.atleast_2d(np.asarray(evaluate(plan.sidewalks, candidates), float))
-        section = _with_sidewalks(section, _default_kind(candidates.scenario, drivable=False))
+        section = _with_sidewalks(section, default_lane_kind(candidates.scenario, drivable=False))
         widths = {section.ids[0]: width, section.ids[-1]: width}
     if left_hand(candidates):
         section, widths = section.mirrored(), {-id: width for id, width in widths.items()}
     return LaneBatch(section, widths, {})
-
-
-def _default_kind(scenario: IndexedScenario, *, drivable: bool) -> type[LaneKind]:
-    """The shipped kind that `lanes` or `sidewalks` stand for. Raises RL471 if it is missing."""
-    for entry in scenario.registry.defaults("lane"):
-        kind: Any = entry.load()
-        if kind.drivable == drivable:
-            found: type[LaneKind] = kind
-            return found
-    raise DiagnosticError(diagnose(Code.KIND_NOT_INSTALLED, None, kind="lane"))
 
 
 def _with_sidewalks(section: CrossSection, kind: type[LaneKind]) -> CrossSection:
@@ -97,13 +86,8 @@ def _with_sidewalks(section: CrossSection, kind: type[LaneKind]) -> CrossSection
 
 def _listed(plan: LanePlan, candidates: CandidateBatch) -> LaneBatch:
     oneway = plan.oneway is not None and bool(_fixed(plan.oneway, candidates))
-    keeps_left = left_hand(candidates)
     sides = [_calls(value, candidates) for value in (plan.left, plan.right)]
-    directions: list[Direction] = ["backward", "forward"]
-    if keeps_left:
-        directions.reverse()
-    if oneway:
-        directions = ["forward", "forward"]
+    directions = side_directions(oneway, left_hand(candidates))
     lanes: dict[int, Lane] = {}
     widths: dict[int, Any] = {}
     limits: dict[int, Any] = {}

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
+from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry.lanes import lane_ids
+from ..geometry.lanes import Direction, lane_ids
 from ..ir.scenario import LANE_OPTIONS, ScenarioNetwork, ScenarioRoad
 from ..ir.values import Flag, Items, PassCall, TextValue, Value
+from ..plugins.kinds import LaneKind
 
 
 @dataclass(frozen=True)
@@ -115,3 +118,20 @@ def counted_ids(count: int, oneway: bool, left_hand: bool, extra: int = 0) -> tu
     if left_hand:
         left, right = right, left
     return (*range(left, 0, -1), *range(-1, -right - 1, -1))
+
+
+def side_directions(oneway: bool, left_hand: bool) -> tuple[Direction, Direction]:
+    """Where traffic runs on the left and on the right of the middle of a road."""
+    if oneway:
+        return "forward", "forward"
+    return ("forward", "backward") if left_hand else ("backward", "forward")
+
+
+def default_lane_kind(scenario: IndexedScenario, *, drivable: bool) -> type[LaneKind]:
+    """The shipped kind that `lanes` or `sidewalks` stand for. Raises RL471 if it is missing."""
+    for entry in scenario.registry.defaults("lane"):
+        kind: Any = entry.load()
+        if kind.drivable == drivable:
+            found: type[LaneKind] = kind
+            return found
+    raise DiagnosticError(diagnose(Code.KIND_NOT_INSTALLED, None, kind="lane"))

@@ -144,10 +144,9 @@ def _from_file(
         inputs = tuple(Input(*item) for item in opened.inputs)
         shown = opened.shown
         picture = picture_of(shown, 1.0, source.path)
-        warnings = (shown.warning,) if shown.warning is not None else ()
         scale = opened.scale
         fault = unusable_world_file(Path(source.resolved)) if scale is None else None
-        return _UnscaledPicture(picture, scale, inputs, shown.origin, warnings, fault)
+        return _UnscaledPicture(picture, scale, inputs, shown.origin, opened.warnings, fault)
 
     # Pictures that are opened are shared; what a reader makes of one depends on its options.
     key = ("image read", image.name) if has_reader else ("image opened", source.resolved)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -177,13 +178,20 @@ def test_trims_that_help_no_turn_are_not_moved() -> None:
     assert faults(plan, network) == [{}]
 
 
-def test_two_junctions_that_overlap_are_reported_with_a_road_of_each() -> None:
-    def square(id: int, x: float) -> Junction:
-        area = ((x, 0.0), (x + 10.0, 0.0), (x + 10.0, 10.0), (x, 10.0))
-        arms = (Arm(3, "start", 5.0, 0, 3), Arm(4 + id, "end", 5.0, 2, 1))
-        return Junction(id, (id,), "junction", area, arms, (), (), ())
+def square(id: int, x: float) -> Junction:
+    area = ((x, 0.0), (x + 10.0, 0.0), (x + 10.0, 10.0), (x, 10.0))
+    arms = (Arm(3, "start", 5.0, 0, 3), Arm(4 + id, "end", 5.0, 2, 1))
+    return Junction(id, (id,), "junction", area, arms, (), (), ())
 
+
+def test_two_junctions_that_overlap_are_reported_with_a_road_of_each() -> None:
     (problem,) = junction_overlaps([square(0, 0.0), square(1, 9.0), square(2, 30.0)])
     assert (problem.kind, problem.junction, set(problem.edges)) == ("overlap", 0, {3, 4})
     assert np.isclose(problem.amount, np.hypot(1.0, 10.0), atol=0.02)
     assert junction_overlaps([square(0, 0.0), square(1, 10.0)]) == ()
+
+
+def test_a_junction_that_no_road_leads_to_overlaps_none() -> None:
+    lonely = replace(square(1, 9.0), arms=())
+    assert junction_overlaps([square(0, 0.0), lonely]) == ()
+    assert junction_overlaps([lonely, square(2, 9.0)]) == ()

@@ -14,6 +14,8 @@ from collections import deque
 from collections.abc import Sequence
 from typing import IO
 
+from roadlang.api import program_environment
+
 LONGEST_LINE = 65_536
 """bytes of an answer"""
 TAIL = 30
@@ -45,6 +47,7 @@ class ControllerProcess:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
+                env=program_environment(),
                 start_new_session=True,
             )
         except (OSError, ValueError) as error:

@@ -93,9 +93,11 @@ def _height(edge: Edge, place: Any) -> float:
 
 
 def junction_overlaps(junctions: Sequence[Junction]) -> tuple[Problem, ...]:
-    """Pairs of junctions whose areas overlap, each by the roads of both that are nearest to it."""
+    """Pairs of junctions whose areas overlap, each by the roads of both that are nearest to it. A
+    junction that all of its roads lie in has none that leads to it, and is left out."""
     import shapely
 
+    junctions = [junction for junction in junctions if junction.arms]
     if len(junctions) < 2:
         return ()
     areas = valid(np.array([shapely.Polygon(j.area) for j in junctions]))

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ...ir.scenario_contents import ScenarioContents
     from ...ir.scene import Scene
     from ...ir.trace import Trace
+    from .lanes import LaneKind
     from .sensing import Sensor
 
 
@@ -79,6 +80,12 @@ class Controller(Kind):
     sensor_options: ClassVar[tuple[str, ...]] = ()
     """options that hold the name of a sensor of the agent: one that it does not have is an error
     (RL480)"""
+
+    def takes_lane(self, kind: type[LaneKind], is_oncoming: bool) -> bool:
+        """Whether `left` or `right` in one of `lane_options` can mean a lane of this kind, with
+        traffic that comes toward the agent or not. By default any; if no lane on that side can be
+        meant, `check` reports it (RL613)."""
+        return True
 
     def control(self, observation: Observation) -> Control:
         """Decide what to do until the next step.
