@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .counted_colors import color_codes, counted_colors
-from .map_tones import flat_colors, local_spread
+from .map_styles import style_of
+from .map_tones import LOSSY, flat_colors, local_spread
 from .tones import Image, away_from, flatness, thinned
 
 _SAMPLE = 250_000
@@ -81,6 +82,8 @@ def has_exact_colors(image: Image) -> bool:
         is_even = any(_is_even(small, color) for color in colors[:2])
         if share > _MOST and off <= _MAP_OFF and is_even and flatness(image) > _LEAST_FLAT:
             return True
+    if style_of(part, found, LOSSY) is not None:
+        return True
     return len(found) >= _PARTS and _has_few_still_colors(part)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .map_lines import THIN, with_line_colors, without_outlines
+from .map_styles import MapStyle, style_of
 from .map_tones import MapTone, Tolerance, map_tones
 from .map_water import without_water
 from .road_tones import road_tones
@@ -28,6 +29,8 @@ class MapRoads:
     all_tones: list[MapTone]
     tones: list[MapTone]
     roads: list[MapTone]
+    styled: bool = False
+    """whether the style of the map is known"""
 
     @property
     def land(self) -> MapTone:
@@ -49,7 +52,7 @@ class MapRoads:
 
     def width(self, of: Callable[[MapTone], float]) -> float:
         """Usual width of the roads, pixels, given that of each tone."""
-        lengths = np.array([tone.steady_length for tone in self.roads])
+        lengths = np.array([max(1.0, tone.steady_length) for tone in self.roads])
         return float(lengths @ [of(tone) for tone in self.roads] / lengths.sum())
 
 
@@ -57,6 +60,11 @@ def chosen_roads(
     plain: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance
 ) -> tuple[MapRoads, bool]:
     """The roads of a map (h, w, 3) without letters, and whether its tones have smoothed edges."""
+    style = style_of(plain, colors, tolerance)
+    if style is not None:
+        found = _styled_roads(plain, colors, tolerance, style)
+        if found is not None:
+            return found
     fine = _fine_roads(plain, with_line_colors(plain, colors), tolerance)
     if fine is not None and fine.width(lambda tone: tone.width) < THIN:
         return fine, True
@@ -78,3 +86,18 @@ def _fine_roads(
     streets = without_outlines(with_streets_alone(tones))
     found = MapRoads(all_tones, tones, road_tones(streets, min(plain.shape[:2])))
     return found if found.roads else None
+
+
+def _styled_roads(
+    plain: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance, style: MapStyle
+) -> tuple[MapRoads, bool] | None:
+    """The roads of a map (h, w, 3) in a known style, by their colors alone: in a small picture,
+    few of them are long enough to be told by their shape."""
+    tones = map_tones(plain, colors, tolerance)
+    found = MapRoads(tones, tones, style.roads_among(tones, tolerance), styled=True)
+    if not found.roads:
+        return None
+    if found.width(lambda tone: tone.width) >= THIN:
+        return found, False
+    tones = map_tones(plain, with_line_colors(plain, colors), tolerance, smooth=True)
+    return MapRoads(tones, tones, style.roads_among(tones, tolerance), styled=True), True

@@ -142,6 +142,8 @@ def _is_drawn(
     chosen: MapRoads, letters: Booleans, colors: int, is_plan: Callable[[], bool]
 ) -> bool:
     """Whether it is rather a drawing, or a plan with dimensions; `is_plan` takes longest."""
+    if chosen.styled:
+        return False
     drawn = is_drawing(chosen.all_tones, chosen.roads, letters, colors)
     return drawn or (is_plan() and not are_named(chosen.roads, letters))
 
