@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 
 from roadlang.geometry import Booleans
 from roadlang_standard.extraction.map_contrast import without_strong_contrast
 from roadlang_standard.extraction.map_letters import LARGER, letters_of_map, without_letters
+from roadlang_standard.extraction.map_lines import without_outlines
 from roadlang_standard.extraction.map_or_drawing import _is_marked, are_named
 from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import LOSSY, flat_colors, map_tone, without_jpeg_noise
 from roadlang_standard.extraction.map_water import _constant, masks_without_water
+from roadlang_standard.extraction.map_water import without_water as without_water_of
 from tests.extraction.drawn_maps import as_jpeg
 
 _SIDE = 420
@@ -151,3 +155,20 @@ def test_streets_of_any_of_their_colors_are_interrupted_by_names() -> None:
     streets = [map_tone(color, one > 0) for color, one in ((_WHITE, whole), (_BLACK, interrupted))]
     assert are_named(streets, letters > 0)
     assert not are_named(streets[:1], letters > 0)
+
+
+def test_what_is_left_of_gray_land_is_a_rest() -> None:
+    """Land that is wide in one place may be as narrow as a street elsewhere."""
+    land = streets()
+    land[100:400, 110:290] = 1
+    mask = land > 0
+    tones = without_water_of([map_tone(_WHITE, ~mask), map_tone(np.full(3, 180.0), mask)])
+    assert [tone.rest for tone in tones] == [False, True]
+    mask = streets() > 0
+    mask[150:210, 110:190] = True
+    tones = without_water_of([map_tone(_WHITE, ~mask), map_tone(_BLACK, mask)])
+    assert not tones[1].rest
+    line = np.zeros((_SIDE, _SIDE), bool)
+    line[200:203, 20:400] = line[20:23, 20:30] = True
+    left = replace(map_tone(_BLACK, line), rest=True)
+    assert without_outlines([map_tone(_WHITE, ~line), left])[1].rest

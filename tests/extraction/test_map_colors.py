@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
@@ -123,3 +125,28 @@ def test_outlines_of_one_pixel_are_no_streets() -> None:
     streets, outline = ribbon(slice(100, 106), (255, 255, 255)), ribbon(slice(109, 110), (9, 9, 9))
     outline.mask[109, 100:], outline.mask[110:, 99] = False, True
     assert road_tones([land, streets, outline], 300) == [streets]
+
+
+def rest(tone: MapTone) -> MapTone:
+    return replace(tone, rest=True)
+
+
+def shades(tones: list[MapTone]) -> list[int]:
+    return [int(tone.color[0]) for tone in road_tones(tones, 300)]
+
+
+def test_strips_left_of_gray_land_are_no_roads_where_others_are_long() -> None:
+    """If they are far longer, they are streets in the color of rivers."""
+    land = ribbon(slice(0, 300), (240, 240, 240), steady=0.0)
+    strip = rest(ribbon(slice(106, 120), (180, 180, 180)))
+    assert shades([land, ribbon(slice(100, 106), (255, 255, 255)), strip]) == [255]
+    assert shades([land, ribbon(slice(100, 106), (255, 255, 255), even=0.8), strip]) == [255]
+    assert shades([land, ribbon(slice(100, 106), (255, 255, 255), even=0.6), strip]) == [180, 255]
+
+
+def test_hair_lines_left_of_gray_land_are_its_edges() -> None:
+    land = ribbon(slice(0, 300), (240, 240, 240), steady=0.0)
+    streets = ribbon(slice(100, 106), (255, 255, 255), steady=0.6)
+    hair = ribbon(slice(110, 111), (180, 180, 180))
+    assert shades([land, streets, hair]) == [180, 255]
+    assert shades([land, streets, rest(hair)]) == [255]

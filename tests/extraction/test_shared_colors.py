@@ -66,3 +66,18 @@ def test_gray_land_among_whose_thin_pieces_one_is_long_is_no_street() -> None:
     gray = land > 0
     tones = [map_tone(np.full(3, 250.0), ~gray), map_tone(np.full(3, 224.0), gray)]
     assert not with_streets_alone(tones)[1].shared
+
+
+def test_strips_of_a_second_land_between_two_roads_are_no_streets() -> None:
+    """Roads of another color line both sides of a strip; streets have land beside them."""
+    drawn, land = np.zeros((400, 400), np.uint8), np.zeros((400, 400), np.uint8)
+    for ends in (((0, 190), (399, 210)), ((190, 0), (210, 399))):
+        cv2.line(drawn, *ends, 1, 6)
+    for x, y in ((100, 90), (300, 100), (90, 300), (310, 310)):
+        cv2.ellipse(land, (x, y), (80, 50), 30, 0, 360, 1, -1)
+    near = cv2.dilate(drawn, np.ones((13, 13), np.uint8)) > 0
+    other = (drawn > 0) | ((land > 0) & ~near)
+    for roads, is_shared in ((near & ~other, False), (np.zeros_like(near), True)):
+        masks = {195.0: ~other & ~roads, 204.0: other, 150.0: roads}
+        seen = with_streets_alone([map_tone(np.full(3, gray), masks[gray]) for gray in masks])
+        assert seen[1].shared is is_shared

@@ -98,7 +98,8 @@ def _streets(tone: MapTone, labels: Labels) -> MapTone:
         between &= holes(tone.mask, parts, count) > 0
     chosen = np.asarray((long & ~between)[parts])
     is_all = np.array_equal(chosen, tone.mask)
-    streets = replace(tone, shared=False) if is_all else map_tone(tone.color, chosen)
+    one = tone if is_all else replace(map_tone(tone.color, chosen), rest=tone.rest)
+    streets = replace(one, shared=False)
     return streets if streets.steady >= _STEADY else map_tone(tone.color, np.zeros_like(lines))
 
 

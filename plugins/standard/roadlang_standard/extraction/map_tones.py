@@ -65,6 +65,8 @@ class MapTone:
     """what its shape is measured of: all of the color, though the mask may be a part of that"""
     shared: bool = False
     """whether houses or water have the color, too, which are not in the mask"""
+    rest: bool = False
+    """whether it is what is left where most of the color is water or land"""
 
     @property
     def length(self) -> float:

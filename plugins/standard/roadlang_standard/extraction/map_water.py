@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -28,6 +28,8 @@ _BROAD, _WIDER_BY, _LARGE, _CONSTANT, _MOSTLY = 2.2, 4.0, 2.0, 0.1, 0.5
 """Parts more than `_BROAD` times as wide as usual streets, and at least `_WIDER_BY` pixels wider,
 that cover at least `_LARGE` squares of this width, are water or houses, even if connected to
 streets; unless the width varies by at most `_CONSTANT` along at least `_MOSTLY` of their length."""
+_REST = 0.5
+"""What is left of a color is a rest if it is less than this share of it."""
 _SHORT = 12
 """Parts with center lines of fewer pixels are ignored."""
 
@@ -52,7 +54,9 @@ def without_water(tones: list[MapTone]) -> list[MapTone]:
     """The tones of a map, without water as in `masks_without_water`."""
     dry = masks_without_water([tone.color for tone in tones], [tone.mask for tone in tones])
     return [
-        tone if mask is tone.mask else map_tone(tone.color, mask)
+        tone
+        if mask is tone.mask
+        else replace(map_tone(tone.color, mask), rest=mask.sum() < _REST * tone.mask.sum())
         for tone, mask in zip(tones, dry, strict=True)
     ]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import colorsys
 from dataclasses import replace
 
 import cv2
@@ -13,6 +12,15 @@ from roadlang.geometry import Booleans
 from .map_tones import EXACT, MapTone, map_tone
 from .mask_parts import parts_touching
 from .masks import without_specks
+from .tone_hues import (
+    ALL_RIBBONS,
+    has_water_hue,
+    is_bluish,
+    is_green,
+    is_tinted_blue,
+    is_warm,
+    is_water,
+)
 from .tone_shape import SPECK, THINNEST
 
 _STEADY, _SURE, _ALSO_STEADY = 0.35, 0.45, 0.25
@@ -25,27 +33,13 @@ _RIBBONS, MOST_SPREAD, _WIDEST = 0.7, 2.1, 0.12
 width, as a share of the shorter side."""
 _VERY_STEADY, _FEW_RIBBONS = 0.9, 0.6
 """Least share in ribbons of what keeps its width so well: JPEG breaks thin streets to pieces."""
-_PLAIN_RIBBONS, _PLAIN_SPREAD = 0.95, 2.6
-"""The same of black, gray and white: wide and narrow roads have it where a map has one color for
+_PLAIN_SPREAD = 2.6
+"""Most spread of black, gray and white: wide and narrow roads have it where a map has one color for
 all."""
-_SATURATED, _WARM, _WARM_STEADY = 0.22, (70 / 360, 320 / 360), 0.08
-"""Main roads are often at least so saturated and of hues not between these; such tones may keep
-their width along less of their surface."""
 _ALSO_EVEN = 0.4
 """Least share of even width of further roads: names hide more of roads that are few."""
 _LEAST = 0.5
 """Least length of roads, as a share of the picture's shorter side."""
-_WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 230 / 360
-"""Water is of these hues where it is also wide, or bluish up to the other one where it differs from
-the land in the other direction than roads do, darker or lighter."""
-_RIVER_STEADY = 0.75
-"""Or it is bluish and wide, and keeps its width on less of its surface than motorways."""
-_TINTED = 250 / 360
-"""Where streets are gray, water of up to this hue may be nearly gray, as main roads are not."""
-_GREEN_HUES = 75 / 360, 160 / 360
-"""Of parks, woods and meadows."""
-_WIDE = 1.5
-"""Least width of water over that of the main roads."""
 _AREA = 4.3
 _AREAS = 0.25
 """A tone wider than a road by the given factor on more than this share of its surface is an
@@ -69,6 +63,9 @@ _ALONE_STEADY, _ALONE_EVEN, _ALONE_WIDE = 0.6, 0.75, 0.5
 that of the main roads, of what is a road wherever it is, ..."""
 _FEW = 3
 """if the picture has more colors than this: otherwise they are drawn roads and lettering."""
+_BESIDE_REST = 0.5
+"""What is left of a color where most of that is water or land is no road, if another color is even
+over at least this share of its length."""
 _EDGE, _EDGES = 4, 0.4
 """Tones touch across edge lines of up to `_EDGE` pixels, or `_EDGES` of a road's width."""
 
@@ -85,31 +82,44 @@ def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     ribbons = [tone for tone in ribbons if not _is_casing(tone, ribbons, land, several)]
     sure = [tone for tone in ribbons if tone.steady >= _STEADY]
     # Hair lines are even, such as tracks in a yard: streets are longer in all where they are wider.
+    # If most of their color is land, they are its edges.
     longest = max((tone.steady_length for tone in sure if tone.width > _HAIR), default=0.0)
-    sure = [tone for tone in sure if tone.width > _HAIR or tone.steady_length > longest]
+    sure = [
+        tone
+        for tone in sure
+        if tone.width > _HAIR or (tone.steady_length > longest and not tone.rest)
+    ]
     sure = [tone for tone in sure if tone.steady_length >= _LEAST * side]
     if not sure:
         return []
     # Squares: what is far less even than any roads may still be long in all. Strips of plants are
     # as even as roads, but few maps have green roads, and these have nothing else.
-    main = max(
-        [tone for tone in sure if not _is_green(tone)] or sure,
-        key=lambda tone: tone.steady_length * (tone.steady * tone.even) ** 2,
-    )
+    main = max([tone for tone in sure if not is_green(tone)] or sure, key=_evenness)
+    whole = [tone for tone in sure if not tone.rest and not is_green(tone)]
+    most = max(whole, key=_evenness, default=main)
+    # Strips of land are even as well, but few beside the roads that these maps have.
+    if main.rest and _evenness(most) >= _BESIDE_REST * _evenness(main):
+        main = most
     others = [
         tone
         for tone in ribbons
         if tone is not main
+        and (main.rest or not tone.rest)
         and tone.width > _HAIR
         and (tone.width > THINNEST or tone.steady_length >= _MANY * main.steady_length)
         and not _is_area(tone, _AREA * max(main.width, tone.width))
-        and not _is_water(tone, main, land)
+        and not is_water(tone, main, land)
     ]
     taken = _joined(main, others, [one for one in others if several and _is_road_alone(one, main)])
     # A river between a few streets may be longer and more even than they are.
-    if _has_water_hue(main) and sum(tone.steady_length for tone in taken) >= _LEAST * side:
+    if has_water_hue(main) and sum(tone.steady_length for tone in taken) >= _LEAST * side:
         return taken
     return [main, *taken]
+
+
+def _evenness(tone: MapTone) -> float:
+    """How long a tone keeps its width, in pixels, of which uneven parts count little."""
+    return tone.steady_length * (tone.steady * tone.even) ** 2
 
 
 def _is_steady(tone: MapTone) -> bool:
@@ -117,7 +127,7 @@ def _is_steady(tone: MapTone) -> bool:
     if tone.ribbons < (_RIBBONS if tone.steady < _VERY_STEADY else _FEW_RIBBONS):
         return False
     if (
-        not _is_green(tone)
+        not is_green(tone)
         and tone.even >= _RAGGED_EVEN
         and tone.spread <= _RAGGED_SPREAD
         and tone.ribbons >= _RAGGED_RIBBONS
@@ -130,20 +140,7 @@ def _is_steady(tone: MapTone) -> bool:
             and tone.even >= _ALSO_EVEN
             and tone.spread <= (_PLAIN_SPREAD if _is_plain(tone) else MOST_SPREAD)
         )
-        or _is_warm(tone)
-    )
-
-
-def _is_warm(tone: MapTone) -> bool:
-    """Whether a tone is red, orange or yellow as no land is, and nearly all ribbons: main roads,
-    whose carriageways and ramps part and meet, so that their width varies."""
-    blue, green, red = tone.color / 255
-    hue, saturation, _ = colorsys.rgb_to_hsv(red, green, blue)
-    return (
-        saturation >= _SATURATED
-        and not _WARM[0] < hue < _WARM[1]
-        and tone.ribbons >= _PLAIN_RIBBONS
-        and tone.steady >= _WARM_STEADY
+        or is_warm(tone)
     )
 
 
@@ -196,7 +193,7 @@ def _grown(mask: Booleans, reach: int) -> Booleans:
 
 def _is_plain(tone: MapTone) -> bool:
     """Whether a tone is black, gray or white, and nearly all ribbons."""
-    return tone.is_gray and tone.ribbons >= _PLAIN_RIBBONS
+    return tone.is_gray and tone.ribbons >= ALL_RIBBONS
 
 
 def _is_area(tone: MapTone, width: float) -> bool:
@@ -206,45 +203,6 @@ def _is_area(tone: MapTone, width: float) -> bool:
     inner = cv2.distanceTransform(tone.mask.astype(np.uint8), cv2.DIST_L2, 5)
     wide = cv2.distanceTransform((inner < width / 2).astype(np.uint8), cv2.DIST_L2, 5) < width / 2
     return bool(wide[tone.mask].mean() > _AREAS)
-
-
-def _is_water(tone: MapTone, main: MapTone, land: MapTone) -> bool:
-    """Whether a ribbon is a river rather than a road of another class than `main`."""
-    if tone.is_gray:
-        return False
-    wide = tone.width > _WIDE * main.width
-    if wide and (_has_water_hue(tone) or (main.is_gray and _is_tinted_blue(tone))):
-        return True
-    if wide and _is_bluish(tone) and tone.steady < _RIVER_STEADY:
-        return True
-    directions = [float(np.sign(one.color.mean() - land.color.mean())) for one in (tone, main)]
-    return _is_bluish(tone) and directions[0] != directions[1]
-
-
-def _is_bluish(tone: MapTone) -> bool:
-    return not tone.is_gray and _WATER_HUES[0] <= _hue(tone) <= _BLUISH
-
-
-def _has_water_hue(tone: MapTone) -> bool:
-    return not tone.is_gray and _WATER_HUES[0] <= _hue(tone) <= _WATER_HUES[1]
-
-
-def _is_tinted_blue(tone: MapTone) -> bool:
-    """Whether a tone is nearly gray, but blue rather than that."""
-    blue, green, red = tone.color / 255
-    hue, saturation, _ = colorsys.rgb_to_hsv(red, green, blue)
-    return _WATER_HUES[0] <= hue <= _TINTED and saturation < _SATURATED
-
-
-def _is_green(tone: MapTone) -> bool:
-    """Whether a tone has a hue of plants."""
-    return not tone.is_gray and _GREEN_HUES[0] <= _hue(tone) <= _GREEN_HUES[1]
-
-
-def _hue(tone: MapTone) -> float:
-    """Hue of a tone, 0..1."""
-    blue, green, red = tone.color / 255
-    return colorsys.rgb_to_hsv(red, green, blue)[0]
 
 
 def _joined(main: MapTone, others: list[MapTone], apart: list[MapTone]) -> list[MapTone]:
@@ -280,15 +238,15 @@ def _is_road_alone(tone: MapTone, main: MapTone) -> bool:
     return (
         tone.steady >= _ALONE_STEADY
         and tone.even >= _ALONE_EVEN
-        and tone.ribbons >= _PLAIN_RIBBONS
+        and tone.ribbons >= ALL_RIBBONS
         and tone.width > _CASING
         and tone.width >= _ALONE_WIDE * main.width
         and tone.steady_length >= _LEAST * min(tone.mask.shape)
-        and not _is_green(tone)
-        and not (_is_bluish(tone) or _is_tinted_blue(tone))
+        and not is_green(tone)
+        and not (is_bluish(tone) or is_tinted_blue(tone))
     )
 
 
 def _is_main(tone: MapTone, main: MapTone) -> bool:
     """Whether a tone is as even as roads alone are, and no narrower than `main`."""
-    return tone.steady >= _SURE and tone.width >= main.width and not _is_green(tone)
+    return tone.steady >= _SURE and tone.width >= main.width and not is_green(tone)

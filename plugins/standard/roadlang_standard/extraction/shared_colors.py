@@ -28,16 +28,21 @@ _EXTENT, _EVEN = 40, 0.5
 their length, ..."""
 _AS_WIDE = 1.3
 """or are at most this many times as wide as those usually are."""
+_NEXT, _BEYOND, _ON_LAND = 5, 9, 0.6
+"""Of what lies `_NEXT` to `_BEYOND` pixels, both halved, beside streets, at least `_ON_LAND` is
+land. Where the land has a second color, strips of that between two roads have streets beside them.
+"""
 _SPECK = 8
 
 
 def with_streets_alone(tones: list[MapTone]) -> list[MapTone]:
     """The tones of a map; of those that streets share, these streets."""
     land = max(tones, key=lambda tone: float(tone.mask.sum()))
-    return [tone if tone is land else _streets(tone) for tone in tones]
+    return [tone if tone is land else _streets(tone, land.mask) for tone in tones]
 
 
-def _streets(tone: MapTone) -> MapTone:
+def _streets(tone: MapTone, land: Booleans) -> MapTone:
+    """A tone, or the streets alone if it shares its color with them; `land` (h, w)."""
     least = _LENGTH * min(tone.mask.shape)
     # Maps of a few grays have one for streets and houses; land in color is no street.
     if not tone.is_gray or tone.steady >= _UNEVEN or tone.steady_length < least:
@@ -59,9 +64,21 @@ def _streets(tone: MapTone) -> MapTone:
     if even[streets].sum() < least:
         return tone
     found = map_tone(tone.color, np.asarray(streets[parts]))
+    beside = _beside(found.mask) & ~tone.mask
+    if (beside & land).sum() < _ON_LAND * beside.sum():
+        return tone
     if found.steady_length < _MOST * tone.steady_length:
         return tone
     return replace(found, shared=True)
+
+
+def _beside(mask: Booleans) -> Booleans:
+    """What (h, w) lies near a mask, but not next to it, where its edges and casings are."""
+    near, far = (
+        cv2.dilate(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
+        for side in (_NEXT, _BEYOND)
+    )
+    return np.asarray(far & ~near)
 
 
 def _widths(thin: Booleans, inner: Layer, parts: NDArray[np.int32], count: int) -> Layer:
