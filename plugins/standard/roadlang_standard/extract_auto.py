@@ -70,6 +70,7 @@ class Auto(Extractor):
 
         from .extract_aerial import Aerial
         from .extract_contour import Contour, road_width
+        from .extraction.contrast_of_sides import with_doubted_edges
         from .extraction.drawing import roads_of_drawing
         from .extraction.found_network import EDGE_LINES
         from .extraction.map_tiles import roads_of_map
@@ -85,14 +86,18 @@ class Auto(Extractor):
         if self.threshold == "auto" and not self.through and not seen.named(MASK):
             on_paper = None if seen.exact else roads_on_paper(picture.pixels, width, not seen.drawn)
             if on_paper is not None:
+                on_paper = with_doubted_edges(on_paper, picture.pixels, width)
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = None
             if seen.drawn:
                 rendered = roads_of_map(picture.pixels, width, lambda: seen.is_plan)
             if rendered is not None:
+                rendered = with_doubted_edges(rendered, picture.pixels, width)
                 return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
             if seen.named(MAP):
-                drawn = extraction(picture, roads_of_drawing(picture.pixels, width=width))
+                colored = roads_of_drawing(picture.pixels, width=width)
+                colored = with_doubted_edges(colored, picture.pixels, width)
+                drawn = extraction(picture, colored)
                 return MAP, with_legend_proposed(picture, drawn)
         if seen.drawn and not self.through:
             found = Contour(threshold=self.threshold, width=self.width).found(picture)

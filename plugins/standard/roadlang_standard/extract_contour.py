@@ -50,6 +50,7 @@ class Contour(Extractor):
 
     def found(self, picture: Picture) -> FoundNetwork:
         """The roads in pixels; `method` tells whether they lie between edge lines."""
+        from .extraction.contrast_of_sides import with_doubted_edges
         from .extraction.pixels import pixels_of
         from .extraction.thresholding import ContourSteps, roads_by_contour
 
@@ -62,7 +63,8 @@ class Contour(Extractor):
             width=road_width(self.width, picture),
             min_length=in_pixels(self.min_length, picture),
         )
-        return roads_by_contour(pixels_of(picture, "contour"), chain)
+        pixels = pixels_of(picture, "contour")
+        return with_doubted_edges(roads_by_contour(pixels, chain), pixels, chain.width)
 
 
 def in_pixels(meters: Any, picture: Picture) -> float | None:
