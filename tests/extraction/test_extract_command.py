@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -190,3 +192,16 @@ def test_what_else_is_remarked_of_a_picture_is_shown(tmp_path: Path) -> None:
     assert done.exit_code == 0, done.output
     assert "note: there are spots of other colors (6 of #b71c1c)" in done.output
     assert "`legend: {" in done.output
+
+
+LOADED = """
+import sys
+from roadlang.cli.chosen_extractor import _load
+_load()
+print("numpy.f2py.crackfortran" in sys.modules, "numpy.ma.core" in sys.modules)
+"""
+
+
+def test_parts_of_numpy_that_no_extractor_uses_are_not_loaded() -> None:
+    found = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True)
+    assert found.stdout == "False True\n", found.stderr

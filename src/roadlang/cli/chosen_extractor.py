@@ -101,6 +101,9 @@ def _load() -> None:
     """Import what extractors need, so that the time that is printed is that of the picture."""
     from importlib import import_module
 
+    from .deferred_modules import defer_parts_of_numpy
+
+    defer_parts_of_numpy(needed=("ma",))  # `numpy.median` asks for masked arrays
     for name in (
         "cv2",
         "scipy.ndimage",

@@ -8,12 +8,13 @@ import sys
 _PARTS = ("char", "ctypeslib", "f2py", "fft", "ma", "polynomial", "rec", "strings", "testing")
 
 
-def defer_parts_of_numpy() -> None:
+def defer_parts_of_numpy(needed: tuple[str, ...] = ()) -> None:
     """`import scipy.linalg` names everything that numpy has (array API), which loads all of its
-    parts, one for translating Fortran among them: half of the time of that import."""
+    parts, one for translating Fortran among them: half of the time of that import. Those that are
+    `needed` are loaded with it."""
     import numpy as np
 
-    for part in _PARTS:
+    for part in sorted(set(_PARTS) - set(needed)):
         name = f"numpy.{part}"
         found = None if name in sys.modules else importlib.util.find_spec(name)
         if found is None or found.loader is None:
