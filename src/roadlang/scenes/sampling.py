@@ -196,10 +196,26 @@ def _causes(task: SceneSearch[Any], texts: Sequence[str]) -> tuple[str, ...]:
         if requirement.blame is None:
             continue
         with nullcontext() if is_named else suppress(DiagnosticError):
-            violating = np.flatnonzero(requirement.rho(few) < 0.0)
-            if len(violating) and (is_named or len(violating) == few.count):
-                found.append(requirement.blame(few.take(violating[:1])))
+            violating = _violating(requirement, few, is_named)
+            if violating is not None:
+                found.append(requirement.blame(violating))
     return tuple(text for text in found if text is not None)
+
+
+def _violating(
+    requirement: Requirement, few: CandidateBatch, is_named: bool
+) -> CandidateBatch | None:
+    """A candidate that violates a requirement; of one that is not named, only where all do. The
+    others are judged only where the first does not tell: to place a crowd takes seconds."""
+    first = few.take(np.arange(1))
+    is_violated = bool(requirement.rho(first)[0] < 0.0)
+    if is_violated == is_named or few.count == 1:
+        return first if is_violated else None
+    others = few.take(np.arange(1, few.count))
+    violating = np.flatnonzero(requirement.rho(others) < 0.0)
+    if is_named:
+        return others.take(violating[:1]) if len(violating) else None
+    return first if len(violating) == others.count else None
 
 
 def _first_candidates(task: SceneSearch[Any]) -> CandidateBatch:
