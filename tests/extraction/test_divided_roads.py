@@ -10,7 +10,7 @@ import pytest
 
 from roadlang_standard.extraction.aerial import Request, roads_of_evidence, roads_of_photo
 from roadlang_standard.extraction.chroma import mean_chroma
-from roadlang_standard.extraction.divided_roads import with_medians
+from roadlang_standard.extraction.divided_roads import _median, with_medians
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.photo_confidence import CHROMA
 from roadlang_standard.extraction.photo_evidence import Seen
@@ -120,3 +120,18 @@ def test_photos_are_read_this_way_and_a_given_width_is_believed() -> None:
     assert found.scores[CHROMA] == pytest.approx(mean_chroma(picture), abs=0.01)
     told = Request(width=20.0)
     assert len(near_the_wide_road(roads_of_photo(picture, told, net))) == 1
+
+
+@pytest.mark.parametrize(("width", "clear"), [(20.0, 3), (29.0, 4)])
+def test_what_blends_into_a_median_is_no_part_of_the_carriageways(width: float, clear: int) -> None:
+    """Beside the strip of three pixels it is blurred, the more the wider the road is."""
+    colors = np.full((30, 2 * 15 + 1, 3), 120.0)
+    middle = colors.shape[1] // 2
+    colors[:, middle - 1 : middle + 2] = 160.0
+    plain = _median(colors, width)
+    blended = colors.copy()
+    for away in range(2, clear):
+        blended[:, [middle - away, middle + away]] = 140.0
+    assert np.array_equal(_median(blended, width).contrast, plain.contrast)
+    blended[:, [middle - clear, middle + clear]] = 140.0
+    assert (_median(blended, width).contrast < plain.contrast).all()

@@ -3,10 +3,17 @@ are options of; constants and computed numbers may be off by rounding."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
 import pytest
 
 from roadlang import testing
+from roadlang.api import Anything, Controller, ListOf, option
 from roadlang.diagnostics import DiagnosticError
+from roadlang.evaluate.option_bounds import check_number
+from roadlang.plugins.options import schema_of
 from roadlang.session.scene_set import SceneSet
 
 TEXT = """
@@ -71,3 +78,20 @@ def test_what_is_kept_within_bounds_or_beyond_by_rounding_is_taken(
     place: str, written: str
 ) -> None:
     assert len(sampled(place, written)) == 3
+
+
+@dataclass(frozen=True)
+class Loose(Controller):
+    """One with a list of anything, in which numbers have the bounds of the list."""
+
+    name: ClassVar[str] = "loose"
+    gains: ListOf[Anything] = option((), maximum=2.0, help="how much")
+
+
+def test_numbers_in_a_list_of_anything_have_its_bounds() -> None:
+    (schema,) = schema_of(Loose)
+    for fits in ((1.0, 2.0), ("much",), (1.0, "much")):
+        check_number(schema, fits, "loose", None)
+    for beyond in ((1.0, 2.5), ("much", 2.5), (np.array([[1.0], [2.5]]),)):
+        with pytest.raises(DiagnosticError, match="RL473"):
+            check_number(schema, beyond, "loose", None)

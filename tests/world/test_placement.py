@@ -6,11 +6,19 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
 
+import roadlang
 from roadlang.diagnostics import DiagnosticError
+from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.ir.scene import SceneActor
+from roadlang.plugins.discovery import load_registry
 from roadlang.scenes.sampling import SamplingResult
+from roadlang.world.copies import kinds_of
+from roadlang.world.index import index_scenario
+from roadlang.world.placement import least_spacing
+from roadlang.world.placement_faults import DEFAULT_APART
 from tests.straight_road import STRAIGHT
 
 Sample = Callable[..., SamplingResult]
@@ -214,3 +222,17 @@ def test_a_lane_that_is_not_there_is_refused(sample: Sample) -> None:
         sample(STRAIGHT + "agent ego is car on main at 3m { lane: 2 }\n")
     assert caught.value.diagnostics[0].code == "RL613"
     assert "-1" in caught.value.diagnostics[0].help[0]
+
+
+def test_the_least_spacing_is_that_of_the_longest_copies_of_all_candidates() -> None:
+    text = STRAIGHT + (
+        "agent row is car on main at 20m { count: 2, length: 3m..9m, lane: -1 }\n"
+        "agent kept is car on main at 200m { count: 2, length: 4m, apart: 3m, lane: -1 }\n"
+    )
+    scenario = index_scenario(roadlang.loads(text).scenario, load_registry())
+    candidates = CandidateBatch(scenario, 0, np.zeros(20, np.int64), np.arange(20))
+    row, kept = (scenario.actors[name] for name in ("row", "kept"))
+    longest = kinds_of(row, candidates).lengths.max()
+    assert 8.0 < longest < 9.0
+    assert least_spacing(row, candidates) == longest + DEFAULT_APART
+    assert least_spacing(kept, candidates) == 4.0 + 3.0
