@@ -1,10 +1,19 @@
-"""The small parts of a mask: the same, whether all pixels are counted or those in doubt alone."""
+"""The parts of a mask: the same, whether all pixels are looked at, or runs, or those in doubt."""
 
+import cv2
 import numpy as np
 import pytest
 from scipy.ndimage import label
 
-from roadlang_standard.extraction.mask_parts import small_parts
+from roadlang_standard.extraction.mask_parts import (
+    areas_of,
+    boxes_of,
+    parts_and_boxes,
+    parts_of,
+    small_parts,
+    where_parts,
+)
+from roadlang_standard.extraction.road_regions import PaperParts, _may_be_long, road_regions
 
 
 def drawn(share: float) -> np.ndarray:
@@ -27,3 +36,41 @@ def test_small_parts_are_those_of_fewer_pixels(share: float, diagonal: bool, mos
     found = small_parts(mask, most, 8 if diagonal else 4)
     assert np.array_equal(np.zeros_like(mask) if found is None else found, few[labels])
     assert (found is None) == (not few.any())
+
+
+@pytest.mark.parametrize("diagonal", [False, True])
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 1.0])
+def test_boxes_and_areas_are_those_of_opencv(share: float, diagonal: bool) -> None:
+    mask = drawn(share)
+    near = 8 if diagonal else 4
+    count, labels, boxes = parts_and_boxes(mask, near)
+    expected, seen, stats, _ = cv2.connectedComponentsWithStats(
+        mask.view(np.uint8), connectivity=near
+    )
+    assert count == expected
+    assert np.array_equal(labels, seen)
+    assert np.array_equal(boxes[1:], stats[1:])
+    assert (boxes_of(labels, count) is None) == (share == 0.5)  # so many runs take longer
+
+
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 1.0])
+def test_parts_are_chosen_and_counted_by_runs_as_by_pixels(share: float) -> None:
+    count, labels = parts_of(drawn(share))
+    chosen = np.arange(count) % 3 == 1
+    assert np.array_equal(where_parts(chosen, labels), chosen[labels])
+    assert np.array_equal(areas_of(labels, count), np.bincount(labels.ravel()))
+
+
+def test_only_pictures_with_a_long_part_are_searched_for_roads_between_lines() -> None:
+    ring, filled = (np.zeros((400, 500), np.uint8) for _ in range(2))
+    for size in (120, 150):
+        cv2.ellipse(ring, (250, 200), (size + 60, size), 0, 0, 360, 1, 3)
+    cv2.line(filled, (0, 180), (499, 260), 1, 24)
+    for ink in (ring, filled):
+        cv2.circle(ink, (40, 40), 9, 1, 2)  # as in a letter: measured alone
+    for ink, expected in ((ring > 0, True), (filled > 0, False)):
+        labels, count = PaperParts.about(ink).labels, PaperParts.about(ink).count
+        rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+        rims = np.bincount(rim, minlength=count)
+        assert _may_be_long(ink, labels, areas_of(labels, count), rims) == expected
+        assert bool(road_regions(ink)) == expected

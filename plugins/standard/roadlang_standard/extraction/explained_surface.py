@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .found_network import FoundRoad
+from .mask_parts import parts_and_boxes
 
 _Value = TypeVar("_Value", np.int32, np.float32)
 _FINE = 3
@@ -33,7 +34,7 @@ class ExplainedSurface:
     @staticmethod
     def of(mask: Booleans, roads: Sequence[FoundRoad], measured: bool = True) -> ExplainedSurface:
         """That of a mask (h, w), with its roads, whose widths were `measured`, not given."""
-        _, labels, stats, _ = cv2.connectedComponentsWithStats(mask.view(np.uint8), connectivity=8)
+        _, labels, stats = parts_and_boxes(mask)
         drawn = np.zeros(mask.shape, np.uint8)
         inner = None if measured else cv2.distanceTransform(mask.view(np.uint8), cv2.DIST_L2, 5)
         for road in roads:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import parts_and_boxes, where_parts
 from .masks import without_holes
 from .skeleton import skeleton
 
@@ -56,7 +57,7 @@ def _grainy(marked: Booleans, closed: NDArray[np.uint8]) -> Booleans | None:
     holes, parts = cv2.connectedComponents(gaps.view(np.uint8), connectivity=4)
     if holes <= _MANY:
         return None
-    number, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
+    number, labels, stats = parts_and_boxes(closed > 0)
     pixels = np.flatnonzero(gaps)
     first = pixels[np.unique(parts.ravel()[pixels], return_index=True)[1]]  # one of each gap
     found = np.bincount(labels.ravel()[first], minlength=number)
@@ -67,13 +68,13 @@ def _grainy(marked: Booleans, closed: NDArray[np.uint8]) -> Booleans | None:
     for index in np.flatnonzero(grainy):
         part = labels == index
         grainy[index] = _is_stroke(part, min(marked.shape)) and _is_uneven(marked & part)
-    return np.asarray(grainy[labels]) if grainy.any() else None
+    return where_parts(grainy, labels) if grainy.any() else None
 
 
 def _is_stroke(part: Booleans, side: int) -> bool:
     """Whether a part (h, w) is a thick, long stroke in a picture of this shorter side."""
     width = _width(part)
-    return width >= _THICK and float(part.sum()) >= _LONG * side * width
+    return width >= _THICK and int(np.count_nonzero(part)) >= _LONG * side * width
 
 
 def _is_uneven(ink: Booleans) -> bool:

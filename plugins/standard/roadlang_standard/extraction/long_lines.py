@@ -7,6 +7,8 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import parts_and_boxes, where_parts
+
 _LONG = 0.2
 """A connected part is long if its extent is more than this share of the picture's shorter side;
 letters, dashes and arrows are smaller."""
@@ -17,8 +19,7 @@ and more than `_MOSTLY` of its pixels are within `_RIM` shorter sides of the bor
 
 def long_lines(ink: Booleans) -> Booleans | None:
     """The long lines of the ink (h, w); None where these are all of it, or where there are none."""
-    seen = ink.view(np.uint8)
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(seen, connectivity=8)
+    _, parts, stats = parts_and_boxes(ink)
     sizes = stats[:, [cv2.CC_STAT_HEIGHT, cv2.CC_STAT_WIDTH]]
     kept = sizes.max(axis=1) > _LONG * min(ink.shape)
     kept[0] = False
@@ -26,7 +27,7 @@ def long_lines(ink: Booleans) -> Booleans | None:
         kept[key] = not _is_frame(parts == key)
     if not kept.any() or kept[1:].all():
         return None
-    return np.asarray(kept[parts])
+    return where_parts(kept, parts)
 
 
 def _is_frame(part: Booleans) -> bool:

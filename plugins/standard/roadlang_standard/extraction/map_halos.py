@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import parts_and_boxes, parts_of, where_parts
 from .tones import Image
 
 _HALO = 0.9
@@ -33,18 +34,18 @@ def are_written_alike(
 def without_halos(mask: Booleans, letters: Booleans) -> Booleans:
     """The roads (h, w) of a map without parts about letters (h, w) on land: their outlines have the
     color of streets, but a name on a street has that at both ends."""
-    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    count, parts, stats = parts_and_boxes(mask)
     areas = np.bincount(parts[mask], minlength=count)
     halos = np.bincount(parts[mask & letters], minlength=count) > _HALO * areas
     if not halos.any():
         return mask
     extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
-    streets = mask & ~halos[parts] & (extents >= _EXTENT)[parts]
-    names, words = cv2.connectedComponents(letters.astype(np.uint8), connectivity=8)
+    streets = mask & where_parts(~halos & (extents >= _EXTENT), parts)
+    names, words = parts_of(letters, 8)
     # Of the words, the greater number where two rims meet: there are few such pixels.
     rim = cv2.dilate(words.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.intp)
     rim[letters] = 0
     street, around = (np.bincount(rim[where], minlength=names) for where in (streets, rim > 0))
     on_street = street > _ON_STREET * around
     on_street[0] = False
-    return np.asarray(mask & (~halos[parts] | on_street[words]))
+    return np.asarray(mask & (where_parts(~halos, parts) | where_parts(on_street, words)))

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import parts_and_boxes, where_parts, window_around
 from .tones import Image
 
 _STROKE, _GLYPH, LARGER = 7, 18, 6.0
@@ -41,12 +42,16 @@ def letters_of_map(image: Image, width: float) -> Booleans:
     if not found.any():
         return np.zeros(gray.shape, bool)
     near = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (glyph // 2, glyph // 2))
-    words = cv2.morphologyEx(found, cv2.MORPH_CLOSE, near)
+    window = window_around(found, glyph)  # closing looks half as far to each side
+    words = cv2.morphologyEx(np.ascontiguousarray(found[window]), cv2.MORPH_CLOSE, near)
     # A speck alone is no word.
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(words, connectivity=8)
+    _, parts, stats = parts_and_boxes(words > 0)
     long = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= glyph
     long[0] = False
-    return np.asarray(cv2.dilate(long[parts].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0)
+    grown = cv2.dilate(where_parts(long, parts).view(np.uint8), np.ones((5, 5), np.uint8))
+    letters = np.zeros(gray.shape, bool)
+    letters[window] = grown > 0
+    return letters
 
 
 def without_letters(image: Image, letters: Booleans) -> Image:
@@ -54,7 +59,7 @@ def without_letters(image: Image, letters: Booleans) -> Image:
     if not letters.any() or letters.all():
         return image
     around = cv2.dilate(letters.view(np.uint8), np.ones((2 * _BESIDE + 1,) * 2, np.uint8))
-    count, parts, boxes, _ = cv2.connectedComponentsWithStats(around, connectivity=8)
+    count, parts, boxes = parts_and_boxes(around > 0)
     plain = image.copy()
     if count > _WORDS or boxes[1:, 2:4].prod(axis=1).sum() > _FULL * letters.size:
         _fill(plain, image, letters, letters)
@@ -102,9 +107,9 @@ def _parts(
     Letters and outlines are few of the pixels: to look at these takes a fifth of the time.
     """
     if len(pixels) > _MANY * mask.size:
-        _, parts, stats, _ = cv2.connectedComponentsWithStats(mask.view(np.uint8), connectivity=8)
+        _, parts, stats = parts_and_boxes(mask)
         extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
-        return np.asarray(parts, np.int32), extents, stats[:, cv2.CC_STAT_AREA].astype(np.intp)
+        return parts, extents, stats[:, cv2.CC_STAT_AREA].astype(np.intp)
     count, parts = cv2.connectedComponents(mask.view(np.uint8), connectivity=8)
     owner = parts.ravel()[pixels]
     sizes = np.zeros(count, np.int32)

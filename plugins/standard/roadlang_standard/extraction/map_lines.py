@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .map_tones import EXACT, MapTone, frequent_colors, map_tone
-from .mask_parts import parts_touching
+from .mask_parts import parts_and_boxes, parts_touching, where_parts
 from .mixed_pixels import Labels
 from .tones import Image
 
@@ -76,7 +76,7 @@ def without_outlines(tones: list[MapTone]) -> list[MapTone]:
     labels = np.full(tones[0].mask.shape, -1, np.int16)
     for index, tone in enumerate(tones):
         labels[tone.mask] = index
-    land = max(tones, key=lambda tone: float(tone.mask.sum()))
+    land = max(tones, key=lambda tone: np.count_nonzero(tone.mask))
     return [
         _streets(tone, labels) if tone is not land and 0 < tone.width < THIN else tone
         for tone in tones
@@ -84,19 +84,18 @@ def without_outlines(tones: list[MapTone]) -> list[MapTone]:
 
 
 def _streets(tone: MapTone, labels: Labels) -> MapTone:
-    mask = tone.mask.astype(np.uint8)
-    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+    count, parts, stats = parts_and_boxes(tone.mask)
     extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
     long = extents >= max(_EXTENT, _LONG * tone.width)
     long[0] = False
-    lines = np.asarray(long[parts])
+    lines = where_parts(long, parts)
     alike, differ = _sides(lines, labels, _SIDE + int(tone.width / 2))
     votes = [np.bincount(parts[side], minlength=count) for side in (alike, differ)]
     between = votes[1] > votes[0]
-    if differ.sum() <= alike.sum():
+    if np.count_nonzero(differ) <= np.count_nonzero(alike):
         # A street between a park and houses is an outline of both, but goes around neither.
         between &= holes(tone.mask, parts, count) > 0
-    chosen = np.asarray((long & ~between)[parts])
+    chosen = where_parts(long & ~between, parts)
     is_all = np.array_equal(chosen, tone.mask)
     one = tone if is_all else replace(map_tone(tone.color, chosen), rest=tone.rest)
     streets = replace(one, shared=False)
@@ -147,12 +146,11 @@ def short_parts(tones: list[MapTone], roads: list[MapTone], near: Booleans) -> B
     found = np.zeros(near.shape, bool)
     for tone in tones:
         if any(np.array_equal(road.color, tone.color) for road in roads):
-            mask = tone.mask.astype(np.uint8)
-            _, parts, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+            _, parts, stats = parts_and_boxes(tone.mask)
             extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
             reach = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
             straight = stats[:, cv2.CC_STAT_AREA] < _BENT * tone.typical_width * reach
             street = straight & (extents >= _SHORT) & (extents < _EXTENT)
-            short = tone.mask & street[parts]
+            short = tone.mask & where_parts(street, parts)
             found |= parts_touching(short, near)
     return found

@@ -59,9 +59,10 @@ def is_drawing(
     # All of a tone: of one that streets share with houses, the roads may be a part.
     streets = roads
     roads = [tone for tone in tones if any(np.array_equal(tone.color, r.color) for r in roads)]
-    land = max(tones, key=lambda tone: int(tone.mask.sum()))
-    plain = float(np.logical_or.reduce([land.mask, *(road.mask for road in roads)]).mean())
-    if colors <= FEW and letters.mean() < LETTERED:
+    land = max(tones, key=lambda tone: np.count_nonzero(tone.mask))
+    covered = np.logical_or.reduce([land.mask, *(road.mask for road in roads)])
+    plain = float(np.count_nonzero(covered)) / covered.size
+    if colors <= FEW and np.count_nonzero(letters) < LETTERED * letters.size:
         pale = all(abs(float((tone.color - land.color) @ _GRAY)) < _PALE for tone in roads)
         return not pale or plain < _PLAIN
     if _are_markings(land, roads):
@@ -76,26 +77,29 @@ def are_named(streets: Sequence[MapTone], letters: Booleans) -> bool:
     interrupts no road for its name."""
     surface = np.logical_or.reduce([tone.mask for tone in streets])
     below, _ = streets_below_names(surface, letters, streets[0].width)
-    return bool((below & letters).sum() > _ON_STREETS * letters.sum())
+    return bool(np.count_nonzero(below & letters) > _ON_STREETS * np.count_nonzero(letters))
 
 
 def _names_nothing(road: MapTone, letters: Booleans) -> bool:
     side = 2 * int(np.ceil(road.width)) + 1
     near = cv2.dilate(road.mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
-    return bool((letters & near).sum() < _BESIDE * letters.sum())
+    return bool(np.count_nonzero(letters & near) < _BESIDE * np.count_nonzero(letters))
 
 
 def _are_markings(land: MapTone, roads: Sequence[MapTone]) -> bool:
     """Whether most of what was taken for roads, or one color of it, is painted on a wide road."""
     drawn = ~land.mask
-    whole = map_tone(land.color, drawn)
-    if whole.steady < _WHOLE:
-        return False
     lines = np.logical_or.reduce([road.mask for road in roads])
     filled = with_markings_filled((drawn & ~lines).astype(np.float32)) >= 0.5
-    if (filled & lines).sum() > _MOSTLY * lines.sum():
-        return True
-    return any(_TIMES * road.width <= whole.width and _within(road, drawn) for road in roads)
+    are_filled = bool(np.count_nonzero(filled & lines) > _MOSTLY * np.count_nonzero(lines))
+    enclosed = [] if are_filled else [road for road in roads if _within(road, drawn)]
+    if not (are_filled or enclosed):
+        return False
+    # To measure what is drawn takes longer than all else.
+    whole = map_tone(land.color, drawn)
+    return whole.steady >= _WHOLE and (
+        are_filled or any(_TIMES * road.width <= whole.width for road in enclosed)
+    )
 
 
 def _within(line: MapTone, drawn: Booleans) -> bool:

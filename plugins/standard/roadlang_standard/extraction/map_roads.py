@@ -35,7 +35,7 @@ class MapRoads:
     @property
     def land(self) -> MapTone:
         """The tone that covers most."""
-        return max(self.all_tones, key=lambda tone: int(tone.mask.sum()))
+        return max(self.all_tones, key=lambda tone: np.count_nonzero(tone.mask))
 
     def adds_streets(self, other: MapRoads) -> bool:
         """Whether these are the roads of another one, if it has any, and some of thin colors."""

@@ -28,7 +28,7 @@ from .map_tones import (
     without_jpeg_noise,
 )
 from .map_water import masks_without_water
-from .mask_parts import parts_touching
+from .mask_parts import parts_and_boxes, parts_touching, where_parts
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD
 from .skeleton import skeleton
@@ -145,7 +145,7 @@ def _is_drawn(
     if chosen.styled:
         return False
     drawn = is_drawing(chosen.all_tones, chosen.roads, letters, colors)
-    return drawn or (is_plan() and not are_named(chosen.roads, letters))
+    return drawn or (not are_named(chosen.roads, letters) and is_plan())
 
 
 def _wide(tone: MapTone) -> float:
@@ -197,7 +197,7 @@ def _uncovered(
     width, typical, widest = widths
     area = np.zeros(mask.shape, bool)
     for other in others:
-        if (other & letters).sum() < _ON_LETTERS * other.sum():
+        if np.count_nonzero(other & letters) < _ON_LETTERS * np.count_nonzero(other):
             area |= _opened(other)
     streets, named = streets_below_names(_without_thin(mask, width), letters, width)
     mask = streets | (mask & ~(named & ~_opened(mask, max(1, int(_OUTLINE * width)))))
@@ -252,11 +252,11 @@ def _without_thin(mask: Booleans, width: float) -> Booleans:
 def _without_islands(mask: Booleans, least: float) -> Booleans:
     """Without parts that are nowhere `least` pixels long, buildings of a road's color, and without
     rings of thin lines that nothing joins: outlines."""
-    parts, stats = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)[1:3]
+    _, parts, stats = parts_and_boxes(mask)
     kept = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= least
     kept[0] = False
     kept &= ~_rings(mask, parts, len(stats))
-    return np.asarray(kept[parts])
+    return where_parts(kept, parts)
 
 
 def _rings(mask: Booleans, parts: NDArray[np.int32], count: int) -> Booleans:

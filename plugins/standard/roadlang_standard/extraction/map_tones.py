@@ -13,7 +13,7 @@ from roadlang.geometry import Booleans
 from .counted_colors import color_codes, counted_colors
 from .mixed_pixels import with_thin_lines
 from .tone_shape import HasShape, ToneSurface
-from .tones import Image, away_from
+from .tones import Image, away_from_each
 
 _LEAST, _MOST = 0.001, 32
 """Least share of the picture that a tone covers, and the greatest number of tones."""
@@ -128,7 +128,7 @@ class MapTone:
     @property
     def mean_width(self) -> float:
         """Of all that is in it, pixels."""
-        return float(self.mask.sum()) / max(1.0, self.length)
+        return float(np.count_nonzero(self.mask)) / max(1.0, self.length)
 
 
 def is_gray(color: NDArray[np.float64]) -> bool:
@@ -224,11 +224,10 @@ def color_masks(
 ) -> list[Booleans]:
     """Where (h, w) each of the `colors` of a map (h, w, 3) is, `near` as in `Tolerance`."""
     label = np.full(image.shape[:2], -1, np.int16)
-    best = np.full(image.shape[:2], near + 1, np.int16)
-    for index, color in enumerate(colors):
-        away = away_from(image, color).astype(np.int16)
-        closer = away < best
-        best[closer], label[closer] = away[closer], index
+    best = np.full(image.shape[:2], near + 1, np.uint8)
+    for index, away in enumerate(away_from_each(image, colors)):
+        np.copyto(label, index, where=away < best)
+        best = np.minimum(best, away)
     if smooth:
         label = with_thin_lines(image, label, colors)
     return [label == index for index in range(len(colors))]

@@ -12,6 +12,7 @@ from roadlang.geometry import Booleans
 
 from .map_ribbons import ribbons
 from .map_tones import MapTone, is_gray, map_tone
+from .mask_parts import areas_of, parts_of, where_parts
 from .skeleton import skeleton
 from .tones import Layer
 
@@ -162,24 +163,24 @@ def _basin(mask: Booleans, lines: _Lines) -> Booleans | None:
         return None
     away = cv2.distanceTransform(1 - deep, cv2.DIST_L2, 5)
     wide = mask & (away < broad / 2)
-    count, parts = cv2.connectedComponents(wide.astype(np.uint8), connectivity=8)
+    count, parts = parts_of(wide, 8)
     core = thin & wide
     # Where lines meet, they end: between junctions a road's width is one.
     near = cv2.filter2D(core.astype(np.uint8), -1, np.ones((3, 3)), borderType=cv2.BORDER_CONSTANT)
     forks = cv2.dilate((core & (near > 3)).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     total = np.bincount(parts[core], minlength=count)
     same = np.bincount(parts[_constant(core & ~forks, inner)], minlength=count)
-    large = np.bincount(parts.ravel(), minlength=count) >= _LARGE * broad**2
+    large = areas_of(parts, count) >= _LARGE * broad**2
     water = large & (same < _MOSTLY * total)
     water[0] = False
-    return np.asarray(water[parts]) if water.any() else None
+    return where_parts(water, parts) if water.any() else None
 
 
 def _constant(lines: Booleans, inner: Layer) -> Booleans:
     """Which of the lines (h, w) are longer than wide and have one width from end to end."""
     if not lines.any():
         return lines
-    count, run = cv2.connectedComponents(lines.astype(np.uint8), connectivity=8)
+    count, run = parts_of(lines, 8)
     at = np.flatnonzero(lines)
     order = np.argsort(run.ravel()[at], kind="stable")
     across = (2 * inner.ravel()[at] - 1)[order]
@@ -188,7 +189,7 @@ def _constant(lines: Booleans, inner: Layer) -> Booleans:
     for values, one in zip(np.split(across, starts[1:]), range(1, count), strict=True):
         low, middle, high = np.quantile(values, (0.1, 0.5, 0.9))
         kept[one] = values.size > middle and high - low <= max(1.0, _CONSTANT * middle)
-    return np.asarray(kept[run])
+    return where_parts(kept, run)
 
 
 def _joined(labels: np.ndarray, found: set[int], also: set[int], reach: int) -> set[int]:

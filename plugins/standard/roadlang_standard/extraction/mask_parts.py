@@ -8,12 +8,17 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans, Floats
 
+Labels = NDArray[np.int32]
+
 _SAMPLED, _MANY = 101, 0.1
 """Large parts are found by looking at one pixel in `_SAMPLED`. A list of more than `_MANY` of all
 pixels takes more time and memory than counting all of them."""
+_RUNS = 0.05
+"""Where more than this share of all pixels begins a run of one label, as in noise, to look at the
+pixels takes less time than to look at the runs."""
 
 
-def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int32]]:
+def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, Labels]:
     """How many labels there are, and the label (h, w) of each pixel, 0 where the mask is not set.
 
     Without diagonals OpenCV's usual algorithm takes twice as long as this one (Bolelli et al.
@@ -27,6 +32,68 @@ def parts_of(mask: Booleans, connectivity: int = 4) -> tuple[int, NDArray[np.int
     return count, np.asarray(labels, np.int32)
 
 
+def parts_and_boxes(mask: Booleans, connectivity: int = 8) -> tuple[int, Labels, NDArray[np.int32]]:
+    """How many labels there are, the label (h, w) of each pixel, and for each label (n, 5) the
+    first column and row, the width, the height and the area, in OpenCV's order.
+
+    What OpenCV gives, in a third of the time. The box of pixels that are not set means nothing.
+    """
+    count, labels = parts_of(mask, connectivity)
+    boxes = boxes_of(labels, count)
+    if boxes is not None:
+        return count, labels, boxes
+    count, found, stats, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
+        mask.view(np.uint8), connectivity, cv2.CV_32S, cv2.CCL_BOLELLI
+    )
+    return count, np.asarray(found, np.int32), np.asarray(stats, np.int32)
+
+
+def boxes_of(labels: Labels, count: int) -> NDArray[np.int32] | None:
+    """The boxes and areas (n, 5) of the parts with so many labels (h, w), as `parts_and_boxes`;
+    None where there are so many runs of labels that this takes longer than what OpenCV does."""
+    width = labels.shape[1]
+    flat = labels.ravel()
+    begins = np.ones(flat.size, bool)
+    np.not_equal(flat[1:], flat[:-1], out=begins[1:])
+    begins[::width] = True  # no run goes on from row to row
+    starts = np.flatnonzero(begins)
+    if len(starts) > _RUNS * flat.size:
+        return None
+    owner, lengths = flat[starts], np.diff(starts, append=flat.size)
+    row, column = np.divmod(starts, width)
+    boxes = np.zeros((count, 5), np.int32)
+    for index, (first, last) in enumerate(((column, column + lengths), (row, row + 1))):
+        low, high = np.full(count, flat.size, np.intp), np.zeros(count, np.intp)
+        np.minimum.at(low, owner, first)
+        np.maximum.at(high, owner, last)
+        boxes[:, index], boxes[:, index + 2] = low, high - low
+    boxes[:, cv2.CC_STAT_AREA] = np.bincount(owner, weights=lengths, minlength=count)
+    return boxes
+
+
+def areas_of(labels: Labels, count: int) -> NDArray[np.intp]:
+    """How many pixels have each of so many labels (h, w): as `numpy.bincount`, by runs."""
+    values, lengths = _runs(labels)
+    return np.bincount(values, weights=lengths, minlength=count).astype(np.intp)
+
+
+def where_parts(chosen: Booleans, labels: Labels) -> Booleans:
+    """Where (h, w) labels (h, w) are among the `chosen` (n,): as `chosen[labels]`, by runs."""
+    values, lengths = _runs(labels)
+    if len(values) > _RUNS * labels.size:
+        return np.asarray(chosen.take(labels))
+    return np.repeat(chosen[values], lengths).reshape(labels.shape)
+
+
+def _runs(labels: Labels) -> tuple[Labels, NDArray[np.intp]]:
+    """The label (m,) and the length (m,) of each run of one label in labels (h, w), row by row."""
+    flat = labels.ravel()
+    starts = np.flatnonzero(flat[1:] != flat[:-1]) + 1
+    if flat.size:
+        starts = np.append(0, starts)
+    return flat[starts], np.diff(starts, append=flat.size)
+
+
 def small_parts(mask: Booleans, most: float, connectivity: int = 4) -> Booleans | None:
     """The parts (h, w) of a mask of fewer than `most` pixels; None if there are none.
 
@@ -38,10 +105,10 @@ def small_parts(mask: Booleans, most: float, connectivity: int = 4) -> Booleans 
     doubtful[0] = False
     if not doubtful.any():
         return None
-    found = np.asarray(doubtful.take(labels))
+    found = where_parts(doubtful, labels)
     if np.count_nonzero(found) > _MANY * found.size:
-        doubtful &= np.bincount(flat, minlength=count) < most
-        return np.asarray(doubtful.take(labels)) if doubtful.any() else None
+        doubtful &= areas_of(labels, count) < most
+        return where_parts(doubtful, labels) if doubtful.any() else None
     pixels = np.flatnonzero(found)
     owner = flat[pixels]
     large = np.bincount(owner, minlength=count)[owner] >= most
@@ -64,10 +131,10 @@ def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slic
 
 def parts_touching(mask: Booleans, reach: Booleans) -> Booleans:
     """The connected parts of a mask (h, w) that meet another one (h, w)."""
-    count, parts = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+    count, parts = parts_of(mask, 8)
     met = np.bincount(parts[reach], minlength=count) > 0
     met[0] = False
-    return np.asarray(met[parts])
+    return where_parts(met, parts)
 
 
 def is_inside(mask: Booleans, place: Floats) -> bool:

@@ -165,7 +165,7 @@ def _accuracy(surface: Layer) -> float:
     between = np.abs(surface - (low + high) / 2) < 0.4 * (high - low)
     inner = surface >= 0.5
     edge = inner & (cv2.erode(inner.astype(np.uint8), np.ones((3, 3), np.uint8)) == 0)
-    return 0.25 if between.sum() > 0.3 * edge.sum() else 0.5
+    return 0.25 if np.count_nonzero(between) > 0.3 * np.count_nonzero(edge) else 0.5
 
 
 def without_specks(mask: Booleans, least: float) -> Booleans:

@@ -7,7 +7,7 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .mask_parts import parts_of
+from .mask_parts import areas_of, parts_of, where_parts
 from .tones import Layer
 
 _BESIDE = 0.5
@@ -32,7 +32,7 @@ def with_objects(surface: Layer, marked: Booleans) -> Layer:
     usual = 2 * float(np.quantile(ridge, _USUAL)) - 1
     rim = cv2.dilate(parts.astype(np.float32), np.ones((3, 3), np.uint8)).astype(np.int32)
     rim[parts > 0] = 0
-    around = np.bincount(rim.ravel(), minlength=count)
+    around = areas_of(rim, count)
     road = np.bincount(rim[mask], minlength=count)
     thick = np.zeros(count, np.float32)
     within = cv2.copyMakeBorder(rest, 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
@@ -43,4 +43,4 @@ def with_objects(surface: Layer, marked: Booleans) -> Layer:
     stands = (road > _BESIDE * around) & (thick < _NARROW * usual)
     stands &= thick >= max(_LEAST, _THIN * usual)
     stands[0] = False
-    return np.where(stands[parts], np.float32(1), surface) if stands.any() else surface
+    return np.where(where_parts(stands, parts), np.float32(1), surface) if stands.any() else surface

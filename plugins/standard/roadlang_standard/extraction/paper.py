@@ -15,6 +15,7 @@ from .even_ground import has_even_ground
 from .found_network import FoundNetwork
 from .grain import without_grain
 from .hysteresis import hysteresis
+from .mask_parts import parts_of, where_parts
 from .masks import roads_of_surface
 from .pale_spots import pale_spots
 from .ruling import without_ruling
@@ -83,12 +84,14 @@ def sheet_of(image: Image, within: Booleans | None = None, textured: bool = Fals
     light = cv2.resize(on_strokes, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
     blue, green, red = cv2.split(image.astype(np.float32) / np.maximum(light, 1))
     ink = cv2.GaussianBlur(1 - cv2.min(cv2.min(blue, green), red), (0, 0), 0.7)
-    on_sheet = ink[seen]
+    on_sheet = ink.ravel() if within is None else ink[seen]
     middle = float(np.median(on_sheet))
-    noise = 1.4826 * float(np.median(np.abs(on_sheet - middle)))
-    if noise > _ROUGHEST or (np.abs(on_sheet - middle) < _PLAIN).mean() < _EVEN:
+    off = np.abs(on_sheet - middle)
+    noise = 1.4826 * float(np.median(off))
+    if noise > _ROUGHEST or np.count_nonzero(off < _PLAIN) < _EVEN * off.size:
         return None
-    return Sheet(np.where(seen, np.clip(ink - middle, 0, 1), 0).astype(np.float32), noise)
+    marked = np.clip(ink - middle, 0, 1)
+    return Sheet(marked if within is None else np.where(seen, marked, np.float32(0)), noise)
 
 
 def _has_one_light_color(light: Layer) -> bool:
@@ -189,11 +192,11 @@ def _strokes(ink: Layer, least: float) -> Booleans:
         return np.zeros(ink.shape, bool)
     dark = float(np.quantile(seen, 1 - _TOP))
     marked = without_grain(hysteresis(ink, max(least, _STRONG * dark), max(least, _WEAK * dark)))
-    count, parts = cv2.connectedComponents(marked.astype(np.uint8), connectivity=8)
+    count, parts = parts_of(marked, 8)
     lengths = np.bincount(parts[skeleton(marked)], minlength=count)
     side = min(marked.shape)
     long = lengths >= _SHORTEST * side
     long[0] = False
     if lengths[long].sum() < _LITTLE * side:
         return np.zeros(marked.shape, bool)
-    return np.asarray(long[parts])
+    return where_parts(long, parts)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import parts_and_boxes, where_parts
 from .tones import Image, Layer, away_from
 
 _THIN = 5.0
@@ -199,11 +200,9 @@ def _width_beside(inner: Layer, gaps: _Gaps, key: int, thickness: float) -> floa
 
 def _small_parts(gaps: Booleans, largest: float) -> _Gaps:
     """The parts of a mask (h, w) that are less than this share of the picture."""
-    _, labels, boxes, _ = cv2.connectedComponentsWithStatsWithAlgorithm(
-        gaps.view(np.uint8), 4, cv2.CV_32S, cv2.CCL_BOLELLI
-    )
+    _, labels, boxes = parts_and_boxes(gaps, 4)
     small = boxes[:, cv2.CC_STAT_AREA] < largest * gaps.size
     small[0] = False
     keys, none = np.flatnonzero(small), np.zeros(0)
-    pixels = np.flatnonzero(small.take(labels)) if len(keys) else keys
+    pixels = np.flatnonzero(where_parts(small, labels)) if len(keys) else keys
     return _Gaps(labels, boxes, pixels, keys, none, none)

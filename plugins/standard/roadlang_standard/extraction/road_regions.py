@@ -12,7 +12,7 @@ from scipy.ndimage import find_objects
 
 from roadlang.geometry import Booleans
 
-from .mask_parts import parts_of
+from .mask_parts import areas_of, boxes_of, parts_of
 
 _LEAST = 40
 """Least area of a region, in square pixels."""
@@ -29,6 +29,9 @@ _ALIKE = (0.6, 1.6)
 _WIDEST, _LONGEST = 0.2, 1.5
 """A region wider than `_WIDEST` of the picture's shorter side and longer than `_LONGEST` times the
 sum of both sides is not a road; even a ring as large as the picture is shorter."""
+_FEW, _SMALL, _AROUND = 40, 0.25, 3
+"""At most `_FEW` parts, which cover at most `_SMALL` of the picture, are measured one by one, each
+with `_AROUND` pixels around it."""
 _USUAL = 0.9
 """Half the usual width is this quantile of the distances from the middle to the edge."""
 
@@ -110,9 +113,13 @@ def road_regions(ink: Booleans, parts: PaperParts | None = None) -> list[RoadReg
     """The road-like regions of the paper about the ink (h, w), which may be divided in `parts`
     already: the longest, and pieces as wide."""
     parts = parts or PaperParts.about(ink)
-    labels = parts.labels
+    labels, areas = parts.labels, areas_of(parts.labels, parts.count)
+    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
+    rims = np.bincount(rim, minlength=parts.count)
+    if not _may_be_long(ink, labels, areas, rims):
+        return []
     likely = []
-    for region in _regions(ink, labels, np.bincount(labels.ravel(), minlength=parts.count)):
+    for region in _regions(ink, labels, areas, rims):
         least, most = region.width_between()
         if (
             region.is_even(most)
@@ -138,8 +145,37 @@ def road_regions(ink: Booleans, parts: PaperParts | None = None) -> list[RoadReg
     return [r for r in found if r.elongation > _PIECE and least < r.width / main.width < most]
 
 
+def _may_be_long(
+    ink: Booleans, labels: NDArray[np.int32], areas: NDArray[np.intp], rims: NDArray[np.intp]
+) -> bool:
+    """Whether any part of the paper may be a long road: most drawings have none, and that is seen
+    before all of the picture is measured."""
+    # What covers so much of the rim is at least so wide, if it is a road.
+    long = (areas >= _LEAST) & (areas > _LONG * np.maximum(rims / _LEAVING, 1.0) ** 2)
+    long[0] = False
+    keys = np.flatnonzero(long)
+    if not len(keys) or len(keys) > _FEW:
+        return len(keys) > 0
+    boxes = boxes_of(labels, len(areas))
+    if boxes is None or boxes[keys, 2:4].prod(axis=1).sum() > _SMALL * ink.size:
+        return True
+    for key in keys.tolist():
+        left, top, width, height = boxes[key, :4].tolist()
+        # The pixels about a part tell how far those of it are from its edge.
+        window = (
+            slice(max(0, top - _AROUND), top + height + _AROUND),
+            slice(max(0, left - _AROUND), left + width + _AROUND),
+        )
+        here = (labels[window] == key).astype(np.int32)
+        (region,) = _regions(ink[window], here, areas[[0, key]], rims[[0, key]])
+        usual = region.width()
+        if region.is_even(usual) and region.elongation(usual) > _LONG:
+            return True
+    return False
+
+
 def _regions(
-    ink: Booleans, labels: NDArray[np.int32], areas: NDArray[np.intp]
+    ink: Booleans, labels: NDArray[np.int32], areas: NDArray[np.intp], rims: NDArray[np.intp]
 ) -> Iterator[_Region]:
     """The parts of the paper, by the order of their labels, that are not tiny."""
     padded = cv2.copyMakeBorder((~ink).view(np.uint8), 1, 1, 1, 1, cv2.BORDER_CONSTANT, value=0)
@@ -149,8 +185,6 @@ def _regions(
     order = np.lexsort((depths, keys))
     depths = depths[order]
     ends = np.cumsum(np.bincount(keys, minlength=len(areas)))
-    rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
-    rims = np.bincount(rim, minlength=len(areas))
     for key in np.flatnonzero(areas >= _LEAST).tolist():
         if key:
             depth = depths[ends[key - 1] : ends[key]]

@@ -72,7 +72,7 @@ _EDGE, _EDGES = 4, 0.4
 
 def road_tones(tones: list[MapTone], side: int) -> list[MapTone]:
     """Those of the tones that are roads, the one with most road first; `side` in pixels."""
-    land = max(tones, key=lambda tone: float(tone.mask.sum()))
+    land = max(tones, key=lambda tone: np.count_nonzero(tone.mask))
     ribbons = [
         tone
         for tone in tones
@@ -223,7 +223,7 @@ def _joined(main: MapTone, others: list[MapTone], apart: list[MapTone]) -> list[
             near = cv2.dilate(reach.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
             touching = parts_touching(rest, near)
             least = _CUT if _is_main(tone, main) else _TOUCHING
-            if touching.sum() >= least * rest.sum():
+            if np.count_nonzero(touching) >= least * np.count_nonzero(rest):
                 found, left = True, [one for one in left if one is not tone]
                 whole = rest is tone.mask
                 mask = tone.mask if whole else touching | (tone.mask & reach)

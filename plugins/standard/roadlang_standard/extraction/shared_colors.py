@@ -12,6 +12,7 @@ from roadlang.geometry import Booleans
 
 from .map_ribbons import ribbons
 from .map_tones import MapTone, map_tone
+from .mask_parts import parts_and_boxes, where_parts
 from .masks import without_specks
 from .skeleton import skeleton
 from .tones import Layer
@@ -37,7 +38,7 @@ _SPECK = 8
 
 def with_streets_alone(tones: list[MapTone]) -> list[MapTone]:
     """The tones of a map; of those that streets share, these streets."""
-    land = max(tones, key=lambda tone: float(tone.mask.sum()))
+    land = max(tones, key=lambda tone: np.count_nonzero(tone.mask))
     return [tone if tone is land else _streets(tone, land.mask) for tone in tones]
 
 
@@ -48,7 +49,7 @@ def _streets(tone: MapTone, land: Booleans) -> MapTone:
     if not tone.is_gray or tone.steady >= _UNEVEN or tone.steady_length < least:
         return tone
     mask = _narrow(without_specks(tone.mask, _SPECK))
-    count, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    count, parts, stats = parts_and_boxes(mask)
     thin = skeleton(mask)
     inner = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
     lengths = np.bincount(parts[thin], minlength=count)
@@ -59,13 +60,13 @@ def _streets(tone: MapTone, land: Booleans) -> MapTone:
     streets = long & (even >= _EVEN * lengths)
     if streets.any():
         # Where streets meet often, they are hardly even, but no wider than others.
-        usual = float(np.median(inner[thin & streets[parts]]))
+        usual = float(np.median(inner[thin & where_parts(streets, parts)]))
         streets |= long & (_widths(thin, inner, parts, count) <= _AS_WIDE * usual)
     if even[streets].sum() < least:
         return tone
-    found = map_tone(tone.color, np.asarray(streets[parts]))
+    found = map_tone(tone.color, where_parts(streets, parts))
     beside = _beside(found.mask) & ~tone.mask
-    if (beside & land).sum() < _ON_LAND * beside.sum():
+    if np.count_nonzero(beside & land) < _ON_LAND * np.count_nonzero(beside):
         return tone
     if found.steady_length < _MOST * tone.steady_length:
         return tone

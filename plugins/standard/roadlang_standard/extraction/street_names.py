@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .mask_parts import parts_and_boxes
+
 _LOWEST, _TALLEST, _LONG = 9.0, 24.0, 3.0
 """A name on one line is `_LOWEST` to `_TALLEST` pixels tall, and at least `_LONG` times as long:
 the dashes of a footpath are lower."""
@@ -68,9 +70,7 @@ def streets_below_names(
     from either of its ends; it then covers the street from end to end. `width` is that of most
     streets, pixels.
     """
-    count, words, stats, _ = cv2.connectedComponentsWithStats(
-        letters.astype(np.uint8), connectivity=8
-    )
+    count, words, stats = parts_and_boxes(letters)
     drawn = np.zeros(mask.shape, np.uint8)
     named = np.zeros(mask.shape, bool)
     for word in range(1, count):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -63,9 +63,16 @@ def tones(image: Image, most: int = 8, least: float = 0.004, near: float = 40.0)
 
 def away_from(image: Image, color: NDArray[np.float64]) -> Image:
     """How far each pixel (h, w) is from a color, in its worst channel, 0..255."""
-    flat = np.clip(color, 0, 255).round().tolist()
-    blue, green, red = (cv2.absdiff(*each) for each in zip(cv2.split(image), flat, strict=True))
-    return np.asarray(cv2.max(cv2.max(blue, green), red))
+    return next(away_from_each(image, [color]))
+
+
+def away_from_each(image: Image, colors: Sequence[NDArray[np.float64]]) -> Iterator[Image]:
+    """How far each pixel (h, w) is from one color after the other, as `away_from`."""
+    channels = cv2.split(image)
+    for color in colors:
+        flat = np.clip(color, 0, 255).round().tolist()
+        blue, green, red = (cv2.absdiff(*each) for each in zip(channels, flat, strict=True))
+        yield np.asarray(cv2.max(cv2.max(blue, green), red))
 
 
 def thinned(image: Image, most: int) -> Image:
