@@ -15,6 +15,7 @@ from roadlang import testing
 from roadlang.api import Backend, DiagnosticError, Scene, String, Trace, option
 from roadlang.cli.main import run
 from roadlang.session.drive_outputs import drive_backends
+from roadlang.session.finished_drives import finished
 from roadlang.session.run_files import RunFolder
 from tests.straight_road import STRAIGHT
 
@@ -46,10 +47,10 @@ class Log(Backend):
 def written(folder: Path, emits: str = "emit log\n", n: int = 1, resume: bool = False) -> RunFolder:
     """The folder of a run of which the scenes without an entry in its journal are driven."""
     scenes = testing.sample(TEXT + emits, n, kinds=[Log])
-    found = RunFolder(folder, "key", "{}", resume, drive_backends(scenes.loaded))
+    found = RunFolder(folder, "key", "{}", resume)
     open_ = [number for number in range(n) if number not in found.finished]
     if open_:
-        found.add(scenes.run())
+        found.add(finished(scenes.run(), drive_backends(scenes.loaded)))
     return found
 
 
@@ -92,8 +93,7 @@ def test_a_drive_without_its_files_is_not_finished(tmp_path: Path) -> None:
     written(tmp_path)
     assert list(written(tmp_path, resume=True).finished) == [0]
     (tmp_path / "scene-0000.drive.txt").unlink()
-    scenes = testing.sample(TEXT + "emit log\n", kinds=[Log])
-    again = RunFolder(tmp_path, "key", "{}", True, drive_backends(scenes.loaded))
+    again = RunFolder(tmp_path, "key", "{}", True)
     assert not again.finished
 
 

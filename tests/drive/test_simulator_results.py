@@ -25,6 +25,7 @@ from roadlang.plugins.entry_points import Origin
 from roadlang.plugins.registry import BrokenPlugin, Registry
 from roadlang.search.worker_pool import WorkerPool, Workers
 from roadlang.session import drives_in_parts
+from roadlang.session.finished_drives import DriveFinishing
 from roadlang.simulation.vehicles import compiled
 
 SCENE = testing.sample("""
@@ -179,12 +180,12 @@ def test_a_few_of_many_scenes_are_driven_before_processes_are_forked(
 
     monkeypatch.setattr(drives_in_parts, "WorkerPool", Pool)
     monkeypatch.setattr(compiled, "expect", lambda times: None)
-    task = DriveTask(testing.registry_with(Quick), "quick")
+    finishing = DriveFinishing(DriveTask(testing.registry_with(Quick), "quick"))
     numbered: Any = [SimpleNamespace(record=replace(SCENE, index=n)) for n in range(scenes)]
     found = [
         drive
-        for part in drives_in_parts.drive_in_parts(numbered, task, Workers(2))
+        for part in drives_in_parts.drive_in_parts(numbered, finishing, Workers(2))
         for drive in part
     ]
-    assert [drive.scene.record.index for drive in found] == [*range(scenes)]
+    assert [drive.line.scene for drive in found] == [*range(scenes)]
     assert handed_out == calls

@@ -18,7 +18,7 @@ from roadlang.ir.controller_failure import ControllerFailure
 from roadlang.ir.trace import Trace
 from roadlang.report.drive_records import drive_record, view
 from roadlang.report.results import ShownDrive
-from roadlang.session.run_files import record_of
+from roadlang.session.finished_drives import record_of
 from roadlang.session.scene import installed
 
 from ..straight_road import STRAIGHT

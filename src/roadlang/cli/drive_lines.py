@@ -10,47 +10,39 @@ from ..ir.result_columns import OF_DRIVES, robustness_column
 from .console import echo, holding, style
 
 if TYPE_CHECKING:
-    from ..session.drives import Drive
-
+    from ..session.finished_drives import DriveLine
 
 _MOST_CONTACTS = 3
 
 
-def print_drive(drive: Drive, run: str, in_full: bool) -> None:
+def print_drive(drive: DriveLine, run: str, in_full: bool) -> None:
     """One line; `in_full`: how long it took and a line for each expectation."""
-    label = f"{run}{': ' if run else ''}scene {drive.scene.index}"
-    took = f"{drive.duration:.1f} s" if len(drive.trace.time) else "no time"
+    label = f"{run}{': ' if run else ''}scene {drive.scene}"
+    took = "no time" if drive.duration is None else f"{drive.duration:.1f} s"
     if not in_full:
         echo(f"{label}: {_outcome(drive)} ({took} driven)")
         _print_contacts(drive)
         _print_controller_failures(drive)
         return
     echo(f"{label}: {took} driven in {drive.engine}")
-    for verdict in drive.verdicts.values():
+    for verdict in drive.verdicts:
         rho = "" if verdict.robustness is None else f"  robustness {verdict.robustness:.3g}"
         echo(f"  {_word(verdict.satisfied, 8)}  {verdict.name}: {verdict.text}{rho}")
     _print_contacts(drive)
     _print_controller_failures(drive)
 
 
-def _print_contacts(drive: Drive) -> None:
+def _print_contacts(drive: DriveLine) -> None:
     """Who touched whom, if no expectation says that something went wrong: they stand still from
     then on, which the expectations may not be about."""
-    if not drive.has_unjudged_contacts:
-        return
-    pairs: dict[frozenset[str], str] = {}
-    for event in drive.trace.events:
-        if event["event"] == "contact":
-            both = event["agent"], event["other"]
-            pairs.setdefault(frozenset(both), f"{both[0]} and {both[1]} at {event['time']:.1f} s")
-    if pairs:
-        shown = [*pairs.values()]
+    shown = [f"{each.agent} and {each.other} at {each.time:.1f} s" for each in drive.contacts]
+    if shown:
         more = f" and {len(shown) - _MOST_CONTACTS} more" if len(shown) > _MOST_CONTACTS else ""
         echo(f"  {style('contact', fg='yellow')}  {', '.join(shown[:_MOST_CONTACTS])}{more}")
 
 
-def _print_controller_failures(drive: Drive) -> None:
-    for failure in drive.trace.controller_failures:
+def _print_controller_failures(drive: DriveLine) -> None:
+    for failure in drive.failures:
         word = style("failed", fg="red")
         echo(f"  {word}  controller of {failure.agent} at {failure.time:.1f} s: {failure.summary}")
 
@@ -85,7 +77,7 @@ def _of_worst(row: Mapping[str, Any]) -> tuple[bool | None, float | None]:
     return row.get(f"{name} satisfied"), row.get(robustness_column(name, OF_DRIVES))
 
 
-def _outcome(drive: Drive) -> str:
+def _outcome(drive: DriveLine) -> str:
     from ..judging.badness import says_how_near
 
     worst = drive.worst
@@ -94,22 +86,11 @@ def _outcome(drive: Drive) -> str:
     if not says_how_near(worst.satisfied, worst.robustness):
         return _word(worst.satisfied)
     rho = "" if worst.robustness is None else f" {worst.robustness:.3g}"
-    moment = drive.worst_moment
-    place = ""
-    if moment is not None and moment.actors:
-        station = float(moment.actors[0].station[moment.sample])
-        place = _place(float(drive.trace.time[moment.sample]), station)
-        place = f"{_beginning(drive, moment.sample)}{place}"
+    place = _place(drive.worst_time, drive.worst_station)
+    if drive.worst_time is not None and drive.first_time is not None:
+        place = f", first at {drive.first_time:.1f} s, worst{place}"
     between = ", worst: " if worst.satisfied else " "
     return f"{_word(worst.satisfied)}{between}{worst.name}{rho}{place}"
-
-
-def _beginning(drive: Drive, worst: int) -> str:
-    """When it first went wrong, where that is not when it was worst."""
-    first = drive.first_violation
-    if first is None or first.sample == worst:
-        return ""
-    return f", first at {float(drive.trace.time[first.sample]):.1f} s, worst"
 
 
 def _place(time: float | None, station: float | None) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,11 +18,11 @@ from . import exit_codes, shared_options
 from .console import echo, note, report, shown
 
 if TYPE_CHECKING:
-    from ..diagnostics import Source
+    from ..diagnostics import Diagnostic, Source
     from ..drive.batches import DriveTask
     from ..drive.written_places import WrittenPlaces
-    from ..evaluate.kind_instance import KindInstance
     from ..search.worker_pool import Workers
+    from ..session.finished_drives import DriveFinishing
     from ..session.loading import LoadedScenario
     from ..session.scene import Scene
     from ..session.scene_set import SceneSet
@@ -130,6 +131,7 @@ class RunBatch:
 
         from ..drive.written_places import UNKNOWN
         from ..session.drive_outputs import named_backends
+        from ..session.finished_drives import DriveFinishing
         from ..session.results_record import record_of_scene
         from ..session.scene import Scene
         from ..session.scene_files import read_scene_file
@@ -139,7 +141,8 @@ class RunBatch:
         outputs, registry = self._outputs, scene.registry
         backends = [] if outputs is None else named_backends(outputs, registry)
         origin = record_of_scene(scene, file, digest, self._engine, self._options, outputs)
-        self._drive([scene], self._task(registry, UNKNOWN), (text, origin), {}, backends)
+        finishing = DriveFinishing(self._task(registry, UNKNOWN), None, backends)
+        self._drive([scene], finishing, (text, origin), {})
 
     def add_variants(
         self,
@@ -166,6 +169,7 @@ class RunBatch:
     ) -> None:
         """One run; that there is no scene ends only this one."""
         from ..session.drive_outputs import drive_backends
+        from ..session.finished_drives import DriveFinishing
         from ..session.results_record import record_of_run
         from ..session.scene_set import NoSceneError
         from .progress import ProgressBar
@@ -187,7 +191,8 @@ class RunBatch:
         report(scenes.diagnostics)
         origin = record_of_run(scenes, count, self._engine, self._options)
         task = self._task(loaded.registry, loaded.places)
-        self._drive(scenes, task, (_key(scenes), origin), run, backends)
+        finishing = DriveFinishing(task, loaded, backends)
+        self._drive(scenes, finishing, (_key(scenes), origin), run)
 
     def _task(self, registry: Any, places: WrittenPlaces) -> DriveTask:
         from ..drive.batches import DriveTask
@@ -197,10 +202,9 @@ class RunBatch:
     def _drive(
         self,
         scenes: Sequence[Scene],
-        task: DriveTask,
+        finishing: DriveFinishing,
         origin: tuple[str, str],
         run: dict[str, str],
-        backends: Sequence[KindInstance],
     ) -> None:
         """Drive what is not finished, write and print it as it comes, and count all. `origin`: what
         stands for all that the drives depend on, and the text of `provenance.json`."""
@@ -209,19 +213,25 @@ class RunBatch:
         from .drive_lines import print_drive
         from .progress import ProgressBar
 
-        key = _digest([origin[0], *([] if self._outputs is None else self._outputs)], task)
-        folder = RunFolder(self._folder(run), key, origin[1], self._resume, backends)
+        outputs = [] if self._outputs is None else self._outputs
+        key = _digest([origin[0], *outputs], finishing.task)
+        folder = RunFolder(self._folder(run), key, origin[1], self._resume)
         report(folder.diagnostics)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
-        found: list[Any] = []
-        with ProgressBar("drives") as progress, folder.removed_if_nothing_is_driven():
-            for drives in drive_in_parts(open_, task, self._workers):
+        found: dict[Diagnostic, None] = {}
+        with (
+            ProgressBar("drives") as progress,
+            folder.removed_if_nothing_is_driven(),
+            folder.lying(self._workers) as lay,
+        ):
+            for drives in drive_in_parts(open_, replace(finishing, lay=lay), self._workers):
                 folder.add(drives)
-                found += drives.diagnostics
-                for drive in () if self._as_json else drives:
-                    print_drive(drive, run.get("run", ""), in_full=len(scenes) == 1)
+                for drive in drives:
+                    found |= dict.fromkeys(drive.diagnostics)
+                    if not self._as_json:
+                        print_drive(drive.line, run.get("run", ""), in_full=len(scenes) == 1)
                 progress(len(folder.finished), len(scenes))
-        report(found)
+        report(tuple(found))
         numbers = [scene.index for scene in scenes]
         records = folder.records(numbers)
         self._contacts += folder.contacts(numbers)

@@ -17,7 +17,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .locking import folder_lock, held_lock, may_be_held
-from .transaction import STAGED, is_plain, recover, replace_files, sync_folder, sync_of_many
+from .transaction import (
+    STAGED,
+    is_plain,
+    recover,
+    remove_tree,
+    replace_files,
+    sync_folder,
+    sync_of_many,
+)
 from .transaction import write as write_new
 from .writing import created, reported
 
@@ -95,17 +103,35 @@ def staged_set(folder: Path, marker: str, belonging: Belonging) -> Iterator[Stag
     with contextlib.ExitStack() as stack:
         with reported(folder):
             stack.enter_context(created(base))
-            with folder_lock(base):
-                _remove_left(base)
-                room = _new_room(base)
-                stack.callback(shutil.rmtree, room, ignore_errors=True)
-                stack.enter_context(held_lock(room))
+            room = stack.enter_context(_held_room(base))
         files = StagedFiles(folder, room)
         yield files
         with reported(folder):
             files.close_side_room()
             if base is folder or not _became(folder, room, files):
                 _move(folder, files, marker, belonging)
+
+
+@contextlib.contextmanager
+def side_room(folder: Path) -> Iterator[SideRoom]:
+    """A room for other processes in a folder that is there, for whoever adds what they lay part by
+    part. Raises `DiagnosticError` RL460."""
+    with contextlib.ExitStack() as stack:
+        with reported(folder):
+            room = stack.enter_context(_held_room(folder))
+        yield SideRoom(folder, room)
+
+
+@contextlib.contextmanager
+def _held_room(base: Path) -> Iterator[Path]:
+    """A new folder in another, with its lock; at the end it is removed where it still is there."""
+    with contextlib.ExitStack() as stack:
+        with folder_lock(base):
+            _remove_left(base)
+            room = _new_room(base)
+            stack.callback(remove_tree, room)
+            stack.enter_context(held_lock(room))
+        yield room
 
 
 def _new_room(base: Path) -> Path:

@@ -98,6 +98,11 @@ def _dissolve(room: Path) -> None:
     for name in (_JOURNAL, _UNDO):
         with contextlib.suppress(OSError):
             (room / name).unlink()
+    remove_tree(room)
+
+
+def remove_tree(room: Path) -> None:
+    """Remove a folder with all that is in it, as far as the system lets us."""
     try:
         shutil.rmtree(room, ignore_errors=True)
     except BaseException:  # SIGTERM or Ctrl-C in the middle of it

@@ -13,11 +13,12 @@ from .locking import folder_lock
 from .not_written import not_written
 from .transaction import PREFIX, is_plain, recover, replace_files
 
-Content = bytes | str
+Content = bytes | str | Path
+"""What is to be in a file, or the path of a file on the same disk that is moved."""
 
 
 def write_all(folder: Path, contents: Mapping[str, Content]) -> tuple[Path, ...]:
-    """Write each content under its name in `folder`, all of them or none.
+    """Write each content under its name in `folder`, or move it there, all of them or none.
 
     The folder is made where it is not there. Raises `DiagnosticError` RL460, and then the folder
     is as it was before.

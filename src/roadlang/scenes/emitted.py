@@ -98,11 +98,12 @@ def outline_of(scene: Scene) -> Scene:
         scene.title,
         scene.index,
         scene.provenance,
-        requirements=tuple(map(_outcome, scene.requirements)),
-        expectations=tuple(map(_outcome, scene.expectations)),
+        requirements=tuple(map(outcome_of, scene.requirements)),
+        expectations=tuple(map(outcome_of, scene.expectations)),
     )
 
 
-def _outcome(verdict: Verdict) -> Verdict:
+def outcome_of(verdict: Verdict) -> Verdict:
+    """A verdict without its robustness along roads."""
     name, text, domain = verdict.name, verdict.text, verdict.domain
     return Verdict(name, text, domain, verdict.robustness, verdict.satisfied)

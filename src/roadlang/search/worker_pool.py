@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from .ordered_results import Future, results_in_order
 from .start_method import FORK, start_method
+from .working import worked
 
 if TYPE_CHECKING:
     from .worker_processes import WorkerProcesses
@@ -35,6 +36,12 @@ class Workers:
     jobs: int = 1
     executor: Executor | None = None
     progress: Callable[[int, int], None] | None = None
+
+    @property
+    def write_here(self) -> bool:
+        """Whether there are other processes that see the disks of this machine: what they write
+        need not be sent. Those of an executor may be elsewhere."""
+        return self.jobs > 1 and self.executor is None
 
 
 ALONE = Workers()
@@ -88,7 +95,7 @@ class WorkerPool(Generic[State]):
             submit = partial(self._cluster.submit, _run_shared, shared, work)
             yield from results_in_order(submit, jobs, self._count)
         elif self._count == 1 or len(jobs) < fewest:
-            yield from (work(self.state, job) for job in jobs)
+            yield from (worked(work, self.state, job) for job in jobs)
         else:
             if self._processes is None:
                 from .worker_processes import WorkerProcesses
@@ -126,4 +133,4 @@ def _unpacked(content: bytes) -> _Shared:
 
 
 def _run_shared(shared: _Shared, work: Callable[[Any, Job], Result], job: Job) -> Result:
-    return work(shared.state, job)
+    return worked(work, shared.state, job)

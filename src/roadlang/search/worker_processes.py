@@ -19,6 +19,7 @@ from ..plugins.termination import Terminated, end_on_sigterm
 from .ordered_results import results_in_order
 from .shared_state import Reference, SharedState, read
 from .start_method import FORK, start_method
+from .working import worked
 
 _RESTARTS = 3
 """How often processes that died are replaced before the work is given up."""
@@ -156,7 +157,7 @@ def _run(work: Callable[[Any, Any], Any], job: Any) -> Any:
     _is_idle.clear()
     try:
         known = _process_jobs[job.number] if isinstance(job, _Inherited) else job
-        result = work(_process_state[0], known)
+        result = worked(work, _process_state[0], known)
     except Terminated:
         pass  # with it goes what the job held, but for circles
     except BaseException:

@@ -40,8 +40,7 @@ def compiled(
                     spool.add(scene.whole)
 
             # What processes write themselves need not be sent: memory for that is slow to come by.
-            is_near = workers.jobs > 1 and workers.executor is None
-            lay = writing.side_room().lay if is_near else held
+            lay = writing.side_room().lay if workers.write_here else held
             emission = Emission(writing.backends, take, lay)
             scenes = sampled(loaded, n, seed, workers, after_pass, emission)
             manifest = writing.finish(scenes.result, seed, spool)
