@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
+import pytest
 
 from roadlang.geometry import Booleans
 from roadlang_standard.extraction.map_contrast import without_strong_contrast
@@ -172,3 +173,20 @@ def test_what_is_left_of_gray_land_is_a_rest() -> None:
     line[200:203, 20:400] = line[20:23, 20:30] = True
     left = replace(map_tone(_BLACK, line), rest=True)
     assert without_outlines([map_tone(_WHITE, ~line), left])[1].rest
+
+
+@pytest.mark.parametrize(("course", "is_rest"), [(60.0, True), (230.0, False)])
+def test_a_river_with_its_course_drawn_darker_is_a_rest(course: float, is_rest: bool) -> None:
+    """Houses between two roads are not darker than these; casings are beside them."""
+    side, middle = np.zeros((_SIDE, _SIDE), np.uint8), np.zeros((_SIDE, _SIDE), np.uint8)
+    cv2.line(side, (30, 0), (200, 419), 1, 17)
+    cv2.line(middle, (30, 0), (200, 419), 1, 3)
+    casing = cv2.dilate(streets(), np.ones((3, 3), np.uint8)) & ~side & ~streets()
+    masks = {
+        245.0: (side | casing | streets()) == 0,
+        105.0: (side > 0) & (middle == 0),
+        course: (middle | casing) > 0,
+        140.0: (streets() & ~side) > 0,
+    }
+    tones = without_water_of([map_tone(np.full(3, gray), masks[gray]) for gray in masks])
+    assert [tone.rest for tone in tones] == [False, is_rest, False, False]

@@ -66,7 +66,8 @@ class MapTone:
     shared: bool = False
     """whether houses or water have the color, too, which are not in the mask"""
     rest: bool = False
-    """whether it is what is left where most of the color is water or land"""
+    """whether it is a river, or what is left where most of the color is water or land: a road only
+    where no others are"""
 
     @property
     def length(self) -> float:

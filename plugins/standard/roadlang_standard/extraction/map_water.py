@@ -31,6 +31,10 @@ that cover at least `_LARGE` squares of this width, are water or houses, even if
 streets; unless the width varies by at most `_CONSTANT` along at least `_MOSTLY` of their length."""
 _REST = 0.5
 """What is left of a color is a rest if it is less than this share of it."""
+_LINE, _WITHIN, _HALVED = 5, 0.3, 0.7
+"""A line less than `_LINE` pixels wide that covers at least `_WITHIN` pixels for each of the center
+lines of a color parts it in two if these lines have less than `_HALVED` of their length with it.
+"""
 _SHORT = 12
 """Parts with center lines of fewer pixels are ignored."""
 
@@ -52,14 +56,33 @@ class _Width:
 
 
 def without_water(tones: list[MapTone]) -> list[MapTone]:
-    """The tones of a map, without water as in `masks_without_water`."""
+    """The tones of a map, without water as in `masks_without_water`; rivers with a line in their
+    middle are rests."""
     dry = masks_without_water([tone.color for tone in tones], [tone.mask for tone in tones])
-    return [
-        tone
-        if mask is tone.mask
-        else replace(map_tone(tone.color, mask), rest=mask.sum() < _REST * tone.mask.sum())
-        for tone, mask in zip(tones, dry, strict=True)
-    ]
+    found = []
+    for tone, mask in zip(tones, dry, strict=True):
+        kept = tone if mask is tone.mask else map_tone(tone.color, mask)
+        is_rest = mask.sum() < _REST * tone.mask.sum() or _has_middle_line(kept, tones)
+        found.append(replace(kept, rest=True) if is_rest else kept)
+    return found
+
+
+def _has_middle_line(tone: MapTone, tones: list[MapTone]) -> bool:
+    """Whether a gray tone is a surface that a line of a darker gray parts along its middle, as maps
+    draw the course of a river; casings are beside roads."""
+    light = float(tone.color.mean())
+    lines = [one for one in tones if one.is_gray and one.color.mean() < light]
+    land = max(tones, key=lambda one: int(one.mask.sum()))
+    if not (tone.is_gray and lines and light < land.color.mean()):
+        return False
+    mask = tone.mask.astype(np.uint8)
+    closed = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((_LINE, _LINE), np.uint8)) > 0
+    parting = [closed & line.mask for line in lines]
+    return any(
+        within.sum() >= _WITHIN * tone.length
+        and map_tone(tone.color, tone.mask | within).length < _HALVED * tone.length
+        for within in parting
+    )
 
 
 def masks_without_water(colors: list[NDArray[np.float64]], masks: list[Booleans]) -> list[Booleans]:
