@@ -10,6 +10,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
+from concurrent.futures import TimeoutError as NotYetDoneError
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing import resource_tracker
@@ -23,6 +24,8 @@ from .working import worked
 
 _RESTARTS = 3
 """How often processes that died are replaced before the work is given up."""
+_LOOK = 1.0
+"""Seconds of waiting for a result after which it is seen whether processes have died."""
 
 
 class WorkerProcesses:
@@ -35,6 +38,8 @@ class WorkerProcesses:
         self._are_forked = False
         self._shared: SharedState | None = None
         self._other_children = frozenset(multiprocessing.active_children())
+        self._seen: set[Any] = set()
+        """processes of ours that were alive when it was last looked"""
 
     def map(self, work: Callable[[Any, Any], Any], jobs: Sequence[Any]) -> Iterator[Any]:
         """`work(state, job)` of each job, in order. A job whose process died is done again by
@@ -43,7 +48,7 @@ class WorkerProcesses:
         while done < len(jobs):
             try:
                 rest = jobs[done:]
-                submit = partial(_submit, *self._started(rest), work)
+                submit = partial(self._submitted, *self._started(rest), work)
                 for result in results_in_order(submit, range(len(rest)), self._count):
                     done += 1
                     deaths = 0
@@ -59,13 +64,32 @@ class WorkerProcesses:
         if self._executor is None:
             return
         if at_once:
-            for process in set(multiprocessing.active_children()) - self._other_children:
+            for process in self._alive():
                 process.terminate()
+            # The thread that reads results would wait for the rest of one whose process was killed
+            # while it wrote it, until nobody can write any more: with this end that is nobody.
+            self._executor._result_queue._writer.close()  # type: ignore[attr-defined]
         self._executor.shutdown(wait=True, cancel_futures=True)
         self._executor = None
+        self._seen = set()
         if self._shared is not None:
             self._shared.withdraw()
             self._shared = None
+
+    def _alive(self) -> set[Any]:
+        """The processes that were started for this work."""
+        return set(multiprocessing.active_children()) - self._other_children
+
+    def _submitted(self, *arguments: Any) -> _Watched:
+        future = _submit(*arguments)
+        self._seen |= self._alive()
+        return _Watched(future, self._has_lost_some)
+
+    def _has_lost_some(self) -> bool:
+        """Whether a process has died since it was last asked. An executor tells so itself, unless
+        the process was killed while it wrote a result: for the rest of that it waits forever."""
+        before, self._seen = self._seen, self._alive()
+        return bool(before - self._seen)
 
     def _started(self, jobs: Sequence[Any]) -> tuple[ProcessPoolExecutor, bool, Sequence[Any]]:
         """The processes, whether they are forked, and what `jobs` are called for them: those that
@@ -84,6 +108,28 @@ class WorkerProcesses:
         )
         named = [_Inherited(number) for number in range(len(jobs))] if self._are_forked else jobs
         return self._executor, self._are_forked, named
+
+
+@dataclass(frozen=True)
+class _Watched:
+    """A result that nobody waits for in vain. `has_lost_some`: has a process died since this was
+    last asked?"""
+
+    future: Future[Any]
+    has_lost_some: Callable[[], bool]
+
+    def result(self) -> Any:
+        """The result. Raises `BrokenExecutor` where a process has died and it does not come."""
+        is_lost = False
+        while True:
+            try:
+                return self.future.result(_LOOK)
+            except NotYetDoneError:
+                if self.future.done():  # meanwhile, or by this error
+                    return self.future.result()
+            if is_lost:  # the executor had time to tell
+                raise BrokenExecutor("a process was killed while it wrote a result")
+            is_lost = self.has_lost_some()
 
 
 @dataclass(frozen=True)
