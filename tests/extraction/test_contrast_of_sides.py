@@ -9,8 +9,8 @@ import pytest
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
-from roadlang_standard.extraction.contrast_of_sides import with_doubted_edges
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.picture_doubts import with_picture_doubts
 
 _LEVEL = 60
 """Row of the line in the pictures."""
@@ -40,7 +40,7 @@ def _bands(above: int, line: int, below: int, blur: float = 0.0) -> np.ndarray:
 
 
 def _sure(picture: np.ndarray, *starts: float, width: float | None = None) -> list[float]:
-    found = with_doubted_edges(_found(*(starts or (0.0,))), picture, width)
+    found = with_picture_doubts(_found(*(starts or (0.0,))), picture, width)
     return [road.confidence for road in found.roads]
 
 

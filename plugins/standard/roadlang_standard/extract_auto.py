@@ -70,11 +70,11 @@ class Auto(Extractor):
 
         from .extract_aerial import Aerial
         from .extract_contour import Contour, road_width
-        from .extraction.contrast_of_sides import with_doubted_edges
         from .extraction.drawing import roads_of_drawing
         from .extraction.found_network import EDGE_LINES
         from .extraction.map_tiles import roads_of_map
         from .extraction.paper import roads_on_paper
+        from .extraction.picture_doubts import with_picture_doubts
         from .extraction.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
         from .extraction.screen_grid import without_grid
@@ -86,17 +86,17 @@ class Auto(Extractor):
         if self.threshold == "auto" and not self.through and not seen.named(MASK):
             on_paper = None if seen.exact else roads_on_paper(picture.pixels, width, not seen.drawn)
             if on_paper is not None:
-                on_paper = with_doubted_edges(on_paper, picture.pixels, width)
+                on_paper = with_picture_doubts(on_paper, picture.pixels, width)
                 return "drawing on paper", extraction(picture, on_paper)
             rendered = None
             if seen.drawn:
                 rendered = roads_of_map(picture.pixels, width, lambda: seen.is_plan)
             if rendered is not None:
-                rendered = with_doubted_edges(rendered, picture.pixels, width)
+                rendered = with_picture_doubts(rendered, picture.pixels, width)
                 return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
             if seen.named(MAP):
                 colored = roads_of_drawing(picture.pixels, width=width)
-                colored = with_doubted_edges(colored, picture.pixels, width)
+                colored = with_picture_doubts(colored, picture.pixels, width)
                 drawn = extraction(picture, colored)
                 return MAP, with_legend_proposed(picture, drawn)
         if seen.drawn and not self.through:

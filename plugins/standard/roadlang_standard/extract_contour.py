@@ -50,7 +50,7 @@ class Contour(Extractor):
 
     def found(self, picture: Picture) -> FoundNetwork:
         """The roads in pixels; `method` tells whether they lie between edge lines."""
-        from .extraction.contrast_of_sides import with_doubted_edges
+        from .extraction.picture_doubts import with_picture_doubts
         from .extraction.pixels import pixels_of
         from .extraction.thresholding import ContourSteps, roads_by_contour
 
@@ -64,7 +64,7 @@ class Contour(Extractor):
             min_length=in_pixels(self.min_length, picture),
         )
         pixels = pixels_of(picture, "contour")
-        return with_doubted_edges(roads_by_contour(pixels, chain), pixels, chain.width)
+        return with_picture_doubts(roads_by_contour(pixels, chain), pixels, chain.width)
 
 
 def in_pixels(meters: Any, picture: Picture) -> float | None:

@@ -4,7 +4,6 @@ colors, and so does a contour of a cloud or of a face."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -14,7 +13,7 @@ from roadlang.geometry import Floats
 
 from .connected_roads import connected_parts
 from .edges import normals
-from .found_network import FoundNetwork, FoundRoad
+from .found_network import FoundRoad
 from .smoothing import resample
 from .tones import Image
 
@@ -37,22 +36,17 @@ _STEP = 2.0
 """Least distance of the places along a road that are looked at, pixels."""
 
 
-def with_doubted_edges(
-    found: FoundNetwork, image: Image, width: float | None = None
-) -> FoundNetwork:
-    """The same roads, in the picture (h, w, 3) in which they were found; those less sure that
-    differ from what is on one side of them alone. A given `width` does not say where sides are."""
-    if width is not None or all(road.confidence <= _NO_ROAD for road in found.roads):
-        return found
+def sure_by_sides(roads: tuple[FoundRoad, ...], image: Image) -> list[float]:
+    """How sure each road is by its contrast to both sides in the picture (h, w, 3) in which it was
+    found; the same for all that are connected."""
     soft = cv2.GaussianBlur(image, (3, 3), 0)
-    together = _sure(found.roads, soft)
+    # Where most lines are edges, a few that are not are chance.
+    together = _sure(roads, soft)
     factors: dict[int, float] = {}
-    for part in connected_parts(found.roads):
-        # Where most lines are edges, a few that are not are chance.
+    for part in connected_parts(roads):
         sure = min(together, _sure(part, soft))
         factors.update((id(road), sure) for road in part)
-    roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
-    return replace(found, roads=roads)
+    return [factors[id(road)] for road in roads]
 
 
 def _sure(roads: Sequence[FoundRoad], image: Image) -> float:

@@ -1,0 +1,26 @@
+"""How sure the roads of a drawing are by the picture in which they were found."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from .contrast_of_sides import sure_by_sides
+from .found_network import FoundNetwork
+from .share_of_marks import sure_by_share
+from .tones import Image
+
+_NO_ROAD = 0.45
+"""Where no road is surer than this, nothing more is looked at."""
+
+
+def with_picture_doubts(
+    found: FoundNetwork, image: Image, width: float | None = None
+) -> FoundNetwork:
+    """The same roads, in the picture (h, w, 3) in which they were found, those less sure that are
+    edges or little of what the picture shows. A given `width` does not say where edges are."""
+    if width is not None or all(road.confidence <= _NO_ROAD for road in found.roads):
+        return found
+    of_all = sure_by_share(found, image)
+    sure = sure_by_sides(found.roads, image)
+    pairs = zip(found.roads, sure, strict=True)
+    return replace(found, roads=tuple(road.less_sure(min(of_all, one)) for road, one in pairs))
