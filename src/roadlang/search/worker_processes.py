@@ -14,6 +14,8 @@ from concurrent.futures import TimeoutError as NotYetDoneError
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing import resource_tracker
+from multiprocessing.context import BaseContext
+from multiprocessing.queues import SimpleQueue
 from typing import Any
 
 from ..plugins.termination import Terminated, end_on_sigterm
@@ -34,7 +36,7 @@ class WorkerProcesses:
     def __init__(self, state: Any, count: int) -> None:
         self._state = state
         self._count = count
-        self._executor: ProcessPoolExecutor | None = None
+        self._executor: _Executor | None = None
         self._are_forked = False
         self._shared: SharedState | None = None
         self._other_children = frozenset(multiprocessing.active_children())
@@ -66,9 +68,7 @@ class WorkerProcesses:
         if at_once:
             for process in self._alive():
                 process.terminate()
-            # The thread that reads results would wait for the rest of one whose process was killed
-            # while it wrote it, until nobody can write any more: with this end that is nobody.
-            self._executor._result_queue._writer.close()  # type: ignore[attr-defined]
+            self._executor.results.write_no_more()
         self._executor.shutdown(wait=True, cancel_futures=True)
         self._executor = None
         self._seen = set()
@@ -91,7 +91,7 @@ class WorkerProcesses:
         before, self._seen = self._seen, self._alive()
         return bool(before - self._seen)
 
-    def _started(self, jobs: Sequence[Any]) -> tuple[ProcessPoolExecutor, bool, Sequence[Any]]:
+    def _started(self, jobs: Sequence[Any]) -> tuple[_Executor, bool, Sequence[Any]]:
         """The processes, whether they are forked, and what `jobs` are called for them: those that
         are forked now have copies of all, by their numbers."""
         if self._executor is not None:
@@ -100,14 +100,30 @@ class WorkerProcesses:
         self._are_forked = method == FORK
         self._shared = None if self._are_forked else SharedState(self._state)
         reference = pickle.dumps(self._state) if self._shared is None else self._shared.reference
-        self._executor = ProcessPoolExecutor(
-            self._count,
-            mp_context=multiprocessing.get_context(method),
-            initializer=_start,
-            initargs=(reference, jobs if self._are_forked else ()),
-        )
+        known = jobs if self._are_forked else ()
+        context = multiprocessing.get_context(method)
+        self._executor = _Executor(self._count, context, _start, (reference, known))
         named = [_Inherited(number) for number in range(len(jobs))] if self._are_forked else jobs
         return self._executor, self._are_forked, named
+
+
+class _Results(SimpleQueue[Any]):
+    """What processes send back."""
+
+    def write_no_more(self) -> None:
+        """Once nobody can write, nobody waits for the rest of a result whose process was killed
+        while it wrote it. This process has that end too."""
+        self._writer.close()  # type: ignore[attr-defined]
+
+
+class _Executor(ProcessPoolExecutor):
+    """One of which the end of its results can be told."""
+
+    def __init__(
+        self, count: int, context: BaseContext, start: Callable[..., Any], known: tuple[Any, ...]
+    ) -> None:
+        super().__init__(count, mp_context=context, initializer=start, initargs=known)
+        self.results = self._result_queue = _Results(ctx=context)
 
 
 @dataclass(frozen=True)
