@@ -6,6 +6,7 @@ import pytest
 from scipy.ndimage import label
 
 from roadlang_standard.extraction.mask_parts import (
+    _may_have_small_parts,
     areas_of,
     boxes_of,
     parts_and_boxes,
@@ -74,3 +75,18 @@ def test_only_pictures_with_a_long_part_are_searched_for_roads_between_lines() -
         rims = np.bincount(rim, minlength=count)
         assert _may_be_long(ink, labels, areas_of(labels, count), rims) == expected
         assert bool(road_regions(ink)) == expected
+
+
+@pytest.mark.parametrize("connectivity", [4, 8])
+def test_outlines_tell_that_no_part_is_small(connectivity: int) -> None:
+    large, spot, cut_off, hole = (np.zeros((60, 80), np.uint8) for _ in range(4))
+    for mask in (large, spot, cut_off, hole):
+        cv2.line(mask, (0, 30), (79, 34), 1, 12)
+    spot[5, 5:8] = 1
+    cv2.line(cut_off, (0, 1), (1, 0), 1)  # what is in the picture's corner is no hole within it
+    hole[30:32, 40] = 0
+    masks = [mask > 0 for mask in (large, spot, cut_off, hole)]
+    found = [_may_have_small_parts(mask, 8, connectivity) for mask in masks]
+    assert found == [False, True, True, False]
+    found = [_may_have_small_parts(~mask, 8, connectivity) for mask in masks]
+    assert found == [False, False, connectivity == 4, True]

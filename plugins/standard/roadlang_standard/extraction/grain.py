@@ -79,10 +79,17 @@ def _is_stroke(part: Booleans, side: int) -> bool:
 
 def _is_uneven(ink: Booleans) -> bool:
     """Whether ink (h, w) is of all widths."""
-    return _width(ink, _BROAD) + 1 >= _UNEVEN * (_width(ink) + 1)
+    broad, usual = _widths(ink, (_BROAD, 0.5))
+    return broad + 1 >= _UNEVEN * (usual + 1)
 
 
-def _width(part: Booleans, share: float = 0.5) -> float:
-    """The width that such a share of strokes (h, w) is thinner than, pixels: the usual one."""
+def _width(part: Booleans) -> float:
+    """The usual width of strokes (h, w), pixels."""
+    return _widths(part, (0.5,))[0]
+
+
+def _widths(part: Booleans, shares: tuple[float, ...]) -> list[float]:
+    """The widths that such shares of strokes (h, w) are thinner than, pixels."""
     inner = cv2.distanceTransform(part.view(np.uint8), cv2.DIST_L2, 5)
-    return 2 * float(np.quantile(inner[skeleton(part)], share)) - 1
+    across = inner[skeleton(part)]
+    return [2 * float(np.quantile(across, share)) - 1 for share in shares]

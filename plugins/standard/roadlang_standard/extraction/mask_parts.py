@@ -13,6 +13,8 @@ Labels = NDArray[np.int32]
 _SAMPLED, _MANY = 101, 0.1
 """Large parts are found by looking at one pixel in `_SAMPLED`. A list of more than `_MANY` of all
 pixels takes more time and memory than counting all of them."""
+_ROWS, _NOISY = 8, 0.03
+"""A mask with more than `_NOISY` changes per pixel, along every `_ROWS`th row, has many parts."""
 _RUNS = 0.05
 """Where more than this share of all pixels begins a run of one label, as in noise, to look at the
 pixels takes less time than to look at the runs."""
@@ -99,6 +101,8 @@ def small_parts(mask: Booleans, most: float, connectivity: int = 4) -> Booleans 
 
     A few pixels tell which parts are large for sure: those of the others alone are counted.
     """
+    if not _may_have_small_parts(mask, most, connectivity):
+        return None
     count, labels = parts_of(mask, connectivity)
     flat = labels.ravel()
     doubtful = np.bincount(flat[::_SAMPLED], minlength=count) < most
@@ -116,6 +120,24 @@ def small_parts(mask: Booleans, most: float, connectivity: int = 4) -> Booleans 
         return None
     found.ravel()[pixels[large]] = False
     return found
+
+
+def _may_have_small_parts(mask: Booleans, most: float, connectivity: int) -> bool:
+    """Whether any part of a mask (h, w) may have fewer than `most` pixels, by the outlines of all:
+    what extends farther has more. Most drawings have few outlines, found in a tenth of the time."""
+    rows = mask[::_ROWS]
+    if np.count_nonzero(rows[:, 1:] != rows[:, :-1]) > _NOISY * rows.size:
+        return True
+    are_holes = connectivity == 4  # OpenCV's parts are joined by corners, and its holes are not
+    if are_holes:
+        drawn = cv2.copyMakeBorder((~mask).view(np.uint8), *(1,) * 4, cv2.BORDER_CONSTANT, value=1)
+    else:
+        drawn = mask.view(np.uint8)
+    outlines, tree = cv2.findContours(drawn, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
+    for outline, (_, _, _, outer) in zip(outlines, tree[0] if outlines else (), strict=True):
+        if (outer >= 0) == are_holes and max(cv2.boundingRect(outline)[2:]) < most + 2 * are_holes:
+            return True  # an outline of a hole is a pixel beyond it on each side
+    return False
 
 
 def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slice, slice]:

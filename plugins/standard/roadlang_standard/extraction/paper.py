@@ -17,6 +17,7 @@ from .grain import without_grain
 from .hysteresis import hysteresis
 from .mask_parts import parts_of, where_parts
 from .masks import roads_of_surface
+from .middle import median
 from .pale_spots import pale_spots
 from .ruling import without_ruling
 from .sheet_outline import sheet_outline
@@ -81,17 +82,27 @@ def sheet_of(image: Image, within: Booleans | None = None, textured: bool = Fals
     # What else is broad and dark may be hair: then it tells that this is no sheet.
     if not _has_one_light_color(light):
         return None
-    light = cv2.resize(on_strokes, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
-    blue, green, red = cv2.split(image.astype(np.float32) / np.maximum(light, 1))
-    ink = cv2.GaussianBlur(1 - cv2.min(cv2.min(blue, green), red), (0, 0), 0.7)
+    ink = cv2.GaussianBlur(1 - _brightness(image, on_strokes), (0, 0), 0.7)
     on_sheet = ink.ravel() if within is None else ink[seen]
-    middle = float(np.median(on_sheet))
+    middle = median(on_sheet)
     off = np.abs(on_sheet - middle)
-    noise = 1.4826 * float(np.median(off))
+    noise = 1.4826 * median(off)
     if noise > _ROUGHEST or np.count_nonzero(off < _PLAIN) < _EVEN * off.size:
         return None
     marked = np.clip(ink - middle, 0, 1)
     return Sheet(marked if within is None else np.where(seen, marked, np.float32(0)), noise)
+
+
+def _brightness(image: Image, light: Layer) -> Layer:
+    """The share (h, w) of the light that a picture (h, w, 3) has in its darkest channel, given the
+    light in a small copy (h, w, 3)."""
+    least: Layer | None = None
+    for channel, small in zip(cv2.split(image), cv2.split(light), strict=True):
+        share = cv2.resize(small, image.shape[1::-1], interpolation=cv2.INTER_LINEAR)
+        np.divide(channel, np.maximum(share, 1, out=share), out=share)
+        least = share if least is None else cv2.min(least, share)
+    assert least is not None
+    return least
 
 
 def _has_one_light_color(light: Layer) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -26,14 +27,16 @@ def skeleton(mask: Booleans) -> Booleans:
     stride = width + 2
     flat = np.zeros((height + 2) * stride, np.uint8)
     flat.reshape(height + 2, stride)[1:-1, 1:-1] = mask
-    around = np.array([-stride, -stride + 1, 1, stride + 1, stride, stride - 1, -1, -stride - 1])
+    steps = [-stride, -stride + 1, 1, stride + 1, stride, stride - 1, -1, -stride - 1]
+    around = np.array(steps)[:, None]
+    places = np.empty(len(flat), np.int32)
     first, second = _tables()
     candidates = _border(flat, stride)
     while len(candidates):
         codes = _codes(flat, candidates, around)
         removable = candidates[first.take(codes)]
         flat[removable] = _GONE
-        near = _queued(flat, removable, around)
+        near = _queued(flat, removable, around, places)
         # All others have the neighbors that they had.
         same = flat.take(candidates) == _SET
         removable = np.concatenate([
@@ -41,7 +44,7 @@ def skeleton(mask: Booleans) -> Booleans:
             near[second.take(_codes(flat, near, around))],
         ])  # fmt: skip
         flat[removable] = _GONE
-        candidates = np.concatenate([near, _queued(flat, removable, around)])
+        candidates = np.concatenate([near, _queued(flat, removable, around, places)])
         candidates = candidates[flat.take(candidates) != _GONE]
         flat[candidates] = _SET
     return flat.reshape(height + 2, stride)[1:-1, 1:-1].astype(bool)
@@ -49,28 +52,31 @@ def skeleton(mask: Booleans) -> Booleans:
 
 def _codes(flat: NDArray[np.uint8], pixels: Pixels, around: Pixels) -> NDArray[np.uint8]:
     """Which neighbors of each pixel (n,) are set: bit 0 is north, clockwise."""
-    is_set = flat.take(pixels + around[:, None]) & np.uint8(1)
-    return np.asarray(np.bitwise_or.reduce(is_set << _BITS, axis=0))
+    is_set = flat.take(pixels + around)
+    is_set &= 1
+    is_set <<= _BITS
+    return np.asarray(np.bitwise_or.reduce(is_set, axis=0))
 
 
-def _queued(flat: NDArray[np.uint8], pixels: Pixels, around: Pixels) -> Pixels:
+def _queued(
+    flat: NDArray[np.uint8], pixels: Pixels, around: Pixels, places: NDArray[np.int32]
+) -> Pixels:
     """The neighbors of some pixels (n,) that are set and were not queued, each once; now they are,
-    in place."""
-    found = []
-    for step in around:
-        beside = pixels + step
-        beside = beside[flat.take(beside) == _SET]
-        flat[beside] = _QUEUED
-        found.append(beside)
-    return np.concatenate(found)
+    in place. `places`, as many as there are in `flat`, are for notes."""
+    beside = (pixels + around).ravel()
+    beside = beside[flat.take(beside) == _SET]
+    place = np.arange(len(beside), dtype=np.int32)
+    places[beside] = place
+    beside = beside[places.take(beside) == place]  # of the same pixel, one
+    flat[beside] = _QUEUED
+    return np.asarray(beside)
 
 
 def _border(flat: NDArray[np.uint8], stride: int) -> Pixels:
     grid = flat.reshape(-1, stride)
-    inner = grid[1:-1, 1:-1] & grid[:-2, 1:-1] & grid[2:, 1:-1] & grid[1:-1, :-2] & grid[1:-1, 2:]
-    edge = grid.copy()
-    edge[1:-1, 1:-1] -= inner
-    return np.flatnonzero(edge.view(bool))
+    cross = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
+    inner = cv2.erode(grid, cross, borderType=cv2.BORDER_CONSTANT, borderValue=0)
+    return np.flatnonzero((grid - inner).view(bool))
 
 
 @cache
