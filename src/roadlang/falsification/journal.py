@@ -10,7 +10,8 @@ from typing import Protocol
 import msgspec
 
 from ..diagnostics import Diagnostic
-from ..files.journal import JournalFile
+from ..files.journal import JournalFile, header_of
+from ..files.writing import write_file
 from .evaluator import Proposal
 from .outcome import Outcome
 
@@ -85,3 +86,16 @@ class SearchJournal:
     def append(self, outcomes: Sequence[Outcome]) -> None:
         """Add lines to the file."""
         self._file.append([msgspec.json.encode(outcome) for outcome in outcomes])
+
+
+def write_journal(path: Path, key: str, outcomes: Sequence[Outcome]) -> None:
+    """Write the journal of a search that kept none there; one that holds all of these outcomes
+    stays, as it may hold more. Raises `DiagnosticError` RL460."""
+    lines = [msgspec.json.encode(outcome) for outcome in outcomes]
+    try:
+        header, *known = path.read_bytes().split(b"\n")
+        if header == header_of(key) and {*lines} <= {*known}:
+            return
+    except OSError:
+        pass  # there is none
+    write_file(path, b"".join(line + b"\n" for line in (header_of(key), *lines)))

@@ -26,6 +26,11 @@ _MOST_SHOWN = 5
 _ANEW = "choose another folder with `-o`, or leave out `--resume` to start over"
 
 
+def header_of(key: str) -> bytes:
+    """The first line, without its end."""
+    return json.dumps({"schema": SCHEMA, "key": key}).encode()
+
+
 class JournalFile(Generic[T]):
     """A header with a key, then lines of JSON. A line that was not finished is left out.
 
@@ -38,7 +43,7 @@ class JournalFile(Generic[T]):
 
     def __init__(self, path: Path, key: str, resume: bool, parse: Callable[[bytes], T]) -> None:
         self.path = path
-        header = json.dumps({"schema": SCHEMA, "key": key}).encode()
+        header = header_of(key)
         self.entries: list[T] = []
         self.diagnostics: tuple[Diagnostic, ...] = ()
         self._made_folders = [folder for folder in path.parents if not folder.exists()]

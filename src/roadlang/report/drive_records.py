@@ -15,7 +15,7 @@ from ..falsification.descriptors import protagonist
 from ..geometry.arrays import Floats, Integers
 from ..ir.scene import Verdict
 from ..ir.trace import AgentTrace
-from ..judging.badness import badness
+from ..judging.badness import worst_of
 from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
 from ..judging.robustness_series import robustness_series
 from ..plugins.registry import Registry
@@ -67,8 +67,8 @@ def view(drive: ShownDrive, registry: Registry) -> DriveView:
     judged = tuple(
         Judged(v, robustness_unit(v, registry), _series(v, drive, registry)) for v in drive.verdicts
     )
-    ranked = [j for j in judged if j.verdict.satisfied is not None]
-    worst = min(ranked, key=_badness, default=None)
+    verdict = worst_of(drive.verdicts, drive.expects)
+    worst = next((each for each in judged if each.verdict is verdict), None)
     moment = None if worst is None else _moment(worst.verdict, drive, registry)
     agent = protagonist(drive.scene, [verdict.name for verdict in drive.verdicts])
     if moment is not None and moment.actors:
@@ -191,11 +191,6 @@ def _moment(verdict: Verdict, drive: ShownDrive, registry: Registry) -> Deciding
         return find(verdict, drive.trace, registry)
     except DiagnosticError:
         return None
-
-
-def _badness(judged: Judged) -> tuple[bool, bool, float]:
-    verdict = judged.verdict
-    return badness(verdict.satisfied, verdict.robustness)
 
 
 def _number(roads: dict[str, int], record: dict[str, Any]) -> int:

@@ -26,6 +26,8 @@ class ShownDrive:
     verdicts: tuple[Verdict, ...]
     has_failed: bool
     """whether an expectation is violated"""
+    expects: tuple[str, ...] = ()
+    """what the search was for that drove it, the most important first; empty where none did"""
     shrunk: Mapping[str, Any] | None = None
     """the simplest scene that still fails, where `roadlang shrink` made it"""
     explanation: Mapping[str, Any] | None = None

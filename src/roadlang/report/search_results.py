@@ -63,7 +63,8 @@ def read_search(folder: Path, record: ResultsRecord, registry: Registry) -> Resu
     driven = [outcome for outcome in outcomes if outcome.is_valid]
     places = places_of(outcomes)
     rows = [_row(outcome, axes, places) for outcome in driven]
-    drives = [*_failures(folder, failures, registry), *_safe(folder, registry)]
+    expects = record.expects
+    drives = [*_failures(folder, failures, expects, registry), *_safe(folder, expects, registry)]
     rate = failure_rate(outcomes)
     return Results(
         record,
@@ -92,15 +93,17 @@ def _row(outcome: Outcome, axes: Sequence[str], places: Container[str]) -> Resul
     return ResultRow(outcome.index, outcome.is_failure, values, outcome.expectations, named)
 
 
-def _failures(folder: Path, failures: Sequence[_Item], registry: Registry) -> Iterator[ShownDrive]:
+def _failures(
+    folder: Path, failures: Sequence[_Item], expects: tuple[str, ...], registry: Registry
+) -> Iterator[ShownDrive]:
     for rank, item in enumerate(failures[:MOST_FAILING], 1):
         name, label = f"{FAILURES}/{item.stem}", f"Failure {rank}"
-        yield shown_drive(folder, name, label, item.evaluation, True, registry)
+        yield shown_drive(folder, name, label, item.evaluation, True, registry, expects)
 
 
-def _safe(folder: Path, registry: Registry) -> Iterator[ShownDrive]:
+def _safe(folder: Path, expects: tuple[str, ...], registry: Registry) -> Iterator[ShownDrive]:
     path = folder / SAFE / INDEX
     listed = read_typed(path, _Safe).safe if path.is_file() else ()
     for rank, item in enumerate(listed, 1):
         name, label = f"{SAFE}/{item.stem}", f"Safe {rank}"
-        yield shown_drive(folder, name, label, item.evaluation, False, registry)
+        yield shown_drive(folder, name, label, item.evaluation, False, registry, expects)

@@ -41,15 +41,20 @@ class FailureExplanation:
 
 
 def shown_drive(
-    folder: Path, name: str, label: str, row: int, has_failed: bool, registry: Registry
+    folder: Path,
+    name: str,
+    label: str,
+    row: int,
+    has_failed: bool,
+    registry: Registry,
+    expects: tuple[str, ...] = (),
 ) -> ShownDrive:
     """The drive with the files `folder/name.*`. Raises `DiagnosticError` RL721."""
     stem = folder / name
     scene, trace = read_drive(stem)
     verdicts = judge(scene, trace, registry).verdicts
-    return ShownDrive(
-        name, label, row, scene, trace, verdicts, has_failed, _shrunk(stem, scene), _explained(stem)
-    )
+    found = _shrunk(stem, scene), _explained(stem)
+    return ShownDrive(name, label, row, scene, trace, verdicts, has_failed, expects, *found)
 
 
 def _shrunk(stem: Path, scene: Scene) -> dict[str, Any] | None:

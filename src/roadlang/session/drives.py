@@ -17,7 +17,7 @@ from ..drive.trace_files import COLUMNS, to_csv, to_json
 from ..drive.written_places import UNKNOWN, WrittenPlaces
 from ..ir.controller_failure import failure_columns
 from ..ir.result_columns import OF_DRIVES, robustness_column, value_columns
-from ..judging.badness import badness, says_how_near
+from ..judging.badness import says_how_near, worst_of
 from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_violation
 from ..judging.robustness_series import robustness_series
 from .expectations import Expectation, expectations_of
@@ -41,8 +41,10 @@ def drive(
     engine: str | None,
     options: Mapping[str, Any],
     places: WrittenPlaces = UNKNOWN,
+    expects: Sequence[str] = (),
 ) -> DriveSet:
-    """Drive scenes, all with one engine. `places`: where faults are shown."""
+    """Drive scenes, all with one engine. `places`: where faults are shown; `expects`: what a search
+    was for, the most important first."""
     arguments.text_or_none("engine", engine)
     records = [scene.record for scene in scenes]
     driven = (
@@ -51,14 +53,16 @@ def drive(
         else ()
     )
     return DriveSet(
-        Drive(scene, found, places) for scene, found in zip(scenes, driven, strict=True)
+        Drive(scene, found, places, expects) for scene, found in zip(scenes, driven, strict=True)
     )
 
 
 class Drive:
     """One scene, driven. `trace` is what was recorded; SI units and radians."""
 
-    def __init__(self, scene: Scene, driven: Driven, places: WrittenPlaces) -> None:
+    def __init__(
+        self, scene: Scene, driven: Driven, places: WrittenPlaces, expects: Sequence[str] = ()
+    ) -> None:
         self.scene = scene
         self.trace: Trace = driven.trace
         self.readings: tuple[SensorRecord, ...] = driven.readings
@@ -67,6 +71,7 @@ class Drive:
         self._faults = driven.judgment.faults_at(places.expectations)
         self._warnings = driven.judgment.warnings
         self._places = places
+        self._expects = expects
 
     def __repr__(self) -> str:
         return f"<drive of scene {self.scene.index} in {self.engine}: {self.duration:.6g} s>"
@@ -145,9 +150,9 @@ class Drive:
     @property
     def worst(self) -> Verdict | None:
         """The violated expectation of least robustness; where all hold that of the least above 0:
-        what equality decides (`ego.contacts == 0`) holds with 0, and came near to nothing."""
-        judged = [v for v in self._verdicts if v.satisfied is not None]
-        return min(judged, key=lambda v: badness(v.satisfied, v.robustness), default=None)
+        what equality decides (`ego.contacts == 0`) holds with 0, and came near to nothing. Of a
+        search, the first violated one of those that it was for."""
+        return worst_of(self._verdicts, self._expects)
 
     @cached_property
     def worst_moment(self) -> DecidingMoment | None:

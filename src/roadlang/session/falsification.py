@@ -115,7 +115,7 @@ class Failure:
         alike = search.failures[place : place + 1]  # none where it was read from a file alone
         if alike and alike[0].outcome is self.outcome:  # it is not shrunk
             return search.failure_drives[place]
-        return self.scene.run(self._search.drives.engine, **self._search.drives.options)
+        return search._driven([self.scene])[0]
 
 
 class Falsification:
@@ -211,7 +211,8 @@ class Falsification:
         from .drives import drive
 
         loaded, drives = self.loaded, self.drives
-        return drive(scenes, loaded.registry, drives.engine, drives.options, loaded.places)
+        options, expects = drives.options, self.expects
+        return drive(scenes, loaded.registry, drives.engine, options, loaded.places, expects)
 
     @property
     def driven(self) -> tuple[Outcome, ...]:

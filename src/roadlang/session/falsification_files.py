@@ -7,6 +7,7 @@ safe/0001.json ...       some scenes in which nothing is violated, in the same w
 failing.csv, safe.csv    every scene that was driven
 summary.json             counts, failure rate, coverage, how robustness went down
 provenance.json          what all of this was made from
+journal.jsonl            every evaluation
 """
 
 from __future__ import annotations
@@ -18,6 +19,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import arguments
+from ..falsification.journal import write_journal
+from ..falsification.search_key import search_key
+from ..files.journal import JOURNAL_FILE
 from ..files.writing import write_all, write_set
 from ..ir.result_files import (
     EXPLANATION,
@@ -67,6 +71,8 @@ def write_falsification(search: Falsification, folder: Path, figures: int | None
         RESULTS_FILE: record_of_search(search),
     }
     write_all(folder, tables)
+    key = search_key(search.evaluator.task, search.plan)
+    write_journal(folder / JOURNAL_FILE, key, search.outcomes)
 
 
 def summary(search: Falsification) -> dict[str, Any]:
