@@ -57,9 +57,11 @@ def test_a_policy_drives(tmp_path: Path) -> None:
     assert drive.trace.agents["ego"].speed[-1] == pytest.approx(5.0, abs=0.5)
 
 
-def test_it_drives_as_in_an_environment(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kind", ["car", "bus", "motorcycle"])
+def test_it_drives_as_in_an_environment(kind: str, tmp_path: Path) -> None:
+    """Whatever can steer farther than others does so at the same output."""
     weights = network(tmp_path / "policy.onnx")
-    scenes = testing.sample(SCENE, 1, folder=tmp_path)
+    scenes = testing.sample(SCENE.replace("is car", f"is {kind}"), 1, folder=tmp_path)
     steps = {"control_step": 0.1, "vehicle_step": 0.05, "step": 0.1, "duration": 4.0}
     ego = scenes.run("builtin", **steps)[0].trace.agents["ego"]
     env = SceneEnv(list(scenes), agents=0)
@@ -68,8 +70,17 @@ def test_it_drives_as_in_an_environment(tmp_path: Path) -> None:
     for step in range(1, 41):
         action = seen.astype(np.float64) @ weights[:-1] + weights[-1]
         seen, *_ = env.step(np.clip(action, -1.0, 1.0).astype(np.float32))
-        assert seen[0] == pytest.approx(ego.speed[step], abs=2e-3)
-        assert seen[4] == pytest.approx(ego.cross_track_error[step], abs=2e-3)
+        assert seen[0] == pytest.approx(ego.speed[step], abs=1e-5)
+        assert seen[4] == pytest.approx(ego.cross_track_error[step], abs=1e-5)
+
+
+def test_the_option_sets_the_angle_for_an_output_of_one(tmp_path: Path) -> None:
+    weights = np.zeros((FEATURES + 1, 2))
+    weights[-1] = 1.0, 0.2
+    network(tmp_path / "policy.onnx", weights)
+    text = SCENE.replace("agents: 0", "agents: 0, steering: 5deg")
+    (drive,) = testing.sample(text, 1, folder=tmp_path).run("builtin", duration=2.0)
+    assert np.degrees(drive.trace.agents["ego"].steering[-1]) == pytest.approx(5.0, abs=0.01)
 
 
 def test_the_digest_of_the_network_is_in_the_manifest(

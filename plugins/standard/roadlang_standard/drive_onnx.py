@@ -38,7 +38,13 @@ class OnnxController(Controller):
     agents: Integer = option(
         4, minimum=0, maximum=MOST_AGENTS, help="number of other agents it observes"
     )
-    steering: Angle = option(0.61, above=0, maximum=1.5, help="steering angle for an output of 1")
+    steering: Angle = option(
+        None,
+        above=0,
+        maximum=1.5,
+        help="steering angle for an output of 1; by default as far as the agent can steer",
+        example="35deg",
+    )
     acceleration: Acceleration = option(
         4.0, above=0, maximum=20, help="acceleration for an output of 1"
     )
@@ -61,8 +67,9 @@ class OnnxController(Controller):
         network = policy(self.model)
         help_ = _agents_of(network.width, distances)
         wanted = network.wanted(vectors, observations.sensors, help_)
+        most = observations.max_steering if self.steering is None else self.steering
         scale = np.where(wanted[:, 1] < 0.0, self.deceleration, self.acceleration)
-        return ControlBatch(wanted[:, 0] * self.steering, wanted[:, 1] * scale)
+        return ControlBatch(wanted[:, 0] * most, wanted[:, 1] * scale)
 
 
 def _agents_of(width: int | None, distances: tuple[float, ...]) -> tuple[str, ...]:

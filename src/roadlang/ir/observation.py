@@ -73,6 +73,8 @@ class Observation(Frozen):
     """`lane_end()`: how far ahead of the center its lane becomes too narrow to drive in"""
     length: float = 4.5
     width: float = 1.8
+    max_steering: float = 0.61
+    """as far as the front wheels turn to either side"""
     yaw_rate: float = 0.0
     acceleration: float = 0.0
     """along the body"""
@@ -177,6 +179,7 @@ class ObservationBatch:
     lane_end: Callable[[], Floats]
     length: Floats
     width: Floats
+    max_steering: Floats
     yaw_rate: Floats
     acceleration: Floats
     contacts: Floats

@@ -75,6 +75,7 @@ _COLUMNS: Mapping[str, Callable[[Any], Floats]] = {
     "road_offset": lambda view: view.world.motion.offset,
     "length": lambda view: view.world.bodies.length,
     "width": lambda view: view.world.bodies.width,
+    "max_steering": lambda view: view.world.bodies.max_steering,
     "yaw_rate": lambda view: view.world.motion.yaw_rate,
     "acceleration": lambda view: view.world.motion.acceleration,
     "contacts": lambda view: view.world.contacts,
