@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 
@@ -35,6 +36,18 @@ def test_a_dark_map_is_no_mask_and_white_roads_on_black_are_one() -> None:
     assert picture_kind(image).unless_edges != MASK
     white = np.where((image == FAINT.street).all(axis=2), 255, 0).astype(np.uint8)
     assert picture_kind(np.dstack([white] * 3)).unless_edges == MASK
+
+
+def test_white_land_among_black_woods_has_names_and_is_no_mask() -> None:
+    image = np.zeros((360, 480, 3), np.uint8)
+    image[120:240] = 255
+    assert picture_kind(image).unless_edges == MASK
+    for x in range(20, 460, 12):
+        image[180:190, x : x + 8] = 0
+    assert picture_kind(image).unless_edges == MASK, "holes between roads"
+    image[120:240] = 255
+    cv2.putText(image, "Sandgasse", (180, 200), 0, 0.6, (0, 0, 0), 1, cv2.LINE_AA)
+    assert picture_kind(image).unless_edges != MASK
 
 
 def test_indices_of_a_mask_are_a_mask() -> None:

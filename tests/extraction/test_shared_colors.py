@@ -81,3 +81,28 @@ def test_strips_of_a_second_land_between_two_roads_are_no_streets() -> None:
         masks = {195.0: ~other & ~roads, 204.0: other, 150.0: roads}
         seen = with_streets_alone([map_tone(np.full(3, gray), masks[gray]) for gray in masks])
         assert seen[1].shared is is_shared
+
+
+def woods() -> tuple[Booleans, Booleans]:
+    """Black woods with tongues over most of a map (400, 400), and streets on its land."""
+    streets, black = np.zeros((400, 400), np.uint8), np.zeros((400, 400), np.uint8)
+    for place in (300, 360):
+        cv2.line(streets, (0, place), (399, place + 15), 1, 6)
+    for place in (60, 160, 260, 340):
+        cv2.line(streets, (place, 275), (place + 20, 399), 1, 6)
+    black[:200] = 1
+    for x in (50, 220):
+        black[200:265, x : x + 16] = 1
+    return (black | streets) > 0, streets > 0
+
+
+def test_streets_are_found_on_the_land_among_black_woods_that_cover_more() -> None:
+    black, streets = woods()
+    assert black.mean() > 0.5
+    for value, is_shared in ((0.0, True), (60.0, True), (190.0, False)):
+        tones = [map_tone(np.full(3, 255.0), ~black), map_tone(np.full(3, value), black)]
+        alone = with_streets_alone(tones)[1]
+        assert alone.shared is is_shared
+        if is_shared:
+            assert (streets & alone.mask).sum() > 0.5 * streets.sum()
+            assert (alone.mask & ~streets).sum() < 0.05 * streets.sum()

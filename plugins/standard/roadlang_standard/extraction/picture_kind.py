@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .dark_words import has_dark_words
 from .drawing import has_edge_lines, has_long_edge_lines
 from .exact_colors import has_exact_colors, is_shaded
 from .map_tones import flat_colors
@@ -89,7 +90,8 @@ def picture_kind(image: Image) -> PictureKind:
     pure = _unmixed(colors)
     black_and_white = len(pure) <= 2 and all(min(c.max(), 255 - c.min()) < 40 for c in pure)
     lit = any(color.min() > _LIT for color in pure) or image.max() < _INDEX
-    if black_and_white and paper.mean() < 40 and lit:
+    # Black maps have names; a mask shows nothing but roads.
+    if black_and_white and paper.mean() < 40 and lit and not has_dark_words(image):
         return PictureKind(MASK, flat, exact, marked)
     return PictureKind(MAP if len(pure) > 3 else FILLED, flat, exact, marked)
 

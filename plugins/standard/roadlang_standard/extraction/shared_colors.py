@@ -27,19 +27,36 @@ _WIDE = 4.3
 _EXTENT, _EVEN = 40, 0.5
 """Streets have an extent of at least `_EXTENT` pixels, and keep their width on at least `_EVEN` of
 their length, ..."""
+_ROOT = 0.2
+"""and are no tongues of what is wider, which they touch along at most `_ROOT` of their length."""
 _AS_WIDE = 1.3
 """or are at most this many times as wide as those usually are."""
 _NEXT, _BEYOND, _ON_LAND = 5, 9, 0.6
 """Of what lies `_NEXT` to `_BEYOND` pixels, both halved, beside streets, at least `_ON_LAND` is
 land. Where the land has a second color, strips of that between two roads have streets beside them.
 """
+_BLACK, _SOME = 80.0, 0.1
+"""Woods are darker than `_BLACK`, and land is lighter than these by more than that many gray levels
+and covers more than `_SOME` of the picture."""
 _SPECK = 8
 
 
 def with_streets_alone(tones: list[MapTone]) -> list[MapTone]:
-    """The tones of a map; of those that streets share, these streets."""
-    land = max(tones, key=lambda tone: np.count_nonzero(tone.mask))
+    """The tones of a map; of those that streets share, these streets.
+
+    Where black woods cover most of a map in black and white, its land is the next color.
+    """
+    land, *others = sorted(tones, key=lambda tone: -np.count_nonzero(tone.mask))
+    if others and _is_woods(land, others[0]):
+        land = others[0]
     return [tone if tone is land else _streets(tone, land.mask) for tone in tones]
+
+
+def _is_woods(tone: MapTone, land: MapTone) -> bool:
+    """Whether a tone is black, and a land far lighter, gray as well, and much of the picture."""
+    if not (tone.is_gray and land.is_gray and land.mask.mean() > _SOME):
+        return False
+    return bool(tone.color.mean() < _BLACK < land.color.mean() - tone.color.mean())
 
 
 def _streets(tone: MapTone, land: Booleans) -> MapTone:
@@ -55,7 +72,10 @@ def _streets(tone: MapTone, land: Booleans) -> MapTone:
     lengths = np.bincount(parts[thin], minlength=count)
     even = np.bincount(parts[ribbons(thin, inner).lines], minlength=count)
     extents = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
-    long = (extents >= _EXTENT) & (lengths > 0)
+    # A tongue of woods meets these along its root, a street at its end.
+    beyond = cv2.dilate((tone.mask & ~mask).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    roots = np.bincount(parts[beyond], minlength=count)
+    long = (roots <= _ROOT * lengths) & (extents >= _EXTENT) & (lengths > 0)
     long[0] = False
     streets = long & (even >= _EVEN * lengths)
     if streets.any():
