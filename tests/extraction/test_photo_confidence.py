@@ -48,6 +48,8 @@ def test_many_faint_roads_are_not_sure_where_none_is_clear() -> None:
     assert max(_sure(rows)) < 0.6 < min(_sure(_seen(320, *((k, k + 1, 0.8) for k in range(3)))))
     network = _seen(320, (0, 1, 0.8), (0, 2, 0.8), *((k, k + 1, 0.8) for k in range(7)))
     assert min(_sure(network)) > 0.6  # three of the roads meet
+    patched = _seen(320, *((k, k + 1, 0.3) for k in range(7)), (7, 8, 0.94))
+    assert max(_sure(patched)) < 0.5  # also the one that is clear
     (fainter, *_), (clearer, *_) = (
         _sure(_seen(320, (0, 1, 0.5), (1, 2, 0.5), (2, 3, clear), (3, 4, clear)))
         for clear in (0.7, 0.98)

@@ -13,13 +13,15 @@ from roadlang.geometry import Floats
 from .connected_roads import connected_parts
 from .found_network import FoundNetwork, FoundRoad
 
-_LEAST, _EVIDENCE, _WIDE = 0.882, 0.457, -0.341
+_LEAST, _EVIDENCE, _WIDE = 0.899, 0.449, -0.334
 """Log odds of being right: without anything, for each log odd of the evidence, and for each ten
 pixels of width beyond `_NARROW`. `python -m benchmarks.extraction.confidence` fits them; these are
 of 26 photos at 1 m/px and 25 of towns."""
-_ONLY = -1.9
+_ONLY = -2.2
 """For full doubt: of what is alone where the picture shows nothing else, and of all roads where all
-are faint. Not fitted, for those photos show roads: in a picture without them, lines are faint."""
+are faint. Not fitted, for those photos show roads: in a picture without them, lines are faint. It
+is large enough that a single clear stretch is not sure, and so small that roads below a half are
+right as often as stated, within .05."""
 _NARROW = 12.0
 """The middle of wider roads is less certain: cars, crowns and medians hide a side of it."""
 _SHORT, _SIDE = 1.15, 512
