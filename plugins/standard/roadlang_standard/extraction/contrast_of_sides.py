@@ -43,7 +43,10 @@ def sure_by_sides(roads: tuple[FoundRoad, ...], image: Image) -> list[float]:
     # Where most lines are edges, a few that are not are chance.
     together = _sure(roads, soft)
     factors: dict[int, float] = {}
-    for part in connected_parts(roads):
+    parts = connected_parts(roads)
+    if len(parts) == 1:
+        return [together for _ in roads]
+    for part in parts:
         sure = min(together, _sure(part, soft))
         factors.update((id(road), sure) for road in part)
     return [factors[id(road)] for road in roads]

@@ -43,6 +43,11 @@ class CountedColors:
         ]
         return np.array([np.searchsorted(sums, middle, side="right").mean() for sums in below])
 
+    @property
+    def usual(self) -> NDArray[np.float64]:
+        """The median (3,) of all pixels, by channel."""
+        return self.median(np.ones(len(self.counts), bool))
+
     def near(self, color: NDArray[np.float64], most: float) -> Booleans:
         """Which colors (n,) are off a color by at most so much in each channel."""
         low = np.clip(np.ceil(color - most), 0, 255).astype(np.uint8)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import cv2
 import numpy as np
@@ -45,10 +45,14 @@ _GRAY = np.array([0.114, 0.587, 0.299])
 
 
 def is_drawing(
-    tones: Sequence[MapTone], roads: Sequence[MapTone], letters: Booleans, colors: int
+    tones: Sequence[MapTone],
+    roads: Sequence[MapTone],
+    letters: Booleans,
+    colors: int,
+    is_named: Callable[[], bool],
 ) -> bool:
     """Whether what has so many `colors`, of which some `tones` are the roads', and `letters`
-    (h, w), is rather a drawing.
+    (h, w), is rather a drawing; `is_named` is what `are_named` says of these.
 
     Few colors without names are one, but for roads as light as the land within casings. So are
     roads of one color on a plain ground, of which no names are, or which have markings, unless they
@@ -57,7 +61,6 @@ def is_drawing(
     if colors > _MANY:
         return False
     # All of a tone: of one that streets share with houses, the roads may be a part.
-    streets = roads
     roads = [tone for tone in tones if any(np.array_equal(tone.color, r.color) for r in roads)]
     land = max(tones, key=lambda tone: np.count_nonzero(tone.mask))
     covered = np.logical_or.reduce([land.mask, *(road.mask for road in roads)])
@@ -67,7 +70,7 @@ def is_drawing(
         return not pale or plain < _PLAIN
     if _are_markings(land, roads):
         return True
-    if len(roads) != 1 or plain < _PLAIN or are_named(streets, letters):
+    if len(roads) != 1 or plain < _PLAIN or is_named():
         return False
     return _names_nothing(roads[0], letters) or _is_marked(roads[0])
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 
 import cv2
 import numpy as np
@@ -144,8 +145,9 @@ def _is_drawn(
     """Whether it is rather a drawing, or a plan with dimensions; `is_plan` takes longest."""
     if chosen.styled:
         return False
-    drawn = is_drawing(chosen.all_tones, chosen.roads, letters, colors)
-    return drawn or (not are_named(chosen.roads, letters) and is_plan())
+    is_named = cache(lambda: are_named(chosen.roads, letters))
+    drawn = is_drawing(chosen.all_tones, chosen.roads, letters, colors, is_named)
+    return drawn or (not is_named() and is_plan())
 
 
 def _wide(tone: MapTone) -> float:

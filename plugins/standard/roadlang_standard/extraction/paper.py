@@ -119,7 +119,7 @@ def _is_flat(image: Image, seen: Booleans, least: float = _EXACT) -> bool:
     """Whether most of what is seen has exactly one color: it was drawn on a screen."""
     chosen = thinned(seen.astype(np.uint8), 100_000) > 0
     sample = counted_colors(color_codes(thinned(image, 100_000))[chosen])
-    same = sample.near(sample.median(np.ones(len(sample.counts), bool)), _SAME)
+    same = sample.near(sample.usual, _SAME)
     return bool(sample.number(same) > least * sample.counts.sum())
 
 

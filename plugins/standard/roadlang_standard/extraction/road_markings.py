@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .counted_colors import color_codes, counted_colors
 from .mask_parts import parts_and_boxes, where_parts
 from .tones import Image, Layer, away_from
 
@@ -59,8 +60,9 @@ def _colored(image: Image, mask: NDArray[np.uint8]) -> Booleans | None:
     seen, road = image[::_SAMPLED, ::_SAMPLED], mask[::_SAMPLED, ::_SAMPLED] > 0
     if road.all() or not road.any():
         return None
-    ground = np.median(seen[~road], axis=0)
-    axis = np.median(seen[road], axis=0) - ground
+    codes = color_codes(seen)
+    ground, drawn = (counted_colors(codes[part]).usual for part in (~road, road))
+    axis = drawn - ground
     found = (mask == 0) & (away_from(image, ground) > _PAINTED)
     differs = image[found] - ground
     share = np.clip(differs @ axis / max(float(axis @ axis), 1.0), 0, 1)

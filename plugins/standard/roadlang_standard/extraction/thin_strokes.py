@@ -53,9 +53,9 @@ def drop_thin_strokes(graph: Graph, inner: NDArray[np.float32]) -> int:
 def _drop_touching(graph: Graph, inner: NDArray[np.float32]) -> int:
     """Forget short strokes, far thinner than the widest road, that touch roads in one place, in
     place; how many."""
-    widths = [_width(graph.lines[index : index + 1], inner) for index in range(len(graph.lines))]
-    most = _HANGING * max(widths)
-    thin = [line for line in graph.lines if _width([line], inner, _AT_END) < most]
+    widths = [(_widths([line], inner, (0.5, _AT_END)), line) for line in graph.lines]
+    most = _HANGING * max(usual for (usual, _), _ in widths)
+    thin = [line for (_, at_end), line in widths if at_end < most]
     chosen = {id(line) for line in thin}
     others = [line for line in graph.lines if id(line) not in chosen]
     on_roads = {node for line in others for node in (line.start, line.end)}
@@ -97,9 +97,17 @@ def _leaves(part: list[Line], shape: tuple[int, ...]) -> bool:
     return any(at_border(end, shape, _AT_BORDER) for end in ends)
 
 
-def _width(lines: list[Line], inner: NDArray[np.float32], share: float = 0.5) -> float:
-    """The width that such a share of lines is thinner than, pixels: the usual one."""
+def _width(lines: list[Line], inner: NDArray[np.float32]) -> float:
+    """The usual width of lines, pixels."""
+    return _widths(lines, inner, (0.5,))[0]
+
+
+def _widths(
+    lines: list[Line], inner: NDArray[np.float32], shares: tuple[float, ...]
+) -> list[float]:
+    """The widths that such shares of lines are thinner than, pixels."""
     points = np.concatenate([line.points for line in lines])
     last = (inner.shape[1] - 1, inner.shape[0] - 1)
     columns, rows = np.clip(np.round(points).astype(int), 0, last).T
-    return 2 * float(np.quantile(inner[rows, columns], share)) - 1
+    depths = inner[rows, columns]
+    return [2 * float(np.quantile(depths, share)) - 1 for share in shares]
