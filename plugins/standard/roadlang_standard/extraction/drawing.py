@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .dashed_roads import with_dashes_joined
+from .ellipses import closed_by
 from .found_network import EDGE_LINES, FoundNetwork
 from .long_lines import long_lines
 from .loose_strokes import are_loose
@@ -195,8 +196,7 @@ def _closed_gaps(ink: Booleans, parts: PaperParts) -> Iterator[tuple[Booleans, P
 
 
 def _closed(ink: Booleans, gap: int) -> Booleans:
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * gap + 1, 2 * gap + 1))
-    return np.asarray(cv2.morphologyEx(ink.view(np.uint8), cv2.MORPH_CLOSE, kernel) > 0)
+    return closed_by(ink, 2 * gap + 1)
 
 
 def _edged(ribbons: list[RoadRegion], ink: Booleans, pen: float) -> bool:

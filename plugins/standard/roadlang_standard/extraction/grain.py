@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .ellipses import closed_by, grown_by, opened_by
 from .mask_parts import parts_and_boxes, where_parts
 from .masks import without_holes
 from .skeleton import skeleton
@@ -31,33 +31,25 @@ _BROAD, _UNEVEN = 0.9, 1.33
 def without_grain(marked: Booleans) -> Booleans:
     """The strokes (h, w), with the holes, gaps and burrs of those that have grain closed; itself if
     none has."""
-    closed = cv2.morphologyEx(marked.view(np.uint8), cv2.MORPH_CLOSE, _disk(_REACH))
-    grainy = _grainy(marked, closed)
+    grainy = _grainy(marked, closed_by(marked, 2 * _REACH + 1))
     if grainy is None:
         return marked
     width = _width(grainy)
     reach = round(_SMOOTH * width)
-    solid = cv2.morphologyEx(grainy.view(np.uint8), cv2.MORPH_CLOSE, _disk(max(_REACH, reach)))
-    solid = without_holes(solid > 0, width**2).view(np.uint8)
-    kernel = _disk(reach)
-    opened = cv2.morphologyEx(solid, cv2.MORPH_OPEN, kernel)
+    solid = without_holes(closed_by(grainy, 2 * max(_REACH, reach) + 1), width**2)
+    smooth = opened_by(solid, 2 * reach + 1)
     # Where the stroke is thinner than that, it stays.
-    thin = (solid > 0) & (cv2.dilate(opened, kernel) == 0)
-    return np.asarray((marked & ~grainy) | (opened > 0) | thin)
+    thin = solid & ~grown_by(smooth, 2 * reach + 1)
+    return (marked & ~grainy) | smooth | thin
 
 
-def _disk(radius: int) -> NDArray[np.uint8]:
-    size = (2 * radius + 1,) * 2
-    return np.asarray(cv2.getStructuringElement(cv2.MORPH_ELLIPSE, size), np.uint8)
-
-
-def _grainy(marked: Booleans, closed: NDArray[np.uint8]) -> Booleans | None:
+def _grainy(marked: Booleans, closed: Booleans) -> Booleans | None:
     """Those of the strokes, closed (h, w), that have grain, None without any."""
-    gaps = (closed > 0) & ~marked
+    gaps = closed & ~marked
     holes, parts = cv2.connectedComponents(gaps.view(np.uint8), connectivity=4)
     if holes <= _MANY:
         return None
-    number, labels, stats = parts_and_boxes(closed > 0)
+    number, labels, stats = parts_and_boxes(closed)
     pixels = np.flatnonzero(gaps)
     first = pixels[np.unique(parts.ravel()[pixels], return_index=True)[1]]  # one of each gap
     found = np.bincount(labels.ravel()[first], minlength=number)

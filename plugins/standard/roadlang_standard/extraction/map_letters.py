@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .ellipses import closed_by
 from .mask_parts import parts_and_boxes, where_parts, window_around
 from .tones import Image
 
@@ -41,11 +42,10 @@ def letters_of_map(image: Image, width: float) -> Booleans:
             _add_glyphs(found, strokes > contrast, glyph, _INK * larger)
     if not found.any():
         return np.zeros(gray.shape, bool)
-    near = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (glyph // 2, glyph // 2))
     window = window_around(found, glyph)  # closing looks half as far to each side
-    words = cv2.morphologyEx(np.ascontiguousarray(found[window]), cv2.MORPH_CLOSE, near)
+    words = closed_by(found[window] > 0, glyph // 2)
     # A speck alone is no word.
-    _, parts, stats = parts_and_boxes(words > 0)
+    _, parts, stats = parts_and_boxes(words)
     long = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= glyph
     long[0] = False
     grown = cv2.dilate(where_parts(long, parts).view(np.uint8), np.ones((5, 5), np.uint8))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .ellipses import closed_by, grown_by
 from .found_network import FoundNetwork
 from .map_contrast import with_contrast, without_strong_contrast
 from .map_halos import are_written_alike, without_halos
@@ -221,15 +222,11 @@ def _opened(mask: Booleans, size: int = 3) -> Booleans:
 
 def _grown(mask: Booleans, radius: float) -> Booleans:
     """With what is within so many pixels of it."""
-    size = 2 * round(radius) + 1
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
-    return np.asarray(cv2.dilate(mask.astype(np.uint8), kernel) > 0)
+    return grown_by(mask, 2 * round(radius) + 1)
 
 
 def _closed(mask: Booleans, radius: float) -> Booleans:
-    size = 2 * max(1, round(radius)) + 1
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
-    return np.asarray(cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_CLOSE, kernel) > 0)
+    return closed_by(mask, 2 * max(1, round(radius)) + 1)
 
 
 def _without_areas(mask: Booleans, widest: float) -> Booleans:
@@ -238,10 +235,7 @@ def _without_areas(mask: Booleans, widest: float) -> Booleans:
     core = inner > _WIDE / 2 * widest
     if not core.any():
         return mask
-    size = 2 * int(np.ceil(_WIDE / 2 * widest)) + 1
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
-    wide: NDArray[np.uint8] = cv2.dilate(core.astype(np.uint8), kernel)
-    return np.asarray(mask & (wide == 0))
+    return mask & ~grown_by(core, 2 * int(np.ceil(_WIDE / 2 * widest)) + 1)
 
 
 def _without_thin(mask: Booleans, width: float) -> Booleans:
