@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import dataclasses
+import math
 import pickle
 from typing import Any
 
@@ -42,6 +43,24 @@ def test_they_are_pickled_as_numbers_alone(floats: Floats) -> None:
     assert type(again) is Floats
     assert again == floats
     assert len(pickle.dumps(floats)) == len(pickle.dumps(Floats(NUMBERS)))
+    assert [*map(math.copysign, [1.0] * 4, again)] == [1.0, -1.0, 1.0, 1.0]
+    assert np.asarray(again).tobytes() == np.array(NUMBERS).tobytes()
+
+
+def test_a_road_of_rows_is_pickled_with_its_rows() -> None:
+    row = read_only(np.arange(1000.0))
+    columns = ("stations", "x", "y", "heading", "curvature", "width")
+    road = with_rows(
+        SceneRoad("bent", (), (0.0, 1.0), (), (), (), (), (), 2, False, 2.0, "main"),
+        dict.fromkeys(columns, row),
+    )
+    content = pickle.dumps(road)
+    assert len(content) < len(columns) * row.nbytes + 1000
+    assert not any(_is_made(road, name) for name in columns)
+    again = pickle.loads(content)
+    assert not any(_is_made(again, name) for name in columns)
+    assert again == road
+    assert not numbers_of(again, "x").flags.writeable
 
 
 def test_a_road_of_rows_makes_tuples_when_they_are_read_and_is_else_like_any_other() -> None:

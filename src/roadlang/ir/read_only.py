@@ -76,7 +76,28 @@ class Floats(tuple[float, ...]):
         return np.array(np.frombuffer(packed) if self else (), dtype)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Floats, (tuple(self),)
+        # As bytes: one by one they take three times as long.
+        return _unpacked, (struct.pack(f"{len(self)}d", *self), self._row is not None)
+
+
+def _unpacked(content: bytes, has_row: bool) -> Floats:
+    if not has_row:
+        return Floats(struct.unpack(f"{len(content) // struct.calcsize('d')}d", content))
+    row = unpacked_row(content)
+    return Floats.of_row(row.tolist(), row)
+
+
+def packed_row(row: Any) -> bytes:
+    """An array (n,) of floating point numbers, to be sent to another process."""
+    content: bytes = row.tobytes()
+    return content
+
+
+def unpacked_row(content: bytes) -> Any:
+    """The read-only array (n,) of `packed_row`."""
+    import numpy as np
+
+    return np.frombuffer(content)
 
 
 def row_of(numbers: Sequence[float]) -> Any:

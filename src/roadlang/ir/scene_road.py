@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-from .read_only import Floats, row_of
+from .read_only import Floats, packed_row, row_of, unpacked_row
 from .scene_lane import SceneLane
 from .scene_surface import SurfaceName, SurfacePatch
 
@@ -130,6 +130,12 @@ class SceneRoad(_OfRows):
         marking, offset = self.center_marking, self.center_offset
         return listed_lanes(self.lane_list, marking, offset, self.stations, period)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # With the arrays: tuples are made of them where they are read.
+        rows = _rows_of(self)
+        others = {n: getattr(self, n) for n in self.__dataclass_fields__ if n not in rows}
+        return _unpickled, (others, {name: packed_row(row) for name, row in rows.items()})
+
     if not TYPE_CHECKING:  # where it would hide what is no member
 
         def __getattr__(self, name: str) -> Floats:
@@ -145,12 +151,20 @@ def with_rows(road: SceneRoad, rows: Mapping[str, Any], **others: Any) -> SceneR
     """The road with other members. Those that are tuples of numbers are given as read-only arrays
     in `rows`, and are made of these when they are first read: few of the many scenes that a search
     drives are ever written."""
+    names = SceneRoad.__dataclass_fields__.keys() - rows.keys()
+    return _road({n: others[n] if n in others else getattr(road, n) for n in names}, rows)
+
+
+def _road(members: Mapping[str, Any], rows: Mapping[str, Any]) -> SceneRoad:
     found = object.__new__(SceneRoad)
-    for name in SceneRoad.__dataclass_fields__.keys() - rows.keys():
-        value = others[name] if name in others else getattr(road, name)
+    for name, value in members.items():
         object.__setattr__(found, name, value)
     object.__setattr__(found, "_rows", rows)
     return found
+
+
+def _unpickled(members: Mapping[str, Any], rows: Mapping[str, bytes]) -> SceneRoad:
+    return _road(members, {name: unpacked_row(content) for name, content in rows.items()})
 
 
 def numbers_of(road: SceneRoad, name: str) -> Any:

@@ -16,7 +16,7 @@ BLOCKS = ((64, 16), (256, 64))
 """Up to how many scenes how many of them are searched for together: a batch of candidates costs as
 much as hundreds of them. No scene depends on it."""
 LARGEST_BLOCK, SENT_BLOCK = 256, 128
-"""Of more scenes; of those that other processes send whole, where many wait to be written."""
+"""Of more scenes; of those that are sent with the contents of their files, which are large."""
 _FEWEST_FOR_PROCESSES = 8
 _PARTS = 4
 """Parts of the work for each worker: few, for each costs a message, but all should end together."""
@@ -32,7 +32,7 @@ def search(
     n: int | None,
     workers: Workers = ALONE,
     keep: Callable[[Sample[T]], Sample[Any]] | None = None,
-    sent: int = SENT_BLOCK,
+    sent: int = LARGEST_BLOCK,
 ) -> AcceptedSamples[Any]:
     """The first `n` scenes by the scenario's sampler. `keep` says what is kept of each; it is
     called with one after the other, in their order, as soon as they are there. `sent`: the most
