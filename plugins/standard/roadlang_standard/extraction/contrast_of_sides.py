@@ -4,6 +4,7 @@ colors, and so does a contour of a cloud or of a face."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -57,35 +58,51 @@ def _sure(roads: Sequence[FoundRoad], image: Image) -> float:
     return float(np.interp(_two_sided_share(roads, image), (_EDGE, _ROAD), (_NO_ROAD, 1.0)))
 
 
+@dataclass(frozen=True)
+class Places:
+    """Places along the middle of roads (n, 2), pixels, the unit normals there (n, 2), half the
+    usual width of each one's road (n,), and the length that it stands for (n,)."""
+
+    points: Floats
+    across: Floats
+    half: Floats
+    long: Floats
+
+    @staticmethod
+    def along(roads: Sequence[FoundRoad]) -> Places:
+        """About every half width of each road."""
+        widths = [float(np.median(road.widths)) for road in roads]
+        steps = [max(_STEP, 0.5 * width) for width in widths]
+        lines = [resample(r.points, step) for r, step in zip(roads, steps, strict=True)]
+        counts = [len(line) for line in lines]
+        across = np.concatenate([normals(line) for line in lines])
+        half = np.repeat([0.5 * width for width in widths], counts)
+        return Places(np.concatenate(lines), across, half, np.repeat(steps, counts))
+
+
 def _two_sided_share(roads: Sequence[FoundRoad], image: Image) -> float:
     """The share of the length that has contrast to both sides; 1 where no sides are within the
     picture."""
-    steps = [max(_STEP, 0.5 * float(np.median(road.widths))) for road in roads]
-    pairs = list(zip(roads, steps, strict=True))
-    lines = [resample(road.points, step) for road, step in pairs]
-    points = np.concatenate(lines)
-    across = np.concatenate([normals(line) for line in lines])
-    counts = [len(line) for line in lines]
-    half = np.repeat([0.5 * float(np.median(road.widths)) for road in roads], counts)
-    long = np.repeat(steps, counts)
-    middle, _ = _colors(image, points)
-    left, seen_left = _side(image, points, across, half, middle)
-    right, seen_right = _side(image, points, -across, half, middle)
+    places = Places.along(roads)
+    middle, _ = colors_at(image, places.points)
+    left, seen_left = _side(image, places, 1.0, middle)
+    right, seen_right = _side(image, places, -1.0, middle)
     larger = np.maximum((left**2).sum(axis=1), (right**2).sum(axis=1))
     both = (left * right).sum(axis=1) > _BOTH * np.maximum(larger, _FAINT**2)
     seen = seen_left & seen_right
-    total = float(long[seen].sum())
-    return float(long[seen & both].sum()) / total if total else 1.0
+    total = float(places.long[seen].sum())
+    return float(places.long[seen & both].sum()) / total if total else 1.0
 
 
 def _side(
-    image: Image, points: Floats, across: Floats, half: Floats, middle: Floats
+    image: Image, places: Places, sign: float, middle: Floats
 ) -> tuple[Floats, NDArray[np.bool_]]:
-    """The difference (n, 3) in color of one side from the middle of a road where it is greatest,
-    and whether any of that side is within the picture (n,)."""
-    best, seen = np.zeros_like(middle), np.zeros(len(points), bool)
+    """The difference (n, 3) in color of the left (1) or right (-1) side from the middle of a road,
+    where it is greatest, and whether any of that side is within the picture (n,)."""
+    best, seen = np.zeros_like(middle), np.zeros(len(middle), bool)
     for beyond in _BEYOND:
-        color, inside = _colors(image, points + (half + beyond)[:, None] * across)
+        off = sign * (places.half + beyond)[:, None] * places.across
+        color, inside = colors_at(image, places.points + off)
         away = np.where(inside[:, None], color - middle, 0.0)
         more = (away**2).sum(axis=1) > (best**2).sum(axis=1)
         best[more] = away[more]
@@ -93,7 +110,7 @@ def _side(
     return best, seen
 
 
-def _colors(image: Image, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+def colors_at(image: Image, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
     """The colors (n, 3) at points (n, 2), and whether these are within the picture (n,)."""
     size = np.array(image.shape[1::-1])
     nearest = np.round(points).astype(np.intp)

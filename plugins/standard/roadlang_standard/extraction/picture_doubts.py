@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from .contrast_of_sides import sure_by_sides
 from .found_network import FoundNetwork
+from .outlines import sure_by_outlines
 from .share_of_marks import sure_by_share
 from .tones import Image
 
@@ -17,10 +18,13 @@ def with_picture_doubts(
     found: FoundNetwork, image: Image, width: float | None = None
 ) -> FoundNetwork:
     """The same roads, in the picture (h, w, 3) in which they were found, those less sure that are
-    edges or little of what the picture shows. A given `width` does not say where edges are."""
+    edges, outlines or little of what the picture shows.
+
+    A given `width` does not say where edges are: then all stay as sure as they are.
+    """
     if width is not None or all(road.confidence <= _NO_ROAD for road in found.roads):
         return found
-    of_all = sure_by_share(found, image)
+    of_all = min(sure_by_share(found, image), sure_by_outlines(found.roads, image))
     sure = sure_by_sides(found.roads, image)
     pairs = zip(found.roads, sure, strict=True)
     return replace(found, roads=tuple(road.less_sure(min(of_all, one)) for road, one in pairs))
