@@ -59,8 +59,8 @@ def _sure(roads: Sequence[FoundRoad], image: Image) -> float:
 
 
 @dataclass(frozen=True)
-class RoadPlaces:
-    """RoadPlaces along the middle of roads (n, 2), pixels, the unit normals there (n, 2), half the
+class LinePlaces:
+    """LinePlaces along the middle of roads (n, 2), pixels, the unit normals there (n, 2), half the
     usual width of each one's road (n,), and the length that it stands for (n,)."""
 
     points: Floats
@@ -69,7 +69,7 @@ class RoadPlaces:
     long: Floats
 
     @staticmethod
-    def along(roads: Sequence[FoundRoad]) -> RoadPlaces:
+    def along(roads: Sequence[FoundRoad]) -> LinePlaces:
         """About every half width of each road."""
         widths = [float(np.median(road.widths)) for road in roads]
         steps = [max(_STEP, 0.5 * width) for width in widths]
@@ -77,13 +77,13 @@ class RoadPlaces:
         counts = [len(line) for line in lines]
         across = np.concatenate([normals(line) for line in lines])
         half = np.repeat([0.5 * width for width in widths], counts)
-        return RoadPlaces(np.concatenate(lines), across, half, np.repeat(steps, counts))
+        return LinePlaces(np.concatenate(lines), across, half, np.repeat(steps, counts))
 
 
 def _two_sided_share(roads: Sequence[FoundRoad], image: Image) -> float:
     """The share of the length that has contrast to both sides; 1 where no sides are within the
     picture."""
-    places = RoadPlaces.along(roads)
+    places = LinePlaces.along(roads)
     middle, _ = colors_at(image, places.points)
     left, seen_left = _side(image, places, 1.0, middle)
     right, seen_right = _side(image, places, -1.0, middle)
@@ -95,7 +95,7 @@ def _two_sided_share(roads: Sequence[FoundRoad], image: Image) -> float:
 
 
 def _side(
-    image: Image, places: RoadPlaces, sign: float, middle: Floats
+    image: Image, places: LinePlaces, sign: float, middle: Floats
 ) -> tuple[Floats, NDArray[np.bool_]]:
     """The difference (n, 3) in color of the left (1) or right (-1) side from the middle of a road,
     where it is greatest, and whether any of that side is within the picture (n,)."""

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from .connected_roads import connected_parts
-from .contrast_of_sides import RoadPlaces, colors_at
+from .contrast_of_sides import LinePlaces, colors_at
 from .found_network import FoundRoad
 from .tones import Image
 
@@ -33,7 +33,7 @@ def sure_by_outlines(roads: Sequence[FoundRoad], image: Image) -> float:
     picture (h, w, 3), if they enclose areas."""
     if not _enclose(roads) or _width(roads) >= _THIN * min(image.shape[:2]):
         return 1.0
-    places = RoadPlaces.along(roads)
+    places = LinePlaces.along(roads)
     soft = cv2.GaussianBlur(image, (3, 3), 0)
     off = (places.half + _BEYOND)[:, None] * places.across
     left, seen_left = colors_at(soft, places.points + off)
