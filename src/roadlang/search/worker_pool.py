@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
+from ..diagnostics import Code, Diagnostic, DiagnosticError
 from .ordered_results import Future, results_in_order
 from .start_method import FORK, start_method
 from .working import worked
@@ -93,7 +94,10 @@ class WorkerPool(Generic[State]):
         if self._cluster is not None:
             shared = _Shared(self.state)
             submit = partial(self._cluster.submit, _run_shared, shared, work)
-            yield from results_in_order(submit, jobs, self._count)
+            try:
+                yield from results_in_order(submit, jobs, self._count)
+            except DiagnosticError as error:
+                raise DiagnosticError(*map(_as_of_a_worker, error.diagnostics)) from error
         elif self._count == 1 or len(jobs) < fewest:
             yield from (worked(work, self.state, job) for job in jobs)
         else:
@@ -102,6 +106,14 @@ class WorkerPool(Generic[State]):
 
                 self._processes = WorkerProcesses(self.state, self._count)
             yield from self._processes.map(work, jobs)
+
+
+def _as_of_a_worker(found: Diagnostic) -> Diagnostic:
+    """A file that cannot be read elsewhere may well be there on this machine."""
+    if found.code != Code.UNREADABLE_INPUT:
+        return found
+    where = "workers read input files themselves, at the same path as on this machine: put it on a"
+    return replace(found, help=(*found.help, f"{where} file system that all of them share"))
 
 
 @dataclass(frozen=True)
