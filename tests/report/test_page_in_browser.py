@@ -86,6 +86,19 @@ def test_a_picture_opens_its_drive_at_the_moment_that_decides(page: Page) -> Non
     assert page.run("location.hash") == "#drive-1"
 
 
+def test_labels_beside_a_curve_are_not_cut_off(page: Page) -> None:
+    least = page.run("""(() => {
+        const given = { title: "a", across: [0, 1], times: [0, 1], values: [-0.000379, -0.000379] };
+        const plot = new Plot({ ...given, acrossUnit: "s", unit: "", zero: true, onTime() {} });
+        document.body.append(plot.node);
+        plot.render();
+        const found = [...plot.svg.querySelectorAll("text")].map(label => label.getBBox().x);
+        plot.node.remove();
+        return Math.min(...found);
+    })()""")
+    assert least >= 0
+
+
 def test_a_click_on_a_plot_sets_the_time(page: Page) -> None:
     page.run("viewer.stopAt(0); viewer.plots[0].pick(viewer.plots[0].x(2))")
     assert page.run("viewer.time") == pytest.approx(2.0, abs=0.11)

@@ -60,6 +60,9 @@ function limits(values, also = []) {
   return [low - room, high + room];
 }
 
+// Pixels across a digit of the labels beside a curve.
+const LETTER = 6.7;
+
 // A curve of `values` over `across`, with a cursor that follows the time of the drive. A click or a
 // drag sets the time.
 class Plot {
@@ -81,7 +84,10 @@ class Plot {
   render() {
     const wide = this.node.clientWidth || 340;
     const tall = 120;
-    const box = { left: 42, right: wide - 6, top: 6, bottom: tall - 18 };
+    const known = this.values.filter((value) => value !== null);
+    const ticks = this.zero ? [0, Math.min(...known), Math.max(...known)] : [Math.min(...known), Math.max(...known)];
+    const longest = Math.max(...ticks.map((tick) => shown(tick).length));
+    const box = { left: Math.max(42, 8 + LETTER * longest), right: wide - 6, top: 6, bottom: tall - 18 };
     const [x0, x1] = [Math.min(...this.across), Math.max(...this.across)];
     const [y0, y1] = limits(this.values, this.zero ? [0] : []);
     this.x = (value) => box.left + ((value - x0) / (x1 - x0 || 1)) * (box.right - box.left);
@@ -98,8 +104,6 @@ class Plot {
     const base = this.zero ? this.y(0) : box.bottom;
     parts.push(draw("path", { d: `M${box.left} ${base}H${box.right}`, class: "zero" }));
     parts.push(draw("path", { d: this.path(), class: "curve" }));
-    const known = this.values.filter((value) => value !== null);
-    const ticks = this.zero ? [0, Math.min(...known), Math.max(...known)] : [Math.min(...known), Math.max(...known)];
     const placed = [];
     for (const tick of ticks) {
       const up = this.y(tick);
