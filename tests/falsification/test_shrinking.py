@@ -131,3 +131,16 @@ def test_infinite_robustness_and_no_scene_are_told_apart() -> None:
     assert [(item.draws, item.holds) for item in singles] == [
         (("x",), True), (("z",), False), (("y",), None),
     ]  # fmt: skip
+
+
+def test_draws_that_the_scene_does_not_make_are_left_out() -> None:
+    """Those of a copy that it lacks; what a pass draws for itself is not among the draws."""
+
+    class Copies(Formula):
+        def outcome(self, point: tuple[float, ...]) -> Outcome:
+            return replace(super().outcome(point), draws={"cars/at": point[0]})
+
+    evaluator: Any = Copies(lambda x, y, z: (-1.0, 1.0))
+    axes = ["cars/at", "cars/at[1]", "bent/perturb 1:0:2"]
+    listed = influences(evaluator.outcome((0.0, 0.0, 0.0)), evaluator, axes)
+    assert {name for item in listed for name in item.draws} == {axes[0], axes[2]}

@@ -316,21 +316,23 @@ def test_pairs_of_draws_are_told_that_hold_where_neither_does_alone(copy: Path) 
     medians: dict[tuple[str, ...], tuple[float | None, bool | None]] = {
         ("a",): (None, None), ("b",): (0.0, True), ("c",): (-1.0, False), ("a", "c"): (0.0, True),
         ("a", "b"): (0.5, True), ("c", "d"): (None, None), ("c", "e"): (0.0, False),
+        ("f",): (-2.5, False), ("g",): (-2.5, False), ("h",): (-3.0, False),
     }  # fmt: skip
     listed = [
         {"draws": draws, "robustness": rho, "holds": holds}
         for draws, (rho, holds) in medians.items()
     ]
-    record = {"expectation": "slow", "unit": "m/s", "medians": listed}
+    record = {"expectation": "slow", "unit": "m/s", "robustness": -2.5, "medians": listed}
     first = min((copy / "failures").glob("[0-9][0-9][0-9][0-9].json"))
     first.with_suffix(".explanation.json").write_text(json.dumps(record))
     told = [
         found for drive in data_of(write_report(copy))["drives"] if (found := drive["explanation"])
     ]
     expected = [
-        ["a", None, None], ["b", 0.0, True], ["c", -1.0, False], ["a + c", 0.0, True],
+        ["a", None, None], ["b", 0.0, True], ["c", -1.0, False], ["h", -3.0, False],
+        ["a + c", 0.0, True],
     ]  # fmt: skip
-    assert told == [{"expectation": "slow", "unit": "m/s", "medians": expected}]
+    assert told == [{"expectation": "slow", "unit": "m/s", "medians": expected, "others": 2}]
 
 
 @pytest.mark.parametrize(

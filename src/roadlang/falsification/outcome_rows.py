@@ -16,6 +16,12 @@ def places_of(outcomes: Iterable[Outcome]) -> frozenset[str]:
     return frozenset(draw_place(name) for outcome in outcomes for name in outcome.draws)
 
 
+def is_made(axis: str, draws: Container[str], places: Container[str]) -> bool:
+    """Whether a scene with these `draws` depends on a coordinate: one of a draw that it makes, or
+    of a number that a pass draws for itself, which is at none of the `places` of draws."""
+    return axis in draws or draw_place(axis) not in places
+
+
 def row_of(outcome: Outcome, axes: Sequence[str], places: Container[str]) -> dict[str, Any]:
     """Evaluation, params, draws, coordinates of what a pass draws for itself, robustness, and the
     moment at which a violated expectation begins to be violated; then the first controller that

@@ -8,6 +8,7 @@ from itertools import combinations
 
 from .evaluator import Evaluator, Proposal
 from .outcome import Outcome
+from .outcome_rows import is_made, places_of
 
 MEDIAN = 0.5
 """The coordinate of the median of a draw."""
@@ -73,9 +74,12 @@ class Influence:
 def influences(
     failure: Outcome, evaluator: Evaluator, axes: Sequence[str]
 ) -> tuple[Influence, ...]:
-    """Of each draw, and of each pair of those that matter most; the greatest robustness first."""
-    name = failure.violated[0]
-    singles = [(axis,) for axis in range(len(axes))]
+    """Of each draw, and of each pair of those that matter most; the greatest robustness first.
+    Draws that the scene does not make, as those of copies that it lacks, are left out."""
+    name, places = failure.violated[0], places_of([failure])
+    singles = [
+        (number,) for number, axis in enumerate(axes) if is_made(axis, failure.draws, places)
+    ]
     found = _tried(failure, singles, evaluator)
     order = sorted(singles, key=lambda key: -_margin(found[key], name))
     leading = sorted(axis for (axis,) in order[:_MOST_PAIRED])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ from ..ir.result_files import EXPLANATION, SHRUNK
 from ..ir.scene import Scene
 from ..judging.drives import judge
 from ..plugins.registry import Registry
+from .explained import FailureExplanation
 from .numbers import shown_unit
 from .reading import parsed, read_drive, read_typed
 from .results import ShownDrive
@@ -19,25 +19,6 @@ MOST_FAILING, MOST_SAFE = 100, 12
 """Drives that are shown in full."""
 MOST_INFLUENCES = 8
 """Random values, and pairs of them, that are listed with a failure."""
-
-
-@dataclass(frozen=True)
-class ShownInfluence:
-    """The robustness with some draws at their medians, None where it is infinite, and whether the
-    expectation holds then, None where that is no valid scene."""
-
-    draws: tuple[str, ...]
-    robustness: float | None
-    holds: bool | None = False
-
-
-@dataclass(frozen=True)
-class FailureExplanation:
-    """What is read of what `roadlang explain` wrote."""
-
-    expectation: str
-    unit: str
-    medians: tuple[ShownInfluence, ...]
 
 
 def shown_drive(
@@ -76,18 +57,12 @@ def _explained(stem: Path) -> dict[str, Any] | None:
     if not path.is_file():
         return None
     found = read_typed(path, FailureExplanation)
-    singles = [item for item in found.medians if len(item.draws) == 1]
-    holding = {name for item in singles if item.holds for name in item.draws}
-    pairs = [
-        item
-        for item in found.medians
-        if len(item.draws) > 1 and item.holds and not holding & {*item.draws}
-    ]
-    listed = [*singles[:MOST_INFLUENCES], *pairs[:MOST_INFLUENCES]]
+    listed = [*found.singles[:MOST_INFLUENCES], *found.pairs[:MOST_INFLUENCES]]
     return {
         "expectation": found.expectation,
         "unit": found.unit,
         "medians": [[" + ".join(item.draws), item.robustness, item.holds] for item in listed],
+        "others": len(found.without_effect),
     }
 
 

@@ -278,6 +278,7 @@ function foundByCommands({ name, shrunk, explanation }) {
     const rows = explanation.medians.map(([draws, value, holds]) => [draws, ofMedian(value, holds, explanation.unit), holds ? "holds" : ""]);
     parts.push(make("h3", {}, "Which random values matter"));
     parts.push(make("p", {}, `Robustness of ${explanation.expectation} with these at their medians, the others as they are:`), list(rows));
+    if (explanation.others) parts.push(make("p", {}, `${explanation.others} more have no effect by themselves.`));
   }
   return parts;
 }
