@@ -46,6 +46,13 @@ def test_a_sheet_has_one_color() -> None:
     assert sheet_of(beach) is None
 
 
+def test_the_sky_is_no_sheet_but_paper_in_its_light_is() -> None:
+    white = drawn(sheet(), wave())
+    for blueness, is_sheet in ((0.1, True), (0.2, True), (0.32, False)):
+        tinted = photographed((white * (1.0, 1 - 0.5 * blueness, 1 - blueness)).astype(np.uint8))
+        assert (sheet_of(tinted) is not None) is is_sheet
+
+
 def test_shades_without_texture_are_a_photo() -> None:
     y, x = np.mgrid[:300, :400]
     sky = np.dstack([200 + y / 10, 120 + x / 8, 60 + y / 6]).astype(np.uint8)

@@ -33,6 +33,9 @@ the sheet around them; no shadow is that dark."""
 _DARKEST, _COLORED = 60, 0.35
 """A sheet is lighter than the gray `_DARKEST`, and its channels differ by at most `_COLORED` of its
 brightness."""
+_BLUEST = 0.28
+"""Its blue exceeds its red by at most this share of its brightness, also in the light of the sky:
+what is bluer is the sky itself, or water."""
 _TINT, _ONE = 0.12, 0.75
 """At least `_ONE` of a sheet has one color in any light: its channels, divided by their mean, are
 within `_TINT`. A beach is as light as paper, but the sea beside it is not."""
@@ -110,6 +113,8 @@ def _has_one_light_color(light: Layer) -> bool:
     colors = light.reshape(-1, 3)
     color = np.median(colors, axis=0)
     if color.mean() < _DARKEST or np.ptp(color) > _COLORED * color.max():
+        return False
+    if color[0] - color[2] > _BLUEST * color.max():
         return False
     tint = colors / np.maximum(colors.mean(axis=1, keepdims=True), 1)
     return bool((np.abs(tint - color / color.mean()) < _TINT).all(axis=1).mean() >= _ONE)
