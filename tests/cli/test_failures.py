@@ -202,7 +202,9 @@ class TestRefused:
     def refused(self, *words: str, code: str, capsys: pytest.CaptureFixture[str]) -> int:
         capsys.readouterr()
         result = run([*words])
-        assert code in capsys.readouterr().err
+        written = capsys.readouterr().err
+        assert code in written
+        assert "help: \n" not in written
         return result
 
     def test_a_file_that_is_not_there(

@@ -4,7 +4,16 @@ import json
 
 import pytest
 
-from roadlang.diagnostics import Diagnostic, Fix, Label, Source, did_you_mean, nearest
+from roadlang.diagnostics import (
+    Code,
+    Diagnostic,
+    Fix,
+    Label,
+    Source,
+    diagnose,
+    did_you_mean,
+    nearest,
+)
 from roadlang.diagnostics.diagnostic import in_order
 from roadlang.diagnostics.render import render, render_json
 
@@ -140,3 +149,8 @@ def test_a_fault_in_an_included_file_names_the_includes_by_which_it_came_in() ->
         {"file": "mid.rl", "line": 2, "column": 9},
         {"file": "top.rl", "line": 1, "column": 9},
     ]
+
+
+def test_an_empty_help_is_none() -> None:
+    assert diagnose(Code.NOT_A_FAILURE, file="a", reason="b", help="").help == ()
+    assert diagnose(Code.NOT_A_FAILURE, file="a", reason="b", help=("", "c")).help == ("c",)

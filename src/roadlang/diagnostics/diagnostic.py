@@ -75,14 +75,16 @@ def diagnose(
     severity: Severity | None = None,
     **values: object,
 ) -> Diagnostic:
-    """Fill the message template of the catalog page `code` with `values`."""
+    """Fill the message template of the catalog page `code` with `values`. An empty `help` is
+    none."""
     entry = page(code)
+    said = (help,) if isinstance(help, str) else help
     return Diagnostic(
         code=code,
         severity=severity or entry.severity,
         message=entry.message.format(path=path, **values),
         span=span,
-        help=(help,) if isinstance(help, str) else tuple(help),
+        help=tuple(filter(None, said)),
         labels=tuple(labels),
         fixes=tuple(fixes),
         path=None if path is None else os.fspath(path),

@@ -90,7 +90,8 @@ def _record(path: Path) -> ResultsRecord:
             if record.seed is None:
                 break
             return record
-    raise _no_failure(path, f"there is no {RESULTS_FILE} of a run or a search next to it")
+    reason = f"there is no {RESULTS_FILE} of a run or a search next to it"
+    raise _no_failure(path, reason, "name the scene in the folder in which it was written")
 
 
 def _place(
@@ -99,7 +100,8 @@ def _place(
     """The rank of the failure, the axes of its search and its place among them."""
     if record.command == "falsify":
         if path.parent.name != FAILURES:
-            raise _no_failure(path, f"it is not in the folder `{FAILURES}`")
+            help_ = f"the failures of a search are in its folder `{FAILURES}`"
+            raise _no_failure(path, f"it is not in the folder `{FAILURES}`", help_)
         index = read_typed(path.parent / INDEX, _Index)
         for rank, item in enumerate(index.failures, 1):
             if item.scene == path.name:
