@@ -7,7 +7,6 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -127,7 +126,8 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     )
     warning = None
     if damage is not None:
-        warning = _diagnosed(Code.PARTLY_DAMAGED_IMAGE, span, written, reason=damage)
+        place = None if span is not None else written
+        warning = diagnose(Code.PARTLY_DAMAGED_IMAGE, span, path=place, file=written, reason=damage)
     return _ReadImage(as_colors(pixels), bands.shown(pixels), found, inputs, warning)
 
 
@@ -160,11 +160,7 @@ def _check_size(header: ImageHeader, written: str, span: Span | None) -> None:
         raise _refusal(Code.IMAGE_TOO_SMALL, span, written, size=size)
 
 
-def _refusal(code: str, span: Span | None, written: str, **words: Any) -> DiagnosticError:
-    return DiagnosticError(_diagnosed(code, span, written, **words))
-
-
-def _diagnosed(
+def _refusal(
     code: str,
     span: Span | None,
     written: str,
@@ -173,11 +169,12 @@ def _diagnosed(
     reason: str = "",
     size: str = "",
     format: str = "",
-) -> Diagnostic:
+) -> DiagnosticError:
     path = None if span is not None else written
-    hints = tuple(filter(None, help))
-    return diagnose(
-        code, span, help=hints, path=path, file=written, reason=reason, size=size, format=format
+    return DiagnosticError(
+        diagnose(
+            code, span, help=help, path=path, file=written, reason=reason, size=size, format=format
+        )
     )
 
 
