@@ -40,6 +40,23 @@ def test_blank_squared_paper_has_no_road() -> None:
     assert not found.network.edges
 
 
+def test_the_margin_of_ruled_paper_is_printed_too() -> None:
+    page = np.full((300, 400, 3), (248, 252, 252), np.uint8)
+    page[40::24] = page[41::24] = (225, 185, 150)
+    page[:, 55:57] = (110, 110, 230)
+    assert (without_grid(page) == (248, 252, 252)).all(axis=2).mean() > 0.99
+    assert (without_grid(np.rot90(page)) == (248, 252, 252)).all(axis=2).mean() > 0.99
+    road = page.copy()
+    road[:, 150:160] = 40
+    left = without_grid(road)
+    assert (left[:, 150:160] == 40).mean() > 0.9
+    assert (left[:, 50:60] == (248, 252, 252)).mean() > 0.9
+    short = page.copy()
+    short[:, 55:57] = (248, 252, 252)
+    short[60:200, 55:57] = 40
+    assert (without_grid(short)[64:78, 55:57] == 40).all()
+
+
 def test_five_streets_each_way_are_streets() -> None:
     streets = np.full((300, 400, 3), 255, np.uint8)
     streets[40:280:48, 20:380] = 60

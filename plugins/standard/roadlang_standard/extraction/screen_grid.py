@@ -28,6 +28,9 @@ spacing."""
 _PALE, _MANY, _WHOLE = 0.8, 10, 0.97
 """A grid has less than `_PALE` of the contrast of what is drawn. Darker lines may be streets unless
 there are at least `_MANY`, visible on more than `_WHOLE` of their length."""
+_MARGINS, _ACROSS = 2, 0.9
+"""At most `_MARGINS` lines across those of ruled paper, each visible on more than `_ACROSS` of its
+length from edge to edge, are its margins."""
 _SAME = 3
 """Maximum difference in gray levels between a line of the grid and its pixels."""
 
@@ -48,17 +51,22 @@ def without_grid(image: Image) -> Image:
     if ground is None:
         return image
     away = away_from(image, ground)
-    cleaned = image
-    for upright in (False, True):
-        turned = _turned(image, upright)
-        lines = _lines(turned, away.T if upright else away)
-        if lines is not None and _is_printed(lines, ground, away):
-            cleaned = _turned(_cleared(_turned(cleaned, upright), turned, lines, ground), upright)
-    return cleaned if cleaned is image else np.ascontiguousarray(cleaned)
+    ways = [(image, away), (_turned(image), away.T)]
+    printed = [_lines(*way) for way in ways]
+    printed = [None if x is None or not _is_printed(x, ground, away) else x for x in printed]
+    if printed[0] is None and printed[1] is None:
+        return image
+    lines, columns = (
+        _margins(*way) if one is None else one for one, way in zip(printed, ways, strict=True)
+    )
+    cleaned = image if lines is None else _cleared(image, image, lines, ground)
+    if columns is not None:
+        cleaned = _turned(_cleared(_turned(cleaned), ways[1][0], columns, ground))
+    return np.ascontiguousarray(cleaned)
 
 
-def _turned(image: Image, upright: bool) -> Image:
-    return np.transpose(image, (1, 0, 2)) if upright else image
+def _turned(image: Image) -> Image:
+    return np.transpose(image, (1, 0, 2))
 
 
 def _ground(image: Image) -> NDArray[np.float64] | None:
@@ -72,18 +80,36 @@ def _ground(image: Image) -> NDArray[np.float64] | None:
 
 def _lines(image: Image, away: Image) -> _Lines | None:
     """The lines of a grid along the rows of a picture (h, w, 3), where `away` (h, w) is not 0."""
-    covered = np.count_nonzero(away, axis=1) > _COVERED * away.shape[1]
-    edges = np.flatnonzero(np.diff(covered.view(np.int8), prepend=0, append=0))
-    runs = edges.reshape(-1, 2)
-    runs = runs[runs[:, 1] - runs[:, 0] <= _THICKEST]
+    runs = _thin_runs(away, _COVERED)
     if not _are_even(runs.mean(axis=1)):
         return None
+    return _visible(image, away, runs, _COVERED)
+
+
+def _margins(image: Image, away: Image) -> _Lines | None:
+    """The margins along the rows of a picture (h, w, 3) whose columns are ruled, if it has any;
+    `away` as for `_lines`."""
+    runs = _thin_runs(away, _ACROSS)
+    return _visible(image, away, runs, _ACROSS) if 0 < len(runs) <= _MARGINS else None
+
+
+def _thin_runs(away: Image, least: float) -> NDArray[np.intp]:
+    """The first row, and the one after the last (n, 2), of thin lines along rows where `away` from
+    the ground (h, w) is not 0 on more than this share."""
+    covered = np.count_nonzero(away, axis=1) > least * away.shape[1]
+    edges = np.flatnonzero(np.diff(covered.view(np.int8), prepend=0, append=0))
+    runs = edges.reshape(-1, 2)
+    return runs[runs[:, 1] - runs[:, 0] <= _THICKEST]
+
+
+def _visible(image: Image, away: Image, runs: NDArray[np.intp], least: float) -> _Lines | None:
+    """The lines in these runs of rows that have one color on more than this share."""
     rows = np.concatenate([np.arange(*run) for run in runs.tolist()])
     colors = np.array([_usual_color(image[row], away[row] > 0) for row in rows])
     shares = np.array(
         [_has(image[row], color).mean() for row, color in zip(rows, colors, strict=True)]
     )
-    kept = shares > _COVERED
+    kept = shares > least
     return _Lines(rows[kept], colors[kept], shares[kept]) if kept.any() else None
 
 
