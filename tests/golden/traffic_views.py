@@ -85,7 +85,7 @@ _DRIVES = (
     "car_follow, drive with overtake { target: lead, within: 12m }",
     "car_follow, drive with overtake { target: things }",
     "car_follow, drive with merge",
-    "car_follow, drive with merge { to: right, within: 60m }",
+    "car_follow, drive with merge { to: right, within: 60m, when: time >= 0s }",  # no lane there
     "car_follow, drive with merge { to: -1, speed: 8m/s, duration: 2s }",
     "car_follow { speed: 4m/s }, drive with merge { acceleration: 5m/s^2, within: 80m }",
     "car_follow, drive with merge { deceleration: 6m/s^2, within: 40m, speed: 5m/s }",
