@@ -1,7 +1,7 @@
-"""Divided roads of photos: where a wide road shows a median, it is two roads side by side.
+"""Divided roads in photos: a wide road with a visible median becomes two roads side by side.
 
-The network sees one wide surface: a narrow median is no break in it, and its roads would be one
-line along the median.
+In the network's evidence a narrow median does not interrupt the surface, so the road would become a
+single line along the median.
 """
 
 from __future__ import annotations
@@ -22,30 +22,37 @@ from .smoothing import gradient
 from .tones import Image
 
 _WIDE, _WIDEST, _WIDER = 15.0, 29.0, 1.4
-"""Widths in pixels from which on, and up to which, a road is examined, if it is so many times as
-wide as the usual road: still wider ones are avenues of photos that are finer than 1 m/px."""
+"""A road is examined if its width is from `_WIDE` to `_WIDEST` pixels and at least `_WIDER` times
+the usual width of the roads in the photo. Wider ones are avenues in photos finer than 1 m/px."""
 _USUAL = 14.0
-"""Pixels: where the usual road is wider, the photo is finer, and markings look like medians."""
+"""If the usual width of the roads is more than this, in pixels, none is examined: the photo is
+finer than 1 m/px, and lane markings look like medians."""
 _CONTRAST = 8.0
-"""Of a median, by its mean color (Lab, each channel 0..255), to both carriageways: the distance to
-the mean of both, less their distance from each other and their unevenness. Of 44 divided roads
-of renderings and photos 17 have more over half of their length, of 80 others 7."""
+"""The contrast of a median is more than this. It is the difference in color between the median and
+the mean of both carriageways, minus the difference between the carriageways, minus their
+unevenness, in Lab with channels from 0 to 255. Of 44 divided roads in renderings and photos, 17
+have such a contrast on more than half of their length; of 80 other roads, 7."""
 _EVEN, _GAP = 11, 21
-"""Points of the road over which colors are averaged, and across which a median goes on."""
+"""Colors are averaged over `_EVEN` points along the road, and gaps of fewer than `_GAP` points in a
+median are closed."""
 _OFF, _NEAR, _FAR = 0.15, 0.12, 0.32
-"""Shares of the width: how far a median may lie off the middle of the road, and where, from the
-median, a carriageway begins and ends."""
+"""In widths of the road: the greatest distance of a median from the middle of the road, and the
+distances from the median at which the strip of a carriageway that it is compared with begins and
+ends."""
 _SHORTEST, _SHORT, _MOST = 40.0, 25.0, 0.7
-"""Pixels that a median is long, or else this long and this share of its road."""
+"""A median is at least `_SHORTEST` pixels long, or longer than `_SHORT` pixels and `_MOST` of its
+road."""
 _CROSSING = 12.0
-"""Pixels around places where four roads meet: there is no median there."""
+"""There is no median within this distance, in pixels, of a junction of four or more roads."""
 _STRIP, _NARROWEST = 0.25, 5
-"""Share of the road's width, and pixels, that are cleared of evidence for a median."""
+"""The evidence is cleared along a median on a strip of `_STRIP` widths of the road, and of at least
+`_NARROWEST` pixels."""
 
 
 @dataclass(frozen=True)
 class _Median:
-    """Along a road, at each of its points (n,): contrast, and pixels to the right of the middle."""
+    """At each point (n,) of a road: the contrast of the strip that differs most from both of its
+    sides, and how far to the right of the middle it is, pixels."""
 
     contrast: Floats
     offset: Floats
