@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
+from roadlang_standard.extraction import overpasses
 from roadlang_standard.extraction.found_network import FoundNetwork
 from roadlang_standard.extraction.masks import roads_of_surface
 
@@ -40,3 +41,16 @@ def test_ends_that_do_not_face_each_other_or_nothing_between_them_stay() -> None
     for start, end in (((300, 20), (300, 180)), ((300, 220), (300, 380))):
         cv2.line(surface, start, end, 1.0, 16, cv2.LINE_AA)
     assert len(roads_of_surface(surface, "test").roads) == 2
+
+
+def test_ends_far_apart_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    compared = []
+    face = overpasses._face
+    monkeypatch.setattr(overpasses, "_face", lambda *ends: compared.append(1) or face(*ends))
+    page = np.zeros((400, 600), np.float32)
+    for x in range(20, 600, 30):
+        for y in range(20, 400, 40):
+            cv2.line(page, (x, y), (x, y + 20), 1.0, 3)  # strokes of letters
+    roads_of_surface(page, "test", least=0.0)
+    strokes = len(range(20, 600, 30)) * len(range(20, 400, 40))
+    assert 0 < len(compared) < 20 * strokes

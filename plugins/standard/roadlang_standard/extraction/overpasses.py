@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from roadlang.geometry import Floats
 
@@ -43,14 +45,8 @@ def join_overpasses(graph: Graph, width: float, shape: tuple[int, ...]) -> None:
     """
     seen = (_end(graph.lines[end.line], end.side, width) for end in dead_ends(graph, shape))
     ends = [end for end in seen if end is not None]
-    pairs = [
-        (float(np.hypot(*(b.place - a.place))), i, j)
-        for i, a in enumerate(ends)
-        for j, b in enumerate(ends[:i])
-        if _face(a, b, (_SPAN + 2 * _HOOK) * width)
-    ]
     used: set[int] = set()
-    for _, i, j in sorted(pairs):
+    for _, i, j in sorted(_facing_pairs(ends, (_SPAN + 2 * _HOOK) * width)):
         a, b = ends[i], ends[j]
         if not {i, j} & used and any(_crosses(x.points, a.place, b.place) for x in graph.lines):
             used |= {i, j}
@@ -59,6 +55,17 @@ def join_overpasses(graph: Graph, width: float, shape: tuple[int, ...]) -> None:
             graph.lines.append(Line(start, end, np.linspace(a.place, b.place, count), 1.0))
     if used:
         join(graph)
+
+
+def _facing_pairs(ends: list[_End], most: float) -> Iterator[tuple[float, int, int]]:
+    """The ends that face each other, at most so many pixels apart: how far, and both indices, the
+    larger one first."""
+    if not ends:
+        return
+    tree = cKDTree(np.array([end.place for end in ends]))
+    for j, i in tree.query_pairs(1.001 * most):
+        if _face(ends[i], ends[j], most):
+            yield float(np.hypot(*(ends[j].place - ends[i].place))), i, j
 
 
 def _end(line: Line, side: int, width: float) -> _End | None:
