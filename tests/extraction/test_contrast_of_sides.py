@@ -88,7 +88,7 @@ def _clouds() -> np.ndarray:
     sky = np.full((360, 480, 3), (215, 155, 95), np.uint8)
     for x, y, size in ((120, 100, 60), (190, 130, 70), (380, 260, 80)):
         cv2.ellipse(sky, (x, y), (size, int(0.7 * size)), 20, 0, 360, (245, 240, 235), -1)
-    return cv2.GaussianBlur(sky, (0, 0), 7)
+    return np.asarray(cv2.GaussianBlur(sky, (0, 0), 7))
 
 
 def test_contours_of_clouds_are_no_sure_roads() -> None:

@@ -67,9 +67,10 @@ def test_only_pictures_with_a_long_part_are_searched_for_roads_between_lines() -
     for size in (120, 150):
         cv2.ellipse(ring, (250, 200), (size + 60, size), 0, 0, 360, 1, 3)
     cv2.line(filled, (0, 180), (499, 260), 1, 24)
-    for ink in (ring, filled):
-        cv2.circle(ink, (40, 40), 9, 1, 2)  # as in a letter: measured alone
-    for ink, expected in ((ring > 0, True), (filled > 0, False)):
+    for page in (ring, filled):
+        cv2.circle(page, (40, 40), 9, 1, 2)  # as in a letter: measured alone
+    for page, expected in ((ring, True), (filled, False)):
+        ink = page > 0
         labels, count = PaperParts.about(ink).labels, PaperParts.about(ink).count
         rim = np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]])
         rims = np.bincount(rim, minlength=count)

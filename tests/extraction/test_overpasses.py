@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -44,9 +46,14 @@ def test_ends_that_do_not_face_each_other_or_nothing_between_them_stay() -> None
 
 
 def test_ends_far_apart_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
-    compared = []
+    compared: list[object] = []
     face = overpasses._face
-    monkeypatch.setattr(overpasses, "_face", lambda *ends: compared.append(1) or face(*ends))
+
+    def counted(*ends: Any) -> Any:
+        compared.append(ends)
+        return face(*ends)
+
+    monkeypatch.setattr(overpasses, "_face", counted)
     page = np.zeros((400, 600), np.float32)
     for x in range(20, 600, 30):
         for y in range(20, 400, 40):
