@@ -118,9 +118,9 @@ def test_what_names_hide_of_the_width_of_streets_is_known_with_their_smoothed_ed
 ) -> None:
     """Streets that are found so are kept where they are not found without these edges."""
     image = np.full((SIDE, SIDE, 3), (226, 234, 242), np.uint8)
-    image[:, 200:] = (200, 232, 216)
+    image[:, 200:] = (200, 230, 214)
     for x in range(5, SIDE, 40):
-        for y, color in ((20, (201, 208, 217)), (140, (209, 214, 255)), (340, (223, 223, 224))):
+        for y, color in ((20, (198, 208, 217)), (140, (206, 214, 255)), (340, (220, 221, 224))):
             image[y : y + 40, x : x + 30] = color
     for start, end in STREETS:
         cv2.line(image, start, end, (255, 255, 255), 14, cv2.LINE_AA)

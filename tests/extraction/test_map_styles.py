@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_styles import style_of
+from roadlang_standard.extraction.map_contrast import Stretch
+from roadlang_standard.extraction.map_styles import STYLES, style_of
+from roadlang_standard.extraction.map_styles import MapStyle as KnownStyle
 from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import EXACT, LOSSY, flat_colors
+from roadlang_standard.extraction.map_tones import EXACT, LOSSY, flat_colors, map_tone
 from tests.extraction.drawn_maps import CARTO, LIGHT, MapStyle, as_jpeg, crowded, drawn_map
 
 SIDE, FINER = 256, 4
@@ -60,3 +62,28 @@ def test_a_drawing_on_ground_of_a_color_of_a_style_is_none_of_it() -> None:
 def test_a_jpeg_full_of_small_houses_in_known_colors_is_a_map() -> None:
     small = cv2.resize(crowded(drawn_map(CARTO), CARTO), None, fx=0.4, fy=0.4)
     assert has_exact_colors(as_jpeg(small, 80))
+
+
+def test_dashes_in_the_color_of_roads_are_none() -> None:
+    mask = np.zeros((100, 100), bool)
+    mask[20:26] = True
+    mask[60:63, ::8] = mask[60:63, 1::8] = mask[60:63, 2::8] = mask[60:63, 3::8] = True
+    (road,) = STYLES[0].roads_among([map_tone(np.full(3, 255.0), mask)], EXACT)
+    assert road.mask[22].all()
+    assert not road.mask[61].any()
+
+
+def test_a_style_gets_the_contrast_that_its_map_gets() -> None:
+    style = KnownStyle.of("#f2f3f0 #eaeae5", "#ffffff #e2e2e2")
+    land = style.ground[0]
+    stretched = style.stretched(Stretch(land, land - 48, 3.0))
+    assert stretched.is_road(np.array([150.0, 144.0, 147.0]), EXACT)
+    assert not style.is_road(np.array([150.0, 144.0, 147.0]), EXACT)
+
+
+def test_a_jpeg_of_a_known_style_has_all_of_its_colors() -> None:
+    """JPEG takes two similar ones for one."""
+    style = KnownStyle.of("#f2f3f0 #eaeae5", "#ffffff #e2e2e2")
+    seen = [style.ground[0], np.array([60.0, 60.0, 60.0])]
+    assert len(style.with_its_own(seen, LOSSY)) == 5
+    assert len(style.with_its_own(seen, EXACT)) == 4

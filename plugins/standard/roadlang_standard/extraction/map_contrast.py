@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import cv2
 import numpy as np
@@ -35,11 +36,28 @@ _STRONG, _ENOUGH = 200, 100
 levels splits their color. The contrast is then lowered until they differ by `_ENOUGH`."""
 
 
-def with_contrast(
+@dataclass(frozen=True)
+class Stretch:
+    """More or less contrast about the color `land` (3,) of the land, which becomes `base` (3,)."""
+
+    land: NDArray[np.float64]
+    base: NDArray[np.float64]
+    times: float
+
+    def of(self, colors: NDArray[Any]) -> NDArray[np.float64]:
+        """Colors (..., 3) with this contrast."""
+        return np.asarray(np.clip(self.base + (colors - self.land) * self.times, 0, 255).round())
+
+    def picture(self, image: Image) -> Image:
+        """A map (h, w, 3) with this contrast."""
+        return self.of(image).astype(np.uint8)
+
+
+def stretch_of(
     image: Image, tolerance: Tolerance = EXACT, letters: Booleans | None = None
-) -> Image:
-    """A map (h, w, 3), with more contrast about its land where it has little: otherwise lines that
-    differ from it by ten gray levels have no edges of a mixed color.
+) -> Stretch | None:
+    """How much more contrast a map (h, w, 3) needs about its land, None if it has enough: otherwise
+    lines that differ from it by ten gray levels have no edges of a mixed color.
 
     Its `letters` (h, w) are not looked at: maps are faint, but not their names. JPEG's noise gets
     more contrast, too: there, all of the map is to be faint.
@@ -47,10 +65,18 @@ def with_contrast(
     seen = _Contrast.of(image, letters)
     differs = None if seen is None else _faint(seen, tolerance)
     if seen is None or differs is None:
-        return image
+        return None
     # Light land gets darker: otherwise white streets could not differ more from it.
     base = seen.land - max(0.0, float(seen.land.max()) + _CLEAR - 255)
-    return seen.stretched(base, min(_MOST_STRETCH, _CLEAR / differs))
+    return Stretch(seen.land, base, min(_MOST_STRETCH, _CLEAR / differs))
+
+
+def with_contrast(
+    image: Image, tolerance: Tolerance = EXACT, letters: Booleans | None = None
+) -> Image:
+    """A map (h, w, 3), with more contrast about its land where it has little."""
+    stretch = stretch_of(image, tolerance, letters)
+    return image if stretch is None else stretch.picture(image)
 
 
 def without_strong_contrast(image: Image, letters: Booleans) -> Image:
@@ -60,7 +86,9 @@ def without_strong_contrast(image: Image, letters: Booleans) -> Image:
     if seen is None or not seen.marked.any():
         return image
     usual = float(np.quantile(seen.away[seen.marked], _MARKED))
-    return image if usual <= _STRONG else seen.stretched(seen.land, _ENOUGH / usual)
+    return (
+        image if usual <= _STRONG else Stretch(seen.land, seen.land, _ENOUGH / usual).picture(image)
+    )
 
 
 @dataclass(frozen=True)
@@ -92,10 +120,6 @@ class _Contrast:
         colors = self.image[self.marked]
         spread = colors.max(axis=1) - colors.min(axis=1)
         return bool(np.quantile(spread, _NEARLY_ALL) <= _NO_HUE)
-
-    def stretched(self, base: NDArray[np.float64], times: float) -> Image:
-        """The map (h, w, 3) with so many times the contrast, its land in a color `base` (3,)."""
-        return np.clip(base + (self.image - self.land) * times, 0, 255).round().astype(np.uint8)
 
 
 def _faint(seen: _Contrast, tolerance: Tolerance) -> float | None:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .map_lines import THIN, with_line_colors, without_outlines
-from .map_styles import MapStyle, style_of
+from .map_styles import MapStyle
 from .map_tones import MapTone, Tolerance, map_tones
 from .map_water import without_water
 from .road_tones import road_tones
@@ -57,10 +57,13 @@ class MapRoads:
 
 
 def chosen_roads(
-    plain: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance
+    plain: Image,
+    colors: list[NDArray[np.float64]],
+    tolerance: Tolerance,
+    style: MapStyle | None = None,
 ) -> tuple[MapRoads, bool]:
-    """The roads of a map (h, w, 3) without letters, and whether its tones have smoothed edges."""
-    style = style_of(plain, colors, tolerance)
+    """The roads of a map (h, w, 3) without letters, and whether its tones have smoothed edges; of a
+    map in a known `style` by its colors."""
     if style is not None:
         found = _styled_roads(plain, colors, tolerance, style)
         if found is not None:

@@ -14,12 +14,13 @@ from roadlang.geometry import Booleans
 
 from .ellipses import closed_by, grown_by
 from .found_network import FoundNetwork
-from .map_contrast import with_contrast, without_strong_contrast
+from .map_contrast import stretch_of, without_strong_contrast
 from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
 from .map_lines import THIN, holes, short_parts
 from .map_or_drawing import FEW, LETTERED, are_named, is_drawing
 from .map_roads import MapRoads, chosen_roads
+from .map_styles import MapStyle, style_of
 from .map_tones import (
     LOSSY,
     MapTone,
@@ -76,21 +77,27 @@ def roads_of_map(
     tolerance = tolerance_of(image)
     plain = without_jpeg_noise(image) if tolerance is LOSSY else image
     names = letters_of_map(plain, LARGER)
-    clear = with_contrast(plain, tolerance, names)
+    style = style_of(plain, flat_colors(plain, tolerance), tolerance)
+    stretch = stretch_of(plain, tolerance, names)
+    clear = plain if stretch is None else stretch.picture(plain)
+    if style is not None and stretch is not None:
+        style = style.stretched(stretch)
     # Nobody draws with so little contrast as faint maps have.
     may_be_plan = is_plan if clear is plain else None
-    if tolerance is LOSSY and clear is plain:
+    if tolerance is LOSSY and clear is plain and style is None:
         clear = without_strong_contrast(plain, names)
-    return _roads_of_map(clear, _Lettered(plain, names), tolerance, width, may_be_plan)
+    return _roads_of_map(clear, _Seen(plain, names, style), tolerance, width, may_be_plan)
 
 
 @dataclass(frozen=True)
-class _Lettered:
-    """A map (h, w, 3) before its contrast is changed, of which noise would become letters, and what
-    is written on it (h, w): on roads, names leave no even strips of their color."""
+class _Seen:
+    """A map (h, w, 3) before its contrast is changed, of which noise would become letters, what
+    is written on it (h, w), as names on roads leave no even strips of their color, and its style,
+    None if that is not known."""
 
     image: Image
     names: Booleans
+    style: MapStyle | None
 
     def letters(self, width: float) -> Booleans:
         """What is written (h, w) where roads are usually so many pixels wide."""
@@ -99,34 +106,37 @@ class _Lettered:
 
 def _roads_of_map(
     image: Image,
-    lettered: _Lettered,
+    seen: _Seen,
     tolerance: Tolerance,
     width: float | None,
     is_plan: Callable[[], bool] | None,
 ) -> FoundNetwork | None:
-    plain = without_letters(image, lettered.names)
+    plain = without_letters(image, seen.names)
     colors = flat_colors(plain, tolerance)
+    style = seen.style
+    if style is not None:
+        colors = style.with_its_own(colors, tolerance)
     written = _differing(plain, image)
     if len(colors) < _COLORS or (len(colors) == _COLORS and written < LETTERED):
         return None
-    chosen, thin = chosen_roads(plain, colors, tolerance)
+    chosen, thin = chosen_roads(plain, colors, tolerance, style)
     if not chosen.roads:
         return None
     usual = chosen.width(lambda tone: tone.width)
     typical = chosen.width(lambda tone: tone.typical_width) if thin else usual
-    letters = lettered.letters(typical)
+    letters = seen.letters(typical)
     shown = [tone.color for tone in chosen.tones]
     if is_plan is not None and _is_drawn(chosen, letters, len(shown), is_plan):
         return None
     is_plain = plain is image and not thin
     if is_plain:
         everything = [tone.mask for tone in chosen.all_tones]
-        seen = [tone.mask for tone in chosen.tones]
+        dry = [tone.mask for tone in chosen.tones]
     else:
         everything = color_masks(image, shown, tolerance.near, thin)
-        seen = masks_without_water(shown, everything)
-    mask, others = _masks(seen, chosen, letters, thin)
-    water = [one & ~dry for one, dry in zip(everything, seen, strict=True) if dry is not one]
+        dry = masks_without_water(shown, everything)
+    mask, others = _masks(dry, chosen, letters, thin)
+    water = [one & ~land for one, land in zip(everything, dry, strict=True) if land is not one]
     if water:
         others += water
         letters = _opened(letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS)
