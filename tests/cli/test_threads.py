@@ -90,6 +90,7 @@ def test_several_processes_have_one_thread_of_opencv_each_unless_told_otherwise(
     """`after`: of roadlang, and of a program that it starts."""
     name = "OPENCV_FOR_THREADS_NUM"
     environment = {k: v for k, v in os.environ.items() if k != name}
+    environment["ROADLANG_ONE_THREAD"] = "1"  # of a command before, in which the user had no choice
     if before is not None:
         environment[name] = before
     done = subprocess.run(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 _OPENCV_THREADS, _SET_HERE = "OPENCV_FOR_THREADS_NUM", "ROADLANG_ONE_THREAD"
-"""The second notes, also for worker processes, that the first is not from the user."""
+"""The second records, also for worker processes, what roadlang set the first to."""
 
 
 def one_thread_for_opencv() -> None:
@@ -18,5 +18,8 @@ def one_thread_for_opencv() -> None:
 def program_environment() -> dict[str, str]:
     """The environment for a program that is no part of roadlang: the same with any number of
     worker processes."""
-    left_out = (_OPENCV_THREADS, _SET_HERE) if _SET_HERE in os.environ else ()
-    return {name: value for name, value in os.environ.items() if name not in left_out}
+    environment = dict(os.environ)
+    ours = environment.pop(_SET_HERE, None)
+    if ours is not None and environment.get(_OPENCV_THREADS) == ours:
+        del environment[_OPENCV_THREADS]
+    return environment
