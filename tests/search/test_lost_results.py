@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from roadlang.search.worker_processes import _Results
 
 SCRIPT = """
 import os, signal, sys, time
@@ -48,3 +51,14 @@ def test_its_job_is_done_again(tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert (tmp_path / "cut").exists()
     assert done.stdout == "[0, 11, 22, 33, 44, 55]\n", done.stderr
+
+
+def test_a_python_without_a_known_end_for_writing_does_not_fail(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The end for writing is a private attribute of the standard library."""
+    results = _Results(ctx=multiprocessing.get_context())
+    results.write_no_more()
+    results.write_no_more()
+    monkeypatch.delattr(results, "_writer")
+    results.write_no_more()

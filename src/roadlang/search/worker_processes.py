@@ -27,7 +27,7 @@ from .working import worked
 _RESTARTS = 3
 """How often processes that died are replaced before the work is given up."""
 _LOOK = 1.0
-"""Seconds of waiting for a result after which it is seen whether processes have died."""
+"""Seconds of waiting for a result before each look whether processes have died."""
 
 
 class WorkerProcesses:
@@ -41,7 +41,7 @@ class WorkerProcesses:
         self._shared: SharedState | None = None
         self._other_children = frozenset(multiprocessing.active_children())
         self._seen: set[Any] = set()
-        """processes of ours that were alive when it was last looked"""
+        """our processes that were alive at the last look"""
 
     def map(self, work: Callable[[Any, Any], Any], jobs: Sequence[Any]) -> Iterator[Any]:
         """`work(state, job)` of each job, in order. A job whose process died is done again by
@@ -86,8 +86,8 @@ class WorkerProcesses:
         return _Watched(future, self._has_lost_some)
 
     def _has_lost_some(self) -> bool:
-        """Whether a process has died since it was last asked. An executor tells so itself, unless
-        the process was killed while it wrote a result: for the rest of that it waits forever."""
+        """Whether a process has died since the last call. The executor notices this itself, unless
+        the process was killed while it wrote a result: then it waits forever for the rest."""
         before, self._seen = self._seen, self._alive()
         return bool(before - self._seen)
 
@@ -111,13 +111,16 @@ class _Results(SimpleQueue[Any]):
     """What processes send back."""
 
     def write_no_more(self) -> None:
-        """Once nobody can write, nobody waits for the rest of a result whose process was killed
-        while it wrote it. This process has that end too."""
-        self._writer.close()  # type: ignore[attr-defined]
+        """Once no process can write, reading half a result, whose process was killed, fails instead
+        of waiting forever. This process holds a writing end, too, which is not public: a Python
+        that calls it something else still ends, unless half a result was sent."""
+        writer = getattr(self, "_writer", None)
+        if writer is not None:
+            writer.close()
 
 
 class _Executor(ProcessPoolExecutor):
-    """One of which the end of its results can be told."""
+    """An executor whose queue of results can be closed for writing."""
 
     def __init__(
         self, count: int, context: BaseContext, start: Callable[..., Any], known: tuple[Any, ...]
@@ -128,8 +131,8 @@ class _Executor(ProcessPoolExecutor):
 
 @dataclass(frozen=True)
 class _Watched:
-    """A result that nobody waits for in vain. `has_lost_some`: has a process died since this was
-    last asked?"""
+    """A result that nobody waits for in vain. `has_lost_some`: has a process died since its
+    last call?"""
 
     future: Future[Any]
     has_lost_some: Callable[[], bool]
@@ -221,7 +224,7 @@ def _run(work: Callable[[Any, Any], Any], job: Any) -> Any:
         known = _process_jobs[job.number] if isinstance(job, _Inherited) else job
         result = worked(work, _process_state[0], known)
     except Terminated:
-        pass  # with it goes what the job held, but for circles
+        pass  # what the job held is freed with it, except for reference cycles
     except BaseException:
         _is_idle.set()
         raise
