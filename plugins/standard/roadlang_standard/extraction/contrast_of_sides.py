@@ -31,8 +31,8 @@ and less than 0 within a soft edge."""
 _FAINT = 5.0
 """Smaller differences in color, in gray levels, count as this one."""
 _BEYOND = (0.0, 1.5, 3.0)
-"""So many pixels beyond the edge of the road, or at the lines that it lies between, the color of a
-side is sought that differs most."""
+"""Distances beyond the edge of the road, pixels, at which the color of a side is sampled: the one
+that differs most from the road counts, since a casing may lie in between."""
 _STEP = 2.0
 """Least distance of the places along a road that are looked at, pixels."""
 
@@ -60,7 +60,7 @@ def _sure(roads: Sequence[FoundRoad], image: Image) -> float:
 
 @dataclass(frozen=True)
 class LinePlaces:
-    """LinePlaces along the middle of roads (n, 2), pixels, the unit normals there (n, 2), half the
+    """Places along the middle of roads (n, 2), pixels, the unit normals there (n, 2), half the
     usual width of each one's road (n,), and the length that it stands for (n,)."""
 
     points: Floats

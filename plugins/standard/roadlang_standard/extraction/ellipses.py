@@ -18,7 +18,7 @@ _TOGETHER = 1 << 18
 
 
 def grown_by(mask: Booleans, size: int) -> Booleans:
-    """The mask (h, w) dilated by an ellipse of so many pixels a side."""
+    """The mask (h, w) dilated by an ellipse `size` pixels wide and high."""
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
     if size < _LARGE:
         return np.asarray(cv2.dilate(mask.view(np.uint8), kernel) > 0)
@@ -38,7 +38,7 @@ def grown_by(mask: Booleans, size: int) -> Booleans:
 
 
 def closed_by(mask: Booleans, size: int) -> Booleans:
-    """The mask (h, w) closed by an ellipse of so many pixels a side."""
+    """The mask (h, w) closed by an ellipse `size` pixels wide and high."""
     if size < _LARGE:
         kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
         return np.asarray(cv2.morphologyEx(mask.view(np.uint8), cv2.MORPH_CLOSE, kernel) > 0)
@@ -46,7 +46,7 @@ def closed_by(mask: Booleans, size: int) -> Booleans:
 
 
 def opened_by(mask: Booleans, size: int) -> Booleans:
-    """The mask (h, w) opened by an ellipse of so many pixels a side."""
+    """The mask (h, w) opened by an ellipse `size` pixels wide and high."""
     if size < _LARGE:
         kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
         return np.asarray(cv2.morphologyEx(mask.view(np.uint8), cv2.MORPH_OPEN, kernel) > 0)

@@ -1,4 +1,4 @@
-"""Outlines of colored areas, as of a cartoon or of countries on a map, are no roads: the colors on
+"""Outlines of colored areas, as of a cartoon or of countries on a map, are not roads: the colors on
 their two sides differ nearly everywhere."""
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ _SOME, _MOST = 0.75, 0.85
 are outlines. Roads on 189 tiles of maps have up to .71 of theirs between areas of different colors,
 in drawings up to .26."""
 _DIFFER = 16.0
-"""Colors differ from so many gray levels on."""
+"""Two colors differ if they are more than this many gray levels apart."""
 _BEYOND = 6.0
-"""The colors are those so many pixels beyond the edges of a road, where its casing has ended."""
+"""The colors are taken this many pixels beyond the edges of a road, where its casing has ended."""
 _THIN = 0.02
 """Outlines are thinner than this share of the picture's shorter side; wider rings are roads around
 a lake or a meadow."""

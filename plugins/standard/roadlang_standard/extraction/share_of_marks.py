@@ -18,9 +18,9 @@ _LITTLE, _MUCH = 0.17, 0.22
 `_MUCH` on they are not. Of 130 drawings of roads all have more than .35; of 178 tiles in eleven
 styles two are below .22, in which few streets were found; lines of screens have .08 to .17."""
 _RIM = 3
-"""So many pixels beside a road are at it: smoothed edges, and lines around it."""
+"""Pixels this far beside a road still belong to it: smoothed edges, and lines around it."""
 _AS_STRONG = 0.5
-"""Edges count that are at least so strong as those of most roads, as a share."""
+"""Edges count if they are at least this share as strong as those of most roads."""
 _STRONGEST, _CLEAR = 0.995, 0.3
 """Edges that are at least `_CLEAR` as strong as the quantile `_STRONGEST` of the picture always
 count: between wide roads and names, others are stronger than most of what is at a road."""

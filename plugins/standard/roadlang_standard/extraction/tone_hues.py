@@ -22,7 +22,7 @@ _GREEN_HUES = 75 / 360, 160 / 360
 _WIDE = 1.5
 """Least width of water over that of the main roads."""
 _SATURATED, _WARM, _WARM_STEADY = 0.22, (70 / 360, 320 / 360), 0.08
-"""Main roads are often at least so saturated and of hues not between these; such tones may keep
+"""Main roads often have at least this saturation and a hue outside this range; such tones may keep
 their width along less of their surface."""
 
 
