@@ -41,7 +41,7 @@ def evaluation_from_json(record: Mapping[str, Any]) -> EvaluationOptions:
     known = [each.name for each in fields(EvaluationOptions)]
     for name in record:
         if name not in known:
-            raise UnreadableEvaluation(name, f"it is none of {', '.join(known)}")
+            raise UnreadableEvaluation(name, f"the members are {', '.join(known)}")
     found = EvaluationOptions(
         _word("semantics", get_args(Semantics), record),
         _word("robustness", get_args(Measure), record),
