@@ -34,7 +34,7 @@ def check_options(scene: Scene, registry: Registry) -> None:
     for a signal of what is not in the scene.
 
     What the registry does not have is reported where it is used. Options that kinds do not have,
-    such as those of another version, are passed over, but for those of drive signals.
+    such as those of another version, are ignored, except for those of drive signals.
     """
     for thing, call in _things(scene):
         entry = _entry(call, registry)

@@ -14,12 +14,10 @@ from roadlang.geometry import Floats
 
 from .connected_roads import connected_parts
 from .edges import normals
-from .found_network import FoundRoad
+from .found_network import NO_ROAD, FoundRoad
 from .smoothing import resample
 from .tones import Image
 
-_NO_ROAD = 0.45
-"""The confidence of what is an edge."""
 _EDGE, _ROAD = 0.5, 0.65
 """Share of the length with contrast to both sides: below `_EDGE` it is an edge, from `_ROAD` on it
 is not doubted. Of 151 connected drawings of roads all have more than .74, of maps in eleven styles
@@ -55,7 +53,7 @@ def sure_by_sides(roads: tuple[FoundRoad, ...], image: Image) -> list[float]:
 
 def _sure(roads: Sequence[FoundRoad], image: Image) -> float:
     """How sure roads are by the share of their length that has contrast to both sides."""
-    return float(np.interp(_two_sided_share(roads, image), (_EDGE, _ROAD), (_NO_ROAD, 1.0)))
+    return float(np.interp(_two_sided_share(roads, image), (_EDGE, _ROAD), (NO_ROAD, 1.0)))
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 from .box_lines import are_boxes, are_framed
 from .connected_roads import connected_parts
 from .explained_surface import ExplainedSurface
-from .found_network import EDGE_LINES, FoundNetwork, FoundRoad
+from .found_network import EDGE_LINES, NO_ROAD, FoundNetwork, FoundRoad
 from .line_art import ends_at_rim, sure_by_junctions, sure_by_widths
 from .road_likeness import sure_by_likeness
 
@@ -28,8 +28,6 @@ _EXPLAINED, _EXPLAINED_EDGED = (0.7, 0.9), (0.85, 0.97)
 """Roads are as wide as measured on the second share of their surface or more; with the first share
 or less, as on a chessboard, it consists of no roads. Two edge lines say more closely where a road
 is: what lies between other lines, such as arrows and connectors, widens here and there."""
-_NO_ROAD = 0.45
-"""Confidence of boxes, bars and the ground of a drawing."""
 _GROUND = 0.6
 """A part that covers more than this share of the picture's rim is the ground around a drawing, not
 a road."""
@@ -89,7 +87,7 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
         if drawn:
             factor *= float(np.clip((explained - nothing) / (sure - nothing), 0.0, 1.0))
             is_none |= are_framed(part, frames, side)
-        factor *= _NO_ROAD if is_none else 1.0
+        factor *= NO_ROAD if is_none else 1.0
         factors.update((id(road), factor) for road in part)
     roads = tuple(road.less_sure(factors[id(road)]) for road in found.roads)
     return replace(found, roads=roads)

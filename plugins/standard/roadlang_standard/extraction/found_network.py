@@ -12,6 +12,9 @@ from roadlang.geometry import Floats
 EDGE_LINES = "edge lines"
 """The method by which roads between two lines are found."""
 
+NO_ROAD = 0.45
+"""The confidence, at most, of what is more likely something other than a road."""
+
 
 @dataclass(frozen=True)
 class FoundRoad:

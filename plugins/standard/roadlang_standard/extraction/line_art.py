@@ -9,10 +9,8 @@ import numpy as np
 
 from roadlang.geometry import Booleans
 
-from .found_network import FoundRoad
+from .found_network import NO_ROAD, FoundRoad
 
-_NO_ROAD = 0.45
-"""The confidence of line art."""
 _FEW, _MANY = 14.0, 22.0
 """Where nothing leaves the picture: with at most `_FEW` lines that end on another line the lines
 are roads, with `_MANY` or more they are line art. Few people draw larger towns within margins."""
@@ -43,7 +41,7 @@ def sure_by_junctions(roads: Sequence[FoundRoad], shape: tuple[int, ...]) -> flo
     stubs = np.count_nonzero((free & ~rim).any(axis=1) & short)
     leaving = np.count_nonzero(free & rim) / np.sqrt(joins + crossings)
     art = (joins + min(stubs, joins) - crossings) * max(0.0, 1.0 - float(leaving))
-    return float(np.interp(art, (_FEW, _MANY), (1.0, _NO_ROAD)))
+    return float(np.interp(art, (_FEW, _MANY), (1.0, NO_ROAD)))
 
 
 def sure_by_widths(roads: Sequence[FoundRoad]) -> float:

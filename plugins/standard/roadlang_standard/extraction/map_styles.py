@@ -29,8 +29,8 @@ _LAND, _ALMOST, _WHITE, _HUED = 0.3, 1.0, 250, 2
 """Least number of colors that a map, or one stored as JPEG, shares with its style. All of them but
 one have channels that differ by at least `_TINTED`, as snow and paper have any gray. If at least
 `_LAND` of a map has one color within `_ALMOST` gray levels of a land, `_SHARED` colors of any tint
-are enough if one has channels that differ by `_HUED`, but for white, which has no channel below
-`_WHITE`: most maps have that."""
+are enough if the channels of one differ by `_HUED`. White, with no channel below `_WHITE`, does not
+count: most maps have it."""
 _LONG, _DASH = 16, 10
 """Roads are at least `_LONG` pixels long; parts shorter than `_DASH` pixels are dashes."""
 
@@ -70,7 +70,8 @@ class MapStyle:
         self, colors: Sequence[NDArray[np.float64]], tolerance: Tolerance
     ) -> list[NDArray[np.float64]]:
         """The colors (3,) of a map in this style, and those of its roads. In a JPEG, where two
-        similar colors look like one, they are all of the style's and those that are none of it."""
+        similar colors look like one, they are all of the style's, and those of the map that the
+        style lacks."""
         if not tolerance.is_lossy:
             return [*colors, *_apart(self.roads, colors, tolerance)]
         own = [*self.ground, *self.roads]
@@ -78,7 +79,7 @@ class MapStyle:
 
     def roads_among(self, tones: Sequence[MapTone], tolerance: Tolerance) -> list[MapTone]:
         """The tones of a map of this style that are roads, the longest first, without dashes: those
-        of footpaths and railways may have their color. A few pixels are none."""
+        of footpaths and railways may have their color. A few pixels are not a road."""
         roads = [_without_dashes(tone) for tone in tones if self.is_road(tone.color, tolerance)]
         long = [tone for tone in roads if tone.length >= _LONG]
         return sorted(long, key=lambda tone: -tone.length)
@@ -171,7 +172,7 @@ def _apart(
     others: Sequence[NDArray[np.float64]],
     tolerance: Tolerance,
 ) -> list[NDArray[np.float64]]:
-    """Those of some colors (3,) that are none of the others."""
+    """Those of some colors (3,) that look like none of the others."""
     return [
         color
         for color in some

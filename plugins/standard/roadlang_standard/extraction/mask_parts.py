@@ -51,8 +51,8 @@ def parts_and_boxes(mask: Booleans, connectivity: int = 8) -> tuple[int, Labels,
 
 
 def boxes_of(labels: Labels, count: int) -> NDArray[np.int32] | None:
-    """The boxes and areas (n, 5) of the parts with so many labels (h, w), as `parts_and_boxes`;
-    None where there are so many runs of labels that this takes longer than what OpenCV does."""
+    """The boxes and areas (count, 5) of the parts with these labels (h, w), as `parts_and_boxes`;
+    None where the labels have so many runs that this takes longer than what OpenCV does."""
     width = labels.shape[1]
     flat = labels.ravel()
     begins = np.ones(flat.size, bool)
@@ -74,7 +74,7 @@ def boxes_of(labels: Labels, count: int) -> NDArray[np.int32] | None:
 
 
 def areas_of(labels: Labels, count: int) -> NDArray[np.intp]:
-    """How many pixels have each of so many labels (h, w): as `numpy.bincount`, by runs."""
+    """How many pixels each of `count` labels (h, w) has (count,): as `numpy.bincount`, by runs."""
     values, lengths = _runs(labels)
     return np.bincount(values, weights=lengths, minlength=count).astype(np.intp)
 

@@ -10,11 +10,9 @@ import numpy as np
 
 from .connected_roads import connected_parts
 from .contrast_of_sides import LinePlaces, colors_at
-from .found_network import FoundRoad
+from .found_network import NO_ROAD, FoundRoad
 from .tones import Image
 
-_NO_ROAD = 0.45
-"""The confidence of outlines."""
 _SOME, _MOST = 0.75, 0.85
 """Share of the length between two colors: up to `_SOME` lines may be roads, from `_MOST` on they
 are outlines. Roads on 189 tiles of maps have up to .71 of theirs between areas of different colors,
@@ -41,7 +39,7 @@ def sure_by_outlines(roads: Sequence[FoundRoad], image: Image) -> float:
     seen = seen_left & seen_right
     differ = np.linalg.norm(left - right, axis=1) > _DIFFER
     share = places.long[seen & differ].sum() / max(float(places.long[seen].sum()), 1.0)
-    return float(np.interp(share, (_SOME, _MOST), (1.0, _NO_ROAD)))
+    return float(np.interp(share, (_SOME, _MOST), (1.0, NO_ROAD)))
 
 
 def _enclose(roads: Sequence[FoundRoad]) -> bool:

@@ -58,8 +58,8 @@ def join_overpasses(graph: Graph, width: float, shape: tuple[int, ...]) -> None:
 
 
 def _facing_pairs(ends: list[_End], most: float) -> Iterator[tuple[float, int, int]]:
-    """The ends that face each other, at most so many pixels apart: how far, and both indices, the
-    larger one first."""
+    """The ends that face each other, at most `most` pixels apart: their distance, and both indices,
+    the larger one first."""
     if not ends:
         return
     tree = cKDTree(np.array([end.place for end in ends]))

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from .contrast_of_sides import sure_by_sides
-from .found_network import FoundNetwork
+from .found_network import NO_ROAD, FoundNetwork
 from .outlines import sure_by_outlines
 from .share_of_marks import sure_by_share
 from .tones import Image
-
-_NO_ROAD = 0.45
-"""Where no road is surer than this, nothing more is looked at."""
 
 
 def with_picture_doubts(
@@ -22,7 +19,8 @@ def with_picture_doubts(
 
     A given `width` does not say where edges are: then all stay as sure as they are.
     """
-    if width is not None or all(road.confidence <= _NO_ROAD for road in found.roads):
+    # What is at `NO_ROAD` or below is doubtful already: the picture need not be looked at.
+    if width is not None or all(road.confidence <= NO_ROAD for road in found.roads):
         return found
     of_all = min(sure_by_share(found, image), sure_by_outlines(found.roads, image))
     sure = sure_by_sides(found.roads, image)

@@ -16,7 +16,7 @@ from roadlang.geometry import Floats
 from .box_lines import upright_share
 from .connected_roads import connected_parts
 from .fork_angles import sharp_forks
-from .found_network import FoundNetwork, FoundRoad
+from .found_network import NO_ROAD, FoundNetwork, FoundRoad
 from .line_art import ends_at_rim
 from .smoothing import resample
 
@@ -39,8 +39,8 @@ LIKENESS = {
 }
 """Log odds of being roads for each of what `likeness_facts` gives, fitted to 202 networks of
 pictures without roads and 285 of drawings of roads, tests among them."""
-_UNLIKELY, _LIKELY, _NO_ROAD = -2.1, -1.2, 0.45
-"""Below the log odds `_UNLIKELY` roads have the confidence `_NO_ROAD`; from `_LIKELY` on it is not
+_UNLIKELY, _LIKELY = -2.1, -1.2
+"""Below the log odds `_UNLIKELY` roads have the confidence `NO_ROAD`; from `_LIKELY` on it is not
 lowered. Of pictures left out of the fit, 5 of the 285 of roads are below, and 36 of the 69 others
 that no other rule finds."""
 _SLIM = 0.015
@@ -60,7 +60,7 @@ def sure_by_likeness(found: FoundNetwork, colored: bool) -> float:
     """How sure all roads of a drawing are by what they are like; see `likeness_facts`."""
     facts = likeness_facts(found, colored)
     odds = sum(weight * facts[name] for name, weight in LIKENESS.items())
-    return float(np.interp(odds, (_UNLIKELY, _LIKELY), (_NO_ROAD, 1.0)))
+    return float(np.interp(odds, (_UNLIKELY, _LIKELY), (NO_ROAD, 1.0)))
 
 
 def likeness_facts(found: FoundNetwork, colored: bool) -> dict[str, float]:

@@ -7,12 +7,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .found_network import FoundNetwork
+from .found_network import NO_ROAD, FoundNetwork
 from .map_tones import local_spread
 from .tones import Image
 
-_NO_ROAD = 0.45
-"""The confidence of what is little of a picture."""
 _LITTLE, _MUCH = 0.17, 0.22
 """Share of the edges in a picture that are at roads: below `_LITTLE` they are doubted in full, from
 `_MUCH` on they are not. Of 130 drawings of roads all have more than .35; of 178 tiles in eleven
@@ -38,7 +36,7 @@ def sure_by_share(found: FoundNetwork, image: Image) -> float:
     near, rim = _at_roads(found, spread.shape)
     edges = spread > _least_edge(spread, rim)
     share = int(np.count_nonzero(edges & near)) / max(1, int(np.count_nonzero(edges)))
-    return float(np.interp(share, (_LITTLE, _MUCH), (_NO_ROAD, 1.0)))
+    return float(np.interp(share, (_LITTLE, _MUCH), (NO_ROAD, 1.0)))
 
 
 def _at_roads(

@@ -62,7 +62,7 @@ def _queued(
     flat: NDArray[np.uint8], pixels: Pixels, around: Pixels, places: NDArray[np.int32]
 ) -> Pixels:
     """The neighbors of some pixels (n,) that are set and were not queued, each once; now they are,
-    in place. `places`, as many as there are in `flat`, are for notes."""
+    in place. `places`, as long as `flat`, is scratch memory."""
     beside = (pixels + around).ravel()
     beside = beside[flat.take(beside) == _SET]
     place = np.arange(len(beside), dtype=np.int32)
