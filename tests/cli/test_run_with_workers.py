@@ -16,7 +16,7 @@ import pytest
 
 import roadlang
 from roadlang.drive.batches import DriveTask
-from roadlang.files.staging import SideRoom
+from roadlang.files.staging import StagingFolder
 from roadlang.files.transaction import PREFIX
 from roadlang.search.worker_pool import ALONE, Workers
 from roadlang.session.drives_in_parts import drive_in_parts
@@ -57,30 +57,30 @@ def _drive_into(
     open_ = [scene for scene in scenes if scene.index not in into.finished]
     finishing = DriveFinishing(DriveTask(scenes.loaded.registry, "builtin"), scenes.loaded)
     types: list[type] = []
-    with into.lying(workers) as lay:
+    with into.staging(workers) as stage:
         if marker is not None:
-            assert isinstance(lay.__self__, SideRoom)  # type: ignore[attr-defined]
-            lay = Lost(lay.__self__, marker).lay  # type: ignore[attr-defined]
-        for drives in drive_in_parts(open_, replace(finishing, lay=lay), workers):
+            assert isinstance(stage.__self__, StagingFolder)  # type: ignore[attr-defined]
+            stage = Lost(stage.__self__, marker).stage  # type: ignore[attr-defined]
+        for drives in drive_in_parts(open_, replace(finishing, stage=stage), workers):
             types += [type(content) for drive in drives for content in drive.files.values()]
             into.add(drives)
     return types
 
 
 class Lost:
-    """Lays files, but ends its process where it has laid some for the first time."""
+    """Stages files, but ends its process where it has staged some for the first time."""
 
-    def __init__(self, room: SideRoom, marker: Path) -> None:
+    def __init__(self, room: StagingFolder, marker: Path) -> None:
         self.room = room
         self.marker = marker
-        self.laid = 0
+        self.staged = 0
         self.started_by = os.getpid()
 
-    def lay(self, content: bytes) -> Path:
-        """As a side room does."""
-        place = self.room.lay(content)
-        self.laid += os.getpid() != self.started_by
-        if self.laid == FILES + 2 and not self.marker.exists():
+    def stage(self, content: bytes) -> Path:
+        """As a staging folder does."""
+        place = self.room.stage(content)
+        self.staged += os.getpid() != self.started_by
+        if self.staged == FILES + 2 and not self.marker.exists():
             self.marker.touch()
             os.kill(os.getpid(), signal.SIGKILL)
         return place
@@ -118,7 +118,7 @@ def test_an_executor_may_be_on_other_machines_and_sends_contents(
 
 
 @POSIX
-def test_a_process_that_is_lost_after_it_laid_files_leaves_nothing(
+def test_a_process_that_is_lost_after_it_staged_files_leaves_nothing(
     tmp_path: Path, alone: dict[str, bytes]
 ) -> None:
     marker = tmp_path / "marker"
@@ -133,14 +133,14 @@ from roadlang.cli.main import main
 from roadlang.files import journal, staging
 
 how, number = sys.argv[1], getattr(signal, sys.argv[2])
-if how == "laying":  # while a worker lays files its parent is ended
-    laid = staging.SideRoom.lay
-    def lay(room, content):
-        place = laid(room, content)
+if how == "staging":  # while a worker stages files its parent is ended
+    staged = staging.StagingFolder.stage
+    def stage(room, content):
+        place = staged(room, content)
         if int(place.name.rpartition("-")[2]) == 200:
             os.kill(os.getppid(), number)
         return place
-    staging.SideRoom.lay = lay
+    staging.StagingFolder.stage = stage
 else:  # between the files of a part and its lines in the journal
     append = journal.JournalFile.append
     count = 0
@@ -159,9 +159,9 @@ main(sys.argv[3:])
 @pytest.mark.parametrize(
     ("how", "number"),
     [
-        ("laying", "SIGKILL"),
-        ("laying", "SIGTERM"),
-        ("laying", "SIGINT"),
+        ("staging", "SIGKILL"),
+        ("staging", "SIGTERM"),
+        ("staging", "SIGINT"),
         ("journal", "SIGKILL"),
         ("journal", "SIGTERM"),
     ],
@@ -200,7 +200,7 @@ def test_a_room_of_a_run_that_was_killed_is_removed_by_one_that_begins_anew(
 ) -> None:
     (tmp_path / "scene.rl").write_text(TEXT)
     command = ["run", "scene.rl", "-n", str(COUNT), "--seed", "3", "-o", "out", "--jobs", "2"]
-    script = [sys.executable, "-c", INTERRUPTED, "laying", "SIGKILL", *command]
+    script = [sys.executable, "-c", INTERRUPTED, "staging", "SIGKILL", *command]
     subprocess.run(script, cwd=tmp_path, stdout=subprocess.DEVNULL, check=False)
     assert list((tmp_path / "out").glob(f"{PREFIX}*"))
     roadlang_here("run", "scene.rl", "-n", "2", "--seed", "3", "-o", "out", cwd=tmp_path)

@@ -249,11 +249,11 @@ def test_names_that_lead_out_of_the_folder_are_refused(tmp_path: Path, name: str
     assert list(tmp_path.iterdir()) == []
 
 
-def test_files_of_a_side_room_are_moved_and_the_rest_of_it_is_removed(tmp_path: Path) -> None:
+def test_files_of_a_staging_folder_are_moved_and_the_rest_of_it_is_removed(tmp_path: Path) -> None:
     folder = tmp_path / "out"
     with staged_set(folder, MARKER, everything) as files:
-        side = files.side_room()
-        first, second = side.lay(b"1"), side.lay(b"2")
+        side = files.staging_folder()
+        first, second = side.stage(b"1"), side.stage(b"2")
         assert first != second
         files.add("a", second)
         files.add(MARKER, b"{}")
@@ -261,26 +261,26 @@ def test_files_of_a_side_room_are_moved_and_the_rest_of_it_is_removed(tmp_path: 
     assert (folder / "a").read_bytes() == b"2"
 
 
-def test_a_side_room_keeps_what_a_lost_process_of_the_same_number_wrote(
+def test_a_staging_folder_keeps_what_a_lost_process_of_the_same_number_wrote(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with staged_set(tmp_path / "out", MARKER, everything) as files:
-        side = files.side_room()
+        side = files.staging_folder()
         monkeypatch.setattr("roadlang.files.staging._numbers", itertools.count())
-        first = side.lay(b"1")
+        first = side.stage(b"1")
         monkeypatch.setattr("roadlang.files.staging._numbers", itertools.count())
-        assert side.lay(b"2") != first
+        assert side.stage(b"2") != first
         assert first.read_bytes() == b"1"
 
 
 def lay_in_a_lost_room(folder: Path) -> None:
     with staged_set(folder, MARKER, everything) as files:
-        side = files.side_room()
+        side = files.staging_folder()
         side.path.rmdir()
-        side.lay(b"1")
+        side.stage(b"1")
 
 
-def test_a_side_room_that_cannot_be_written_is_reported(tmp_path: Path) -> None:
+def test_a_staging_folder_that_cannot_be_written_is_reported(tmp_path: Path) -> None:
     folder = tmp_path / "out"
     with pytest.raises(DiagnosticError, match="RL460"):
         lay_in_a_lost_room(folder)

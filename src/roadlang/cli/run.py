@@ -222,9 +222,9 @@ class RunBatch:
         with (
             ProgressBar("drives") as progress,
             folder.removed_if_nothing_is_driven(),
-            folder.lying(self._workers) as lay,
+            folder.staging(self._workers) as stage,
         ):
-            for drives in drive_in_parts(open_, replace(finishing, lay=lay), self._workers):
+            for drives in drive_in_parts(open_, replace(finishing, stage=stage), self._workers):
                 folder.add(drives)
                 for drive in drives:
                     found |= dict.fromkeys(drive.diagnostics)

@@ -17,8 +17,8 @@ def places_of(outcomes: Iterable[Outcome]) -> frozenset[str]:
 
 
 def is_made(axis: str, draws: Container[str], places: Container[str]) -> bool:
-    """Whether a scene with these `draws` depends on a coordinate: one of a draw that it makes, or
-    of a number that a pass draws for itself, which is at none of the `places` of draws."""
+    """Whether a scene with these `draws` depends on a coordinate: that of a draw that it makes, or
+    of a number that a pass draws itself, which is not at any of the `places` of draws."""
     return axis in draws or draw_place(axis) not in places
 
 

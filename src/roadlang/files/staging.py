@@ -37,14 +37,14 @@ _numbers = itertools.count()
 
 
 @dataclass(frozen=True)
-class SideRoom:
+class StagingFolder:
     """Where other processes of this machine write what is to become files of `folder`. What is not
     added in the end, as that of a process that was lost, is removed with the room."""
 
     folder: Path
     path: Path
 
-    def lay(self, content: bytes) -> Path:
+    def stage(self, content: bytes) -> Path:
         """Write a content under a name that nobody else has. Raises `DiagnosticError` RL460."""
         with reported(self.folder):
             while True:
@@ -63,15 +63,15 @@ class StagedFiles:
         self._room = room
         self._names: list[str] = []
 
-    def side_room(self) -> SideRoom:
+    def staging_folder(self) -> StagingFolder:
         """For other processes. Raises `DiagnosticError` RL460."""
         side = self._room / _SIDE
         with reported(self._folder):
             side.mkdir(exist_ok=True)
-        return SideRoom(self._folder, side)
+        return StagingFolder(self._folder, side)
 
     def add(self, name: str, content: bytes | Path) -> None:
-        """Write a file of another name than those before, or move it from a side room.
+        """Write a file of another name than those before, or move it from a staging folder.
         Raises `DiagnosticError` RL460."""
         if not is_plain(name):
             raise ValueError(f"`{name}` is not the name of a file in a folder")
@@ -87,7 +87,7 @@ class StagedFiles:
         """Where they are, by name."""
         return {name: self._room / name for name in self._names}
 
-    def close_side_room(self) -> None:
+    def close_staging_folder(self) -> None:
         """Remove it, with what was not added."""
         if (self._room / _SIDE).exists():
             shutil.rmtree(self._room / _SIDE)
@@ -107,19 +107,19 @@ def staged_set(folder: Path, marker: str, belonging: Belonging) -> Iterator[Stag
         files = StagedFiles(folder, room)
         yield files
         with reported(folder):
-            files.close_side_room()
+            files.close_staging_folder()
             if base is folder or not _became(folder, room, files):
                 _move(folder, files, marker, belonging)
 
 
 @contextlib.contextmanager
-def side_room(folder: Path) -> Iterator[SideRoom]:
-    """A room for other processes in a folder that is there, for whoever adds what they lay part by
-    part. Raises `DiagnosticError` RL460."""
+def staging_folder(folder: Path) -> Iterator[StagingFolder]:
+    """In an existing folder, for work whose files are added part by part. Raises `DiagnosticError`
+    RL460."""
     with contextlib.ExitStack() as stack:
         with reported(folder):
             room = stack.enter_context(_held_room(folder))
-        yield SideRoom(folder, room)
+        yield StagingFolder(folder, room)
 
 
 @contextlib.contextmanager

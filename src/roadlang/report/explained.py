@@ -1,4 +1,4 @@
-"""What is shown of what `roadlang explain` found: the draws that matter, and those that do not."""
+"""An explanation of a failure by `roadlang explain`: draws that matter, and those that do not."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ class ShownInfluence:
 
 @dataclass(frozen=True)
 class FailureExplanation:
-    """What is read of what `roadlang explain` wrote."""
+    """What `roadlang explain` wrote, as far as it is shown."""
 
     expectation: str
     unit: str
     medians: tuple[ShownInfluence, ...]
     robustness: float | None = None
-    """of the failure; of an older file None"""
+    """of the failure; None in files of older versions"""
 
     @property
     def _all_singles(self) -> list[ShownInfluence]:

@@ -17,7 +17,7 @@ from .emitting import Output, outputs_of_scene, wants_all
 from .instantiate import ConcreteScene
 from .spool import packed
 
-Lay = Callable[[bytes], bytes | Path]
+Stager = Callable[[bytes], bytes | Path]
 """Where the content of a file stays until it is taken; pickled with the scenario."""
 
 
@@ -28,7 +28,7 @@ def held(content: bytes) -> bytes:
 
 @dataclass(frozen=True)
 class EmittedFile:
-    """A file of a scene, and its content or where that was laid."""
+    """A file of a scene, and its content or where that was staged."""
 
     record: OutputFile
     content: bytes | Path
@@ -45,17 +45,17 @@ class EmittedScene:
 
 @dataclass(frozen=True)
 class Emission:
-    """The backends that scenes are written by, and who takes what they write. With a `lay` other
+    """The backends that scenes are written by, and who takes what they write. With a `stage` other
     than `held` workers hand back little of a scene."""
 
     backends: Sequence[KindInstance]
     take: Callable[[EmittedScene], None]
-    lay: Lay = held
+    stage: Stager = held
 
     @property
     def handling(self) -> tuple[Callable[[Sample[EmittedScene]], Sample[ConcreteScene]], int]:
         """What a search does with each scene, and the most that a worker hands back together."""
-        return self._taken, SENT_BLOCK if self.lay is held else LARGEST_BLOCK
+        return self._taken, SENT_BLOCK if self.stage is held else LARGEST_BLOCK
 
     def _taken(self, sample: Sample[EmittedScene]) -> Sample[ConcreteScene]:
         """What is kept of a scene after its files were taken."""
@@ -66,7 +66,7 @@ class Emission:
 def emitted(
     concretize: Concretize[ConcreteScene],
     backends: Sequence[KindInstance],
-    lay: Lay,
+    stage: Stager,
     candidates: CandidateBatch,
     numbers: Sequence[int],
 ) -> list[EmittedScene]:
@@ -75,7 +75,7 @@ def emitted(
     return [
         EmittedScene(
             replace(made, scene=outline_of(made.scene)),
-            tuple(EmittedFile(o.record(), lay(o.content)) for o in _outputs(backends, made)),
+            tuple(EmittedFile(o.record(), stage(o.content)) for o in _outputs(backends, made)),
             packed(made.scene) if keeps else None,
         )
         for made in concretize(candidates, numbers)

@@ -96,7 +96,7 @@ def sample_scenes(
         workers = Workers(progress=workers.progress)
     make: Concretize[Any] = concretize
     if emission is not None:
-        make = partial(emitted, concretize, emission.backends, emission.lay)
+        make = partial(emitted, concretize, emission.backends, emission.stage)
     task: SceneSearch[Any] = SceneSearch(scenario, seed, make)
     if impossible := impossible_requirements(task.acceptance, seed):
         return _nothing(task, impossible, n or 1)

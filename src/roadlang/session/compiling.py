@@ -40,8 +40,8 @@ def compiled(
                     spool.add(scene.whole)
 
             # What processes write themselves need not be sent: memory for that is slow to come by.
-            lay = writing.side_room().lay if workers.write_here else held
-            emission = Emission(writing.backends, take, lay)
+            stage = writing.staging_folder().stage if workers.write_here else held
+            emission = Emission(writing.backends, take, stage)
             scenes = sampled(loaded, n, seed, workers, after_pass, emission)
             manifest = writing.finish(scenes.result, seed, spool)
         send(writing.backends, spool)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..files.staging import SideRoom, staged_set
+from ..files.staging import StagingFolder, staged_set
 from ..ir.manifest import MANIFEST_FILE, OutputFile
 from ..ir.values import NO_OPTIONS, PassCall
 from ..plugins.finding import entry_of
@@ -83,14 +83,14 @@ class SetWriting:
         self.take(output.record(), output.content)
 
     def take(self, record: OutputFile, content: bytes | Path) -> None:
-        """Write a file of which everything is known, or move it here from the side room."""
+        """Write a file of which everything is known, or move it here from the staging folder."""
         self._names.add(record)
         self._files.add(record.path, content)
         self._written.append(record)
 
-    def side_room(self) -> SideRoom:
+    def staging_folder(self) -> StagingFolder:
         """Where other processes of this machine write."""
-        return self._files.side_room()
+        return self._files.staging_folder()
 
     def finish(self, result: SamplingResult, seed: int, scenes: Sequence[Scene]) -> Manifest:
         """Add what is written once for all scenes."""

@@ -14,7 +14,7 @@ from ..drive.input_files import input_files
 from ..drive.reading_files import reading_files
 from ..falsification.descriptors import measures, protagonist
 from ..ir.result_files import SCENE, TRACE, TRACE_TABLE
-from ..scenes.emitted import Lay, held, outcome_of
+from ..scenes.emitted import Stager, held, outcome_of
 from ..scenes.emitting import outputs_of_drive
 from .drives import Drive, DriveSet
 from .falsification_files import FINDINGS
@@ -67,7 +67,7 @@ class DriveLine:
 @dataclass(frozen=True)
 class FinishedDrive:
     """`entry` is its line of the journal: row, verdicts, measures and the files beside the usual
-    ones; `files` by name are contents, or where these were laid."""
+    ones; `files` by name are contents, or where these were staged."""
 
     entry: Mapping[str, Any]
     files: Mapping[str, bytes | Path]
@@ -83,24 +83,24 @@ class DriveFinishing:
     task: DriveTask
     loaded: LoadedScenario | None = None
     backends: Sequence[KindInstance] = ()
-    lay: Lay = held
+    stage: Stager = held
 
     def finish(self, records: Sequence[SceneRecord]) -> list[FinishedDrive]:
-        """Drive some scenes, and lay their files where all are made."""
+        """Drive some scenes, and stage their files where all are made."""
         drives = [
             Drive(Scene(record, self.loaded), driven, self.task.places)
             for record, driven in zip(records, self.task.drive(records), strict=True)
         ]
-        return finished(drives, self.backends, self.lay)
+        return finished(drives, self.backends, self.stage)
 
 
 def finished(
-    drives: Sequence[Drive], backends: Sequence[KindInstance] = (), lay: Lay = held
+    drives: Sequence[Drive], backends: Sequence[KindInstance] = (), stage: Stager = held
 ) -> list[FinishedDrive]:
     """Drives with their files. Raises `DiagnosticError` for what a backend does wrong."""
     beside = [_files_beside(drive, backends) for drive in drives]
     rows = DriveSet(iter(drives)).rows()
-    return [_finished(*each, lay) for each in zip(drives, beside, rows, strict=True)]
+    return [_finished(*each, stage) for each in zip(drives, beside, rows, strict=True)]
 
 
 def _files_beside(drive: Drive, backends: Sequence[KindInstance]) -> dict[str, bytes]:
@@ -115,7 +115,7 @@ def _files_beside(drive: Drive, backends: Sequence[KindInstance]) -> dict[str, b
 
 
 def _finished(
-    drive: Drive, beside: Mapping[str, bytes], row: dict[str, Any], lay: Lay
+    drive: Drive, beside: Mapping[str, bytes], row: dict[str, Any], stage: Stager
 ) -> FinishedDrive:
     record = record_of(drive)
     verdicts = json.dumps(record, indent=2) + "\n"
@@ -129,7 +129,7 @@ def _finished(
         "files": list(beside),
         "contacts": drive.has_unjudged_contacts,
     }
-    files = {name: lay(content) for name, content in contents.items()}
+    files = {name: stage(content) for name, content in contents.items()}
     return FinishedDrive(entry, files, line_of(drive), drive.diagnostics)
 
 

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from ..diagnostics import Diagnostic, DiagnosticError
 from ..files.journal import JOURNAL_FILE, UNUSABLE, JournalFile, read_lines
-from ..files.staging import side_room
+from ..files.staging import staging_folder
 from ..files.transaction import is_plain
 from ..files.writing import write_all, write_file
 from ..ir.manifest import MANIFEST_FILE
 from ..ir.results_record import RESULTS_FILE
 from ..ir.scene import file_stem
-from ..scenes.emitted import Lay, held
+from ..scenes.emitted import Stager, held
 from .falsification_files import FINDINGS
 from .finished_drives import ENDINGS, FinishedDrive
 from .manifest import files_named_in
@@ -63,15 +63,15 @@ class RunFolder:
         """Where a `DiagnosticError` ends the run before a drive is finished, nothing is left."""
         return self._journal.removed_if_nothing_is_finished(self._folder / RESULTS_FILE)
 
-    def lying(self, workers: Workers) -> AbstractContextManager[Lay]:
-        """How drives hand over the contents of their files: laid in this folder by processes that
-        see it, until all of it is removed in the end but what was added; else held."""
-        return self._lying() if workers.write_here else contextlib.nullcontext(held)
+    def staging(self, workers: Workers) -> AbstractContextManager[Stager]:
+        """How drives hand over the contents of their files: workers that see this folder stage them
+        in it, and at the end those that were not added are removed; others send them."""
+        return self._staging() if workers.write_here else contextlib.nullcontext(held)
 
     @contextlib.contextmanager
-    def _lying(self) -> Iterator[Lay]:
-        with side_room(self._folder) as room:
-            yield room.lay
+    def _staging(self) -> Iterator[Stager]:
+        with staging_folder(self._folder) as room:
+            yield room.stage
 
     def add(self, drives: Sequence[FinishedDrive]) -> None:
         """Write the files of drives, all of them or none, and then their lines in the journal."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from .ellipses import closed_by
+from .mask_parts import parts_and_boxes, parts_of, where_parts
 from .tones import Image
 
 _DARK = 128
@@ -18,18 +20,18 @@ _NEAR, _WORD = 9, 5
 
 def has_dark_words(image: Image) -> bool:
     """Whether a picture (h, w, 3) has a word in dark letters on light ground."""
-    ink = (cv2.cvtColor(image, cv2.COLOR_BGR2GRAY) < _DARK).astype(np.uint8)
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(ink, connectivity=8)
-    left, top, width, height, area = stats.T
+    ink = np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2GRAY) < _DARK)
+    _, parts, boxes = parts_and_boxes(ink)
+    left, top, width, height, area = boxes.T
     size = np.maximum(width, height)
     inside = (left > 0) & (top > 0)
     inside &= (left + width < ink.shape[1]) & (top + height < ink.shape[0])
     letters = inside & (size >= _SMALL) & (size <= _LARGE)
     letters &= (area >= _INK * size) & (area <= _FULL * width * height)
+    letters[0] = False
     if letters.sum() < _WORD:
         return False
-    glyphs = letters[parts].astype(np.uint8)
-    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (_NEAR, _NEAR))
-    _, words = cv2.connectedComponents(cv2.morphologyEx(glyphs, cv2.MORPH_CLOSE, kernel))
-    pairs = np.unique(np.stack([words[glyphs > 0], parts[glyphs > 0]]), axis=1)
+    glyphs = where_parts(letters, parts)
+    _, words = parts_of(closed_by(glyphs, _NEAR), 8)
+    pairs = np.unique(np.stack([words[glyphs], parts[glyphs]]), axis=1)
     return bool(np.bincount(pairs[0]).max() >= _WORD)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from .colors import bgr
 from .map_contrast import Stretch
 from .map_tones import MapTone, Tolerance, map_tone
+from .mask_parts import parts_and_boxes, where_parts
 from .tones import Image, away_from
 
 _EXACTLY, _NEARLY = 0.5, 2.5
@@ -186,9 +187,7 @@ def _is_near(color: NDArray[np.float64], colors: NDArray[np.float64], most: floa
 
 def _without_dashes(tone: MapTone) -> MapTone:
     """A tone without parts that are nowhere `_DASH` pixels long."""
-    _, parts, stats, _ = cv2.connectedComponentsWithStats(
-        tone.mask.astype(np.uint8), connectivity=8
-    )
-    long = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= _DASH
+    _, parts, boxes = parts_and_boxes(tone.mask)
+    long = boxes[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) >= _DASH
     long[0] = False
-    return replace(map_tone(tone.color, np.asarray(long[parts])), shared=True)
+    return replace(map_tone(tone.color, where_parts(long, parts)), shared=True)

@@ -12,12 +12,12 @@ from roadlang.geometry import Booleans
 from .counted_colors import color_codes, counted_colors
 from .drawing import between_lines
 from .even_ground import has_even_ground
+from .fast_median import median
 from .found_network import FoundNetwork
 from .grain import without_grain
 from .hysteresis import hysteresis
 from .mask_parts import parts_of, where_parts
 from .masks import roads_of_surface
-from .middle import median
 from .pale_spots import pale_spots
 from .ruling import without_ruling
 from .sheet_outline import sheet_outline

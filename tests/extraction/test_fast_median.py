@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.middle import median
+from roadlang_standard.extraction.fast_median import median
 
 RNG = np.random.default_rng(5)
 
