@@ -138,7 +138,11 @@ if how == "staging":  # while a worker stages files its parent is ended
     def stage(room, content):
         place = staged(room, content)
         if int(place.name.rpartition("-")[2]) == 200:
-            os.kill(os.getppid(), number)
+            try:  # by one worker alone: a second Ctrl-C may end what the first one cleans up
+                os.close(os.open("ended", os.O_CREAT | os.O_EXCL))
+                os.kill(os.getppid(), number)
+            except FileExistsError:
+                pass
         return place
     staging.StagingFolder.stage = stage
 else:  # between the files of a part and its lines in the journal
