@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .counted_colors import color_codes, counted_colors
 from .map_styles import style_of
-from .map_tones import LOSSY, flat_colors, local_spread
+from .map_tones import LOSSY, flat_colors
+from .still_colors import has_few_still_colors, has_still_land
 from .tones import Image, away_from, away_from_each, flatness, thinned
 
 _SAMPLE = 250_000
@@ -48,13 +48,6 @@ _BLOCKS, _FILLED, _PRESENT, _EVEN, _NEAR = 4, 0.1, 12, 2.5, 7
 """One of the two most frequent colors (within `_NEAR` gray levels) covers more than `_FILLED` of at
 least `_PRESENT` of 4 x 4 blocks, and its mean differs between blocks by at most `_EVEN` gray
 levels: paper is never lit so evenly, and has another color in a shadow."""
-_STILL, _STILLS = 1, 0.03
-"""Pixels are still if their 3 x 3 neighborhood varies by at most `_STILL` gray levels. JPEG leaves
-more than `_STILLS` of a map still, away from edges."""
-_ALIKE, _APART, _COVERED, _PART, _PARTS = 2, 5, 0.72, 0.005, 4
-"""More than `_COVERED` of the still pixels of a map are within `_ALIKE` gray levels of one of its
-colors. Pixels farther off, up to `_APART`, are shades of it, as paper and sky have, and count for
-no color. At least `_PARTS` colors have more than `_PART` each: a folded sheet has three shades."""
 
 
 def is_shaded(image: Image, within: Booleans | None = None) -> bool:
@@ -71,7 +64,7 @@ def has_exact_colors(image: Image) -> bool:
     part = _middle(image)
     found = flat_colors(part)[:_COLORS]
     if _is_lossless(part, found) or (
-        _has_exact_land(part, found) and flatness(image) > _MOSTLY_FLAT
+        _has_pure_land(part, found) and flatness(image) > _MOSTLY_FLAT
     ):
         return True
     small = np.ascontiguousarray(thinned(image, _SAMPLE))
@@ -84,26 +77,13 @@ def has_exact_colors(image: Image) -> bool:
             return True
     if style_of(part, found, LOSSY) is not None:
         return True
-    return len(found) >= _PARTS and _has_few_still_colors(part)
+    return len(found) > _SEVERAL and has_few_still_colors(part)
 
 
-def _has_few_still_colors(part: Image) -> bool:
-    """Whether what is still in a picture (h, w, 3) has a few colors, and not the shades between
-    them: a map stored as JPEG, whatever lies on its land."""
-    still = local_spread(part) <= _STILL
-    if still.mean() < _STILLS:
-        return False
-    counted = counted_colors(color_codes(part[still][None]))
-    left = np.ones(len(counted.colors), bool)
-    shares: list[float] = []
-    for peak in np.argsort(counted.counts, kind="stable")[::-1]:
-        if len(shares) == _COLORS:
-            break
-        if left[peak]:
-            color = counted.colors[peak].astype(float)
-            shares.append(counted.number(left & counted.near(color, _ALIKE)) / still.sum())
-            left &= ~counted.near(color, _APART)
-    return sum(shares) > _COVERED and sum(share > _PART for share in shares) >= _PARTS
+def has_exact_land(image: Image) -> bool:
+    """Whether a picture (h, w, 3) of many edges has one or two exact colors everywhere: a map of
+    black houses, or one as dark as its land, stored as JPEG."""
+    return has_still_land(_middle(image))
 
 
 def _middle(image: Image) -> Image:
@@ -133,7 +113,7 @@ def _is_lossless(part: Image, colors: list[NDArray[np.float64]]) -> bool:
     return float(np.ptp([tint for _, tint in frequent], axis=0).max()) > _TINTED
 
 
-def _has_exact_land(part: Image, colors: list[NDArray[np.float64]]) -> bool:
+def _has_pure_land(part: Image, colors: list[NDArray[np.float64]]) -> bool:
     """Whether much of a picture has exactly one color, and hardly anything has one next to that:
     JPEG keeps an even land so."""
     for color in colors[:1]:

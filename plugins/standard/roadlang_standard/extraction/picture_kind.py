@@ -13,7 +13,7 @@ from roadlang.geometry import Booleans
 
 from .dark_words import has_dark_words
 from .drawing import has_edge_lines, has_long_edge_lines
-from .exact_colors import has_exact_colors, is_shaded
+from .exact_colors import has_exact_colors, has_exact_land, is_shaded
 from .map_tones import flat_colors
 from .nodata import nodata
 from .tones import Image, away_from, flatness, thinned, tones
@@ -77,6 +77,8 @@ class PictureKind:
 def picture_kind(image: Image) -> PictureKind:
     """Photos have texture nearly everywhere, drawings nearly nowhere."""
     flat, exact = flatness(image), has_exact_colors(image)
+    if flat < _FLAT and not exact:
+        exact = has_exact_land(image)
     if flat < _FLAT and not exact:
         return PictureKind(PHOTO, flat)
     plan = tones(image, most=12)
