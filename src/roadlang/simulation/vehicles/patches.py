@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...geometry import CrossSection
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...ir.scene import Scene, SceneRoad
-from ...ir.scene_surface import SurfaceName
-from ...ir.surface_stretches import surface_stretches
-from ..lanes.surfaces import TireSurface, road_surface, surface_names
+from ...ir.scene import Scene
+from ..lanes.surfaces import TireSurface
 from ..lines.route_table import RouteTable
 from .bodies import Bodies
+from .lane_surfaces import NOTHING_SAID, LaneSurfaces
 from .motion import Motion
 from .vehicle_dynamics import GRAVITY
 
@@ -36,9 +32,9 @@ class Patches:
     """whether they drive on roads with such stretches"""
     rolling: Floats
     """of the road that they begin on, for each newton of weight"""
-    scenes: NDArray[np.object_]
-    known: dict[Any, Any] = field(default_factory=dict, repr=False)
-    """what was looked up of roads and scenes, which is the same for every lookup"""
+    scene: Integers
+    """number of the scene that they are in"""
+    surfaces: LaneSurfaces
 
     @classmethod
     def of(
@@ -47,20 +43,20 @@ class Patches:
     ) -> Patches:  # fmt: skip
         """`road`: of each agent, -1 for none; `surfaces`: of their roads."""
         slots = len(road) // len(scenes)
-        of_agents = np.empty(len(road), dtype=object)
         patched = np.zeros(len(road), dtype=bool)
         for number, scene in enumerate(scenes):
             rows = slice(number * slots, (number + 1) * slots)
-            of_agents[rows] = scene
             if any(one.surface_patches for one in scene.roads):
                 on = np.array([bool(one.surface_patches) for one in scene.roads] + [False])
                 patched[rows] = on[road[rows]] | has_route[rows]
-        return cls(patched, np.array([surface.rolling for surface in surfaces]), of_agents)
+        rolling = np.array([surface.rolling for surface in surfaces])
+        of_lanes = LaneSurfaces.of(scenes if patched.any() else ())
+        return cls(patched, rolling, np.arange(len(road)) // max(slots, 1), of_lanes)
 
     def take(self, agents: Integers) -> Patches:
         """Those of some agents."""
-        rows = self.patched[agents], self.rolling[agents], self.scenes[agents]
-        return Patches(*rows, self.known)
+        rows = self.patched[agents], self.rolling[agents], self.scene[agents]
+        return Patches(*rows, self.surfaces)
 
     def below(
         self, own: Bodies, mixed: Bodies, motion: Motion, table: RouteTable, present: Booleans,
@@ -71,87 +67,49 @@ class Patches:
         if self.is_empty:
             return mixed
         rows = np.flatnonzero(self.patched & present & ~own.walks)
-        if not len(rows):
-            return mixed
         place = table.place(rows, motion.along[rows])
-        more = np.zeros((2, len(rows)))
-        for i in np.flatnonzero(place.turn < 0).tolist():
-            agent = int(rows[i])
-            scene = self.scenes[agent]
-            lanes = self._lanes(scene.roads[int(place.road[i])])
-            station, direction = float(place.station[i]), int(place.direction[i])
-            line = lanes.line(int(place.lane[i]) if has_route[agent] else None, station)
-            for ahead, left in _wheels(own, motion, agent):
-                at = station + direction * ahead, line + direction * left
-                said = lanes.surface(*at)
-                if said is not None:
-                    surface = self._table(scene)[said]
-                    more[0, i] += 0.25 * (surface.friction - own.friction[agent])
-                    more[1, i] += 0.25 * (surface.rolling - self.rolling[agent])
-        changed = more.any(axis=0)
-        rows, more = rows[changed], more[:, changed]
-        friction = mixed.friction[rows] + more[0]
-        return mixed.on_ground(rows, friction, mixed.rolling[rows] + GRAVITY * more[1])
+        on_road = place.turn < 0
+        rows, station = rows[on_road], place.station[on_road]
+        lanes = self.surfaces.at(self.surfaces.first[self.scene[rows]] + place.road[on_road])
+        reach = own.half_base[rows] + own.width[rows]
+        near = np.flatnonzero(~lanes.is_plain(station, reach, has_route[rows]))
+        if not len(near):
+            return mixed
+        rows, station, lanes = rows[near], station[near], lanes.take(near)
+        direction = place.direction[on_road][near]
+        line = np.zeros(len(rows))
+        routed = np.flatnonzero(has_route[rows])
+        if len(routed):
+            lane = place.lane[on_road][near][routed]
+            line[routed] = lanes.take(routed).middle(lane, station[routed])
+        ahead, left = _wheels(own, motion, rows)
+        said = lanes.surface(station + direction * ahead, line + direction * left)
+        return self._on(said, rows, own, mixed)
+
+    def _on(self, said: Integers, rows: Integers, own: Bodies, mixed: Bodies) -> Bodies:
+        """Bodies whose wheels (W, R) of agents `rows` are on surfaces with these numbers."""
+        tires = self.surfaces.tires[self.scene[rows], said]
+        begun = np.stack((own.friction[rows], self.rolling[rows]), axis=-1)
+        more = np.zeros((len(rows), 2))
+        for wheel, surface in enumerate(said):
+            share = (tires[wheel] - begun) / len(WHEELS)
+            more = more + np.where((surface == NOTHING_SAID)[:, None], 0.0, share)
+        changed = more.any(axis=1)
+        rows, more = rows[changed], more[changed]
+        friction = mixed.friction[rows] + more[:, 0]
+        return mixed.on_ground(rows, friction, mixed.rolling[rows] + GRAVITY * more[:, 1])
 
     @cached_property
     def is_empty(self) -> bool:
         """Whether no agent can come to any."""
         return not self.patched.any()
 
-    def _lanes(self, road: SceneRoad) -> _LaneSurfaces:
-        if id(road) not in self.known:
-            self.known[id(road)] = _LaneSurfaces.of(road)
-        found: _LaneSurfaces = self.known[id(road)]
-        return found
 
-    def _table(self, scene: Scene) -> Mapping[SurfaceName, TireSurface]:
-        if id(scene) not in self.known:
-            table = {name: road_surface(scene.world, name) for name in surface_names()}
-            self.known[id(scene)] = table
-        found: Mapping[SurfaceName, TireSurface] = self.known[id(scene)]
-        return found
-
-
-@dataclass(frozen=True)
-class _LaneSurfaces:
-    """The surfaces of the lanes of a road by station."""
-
-    section: CrossSection
-    ends: Floats
-    stretches: tuple[tuple[SurfaceName | None, ...], ...]
-    period: float | None
-
-    @classmethod
-    def of(cls, road: SceneRoad) -> _LaneSurfaces:
-        section = road.cross_section()
-        stretches = surface_stretches(road, section.ids)
-        ends = np.array([stretch.end for stretch in stretches[:-1]])
-        surfaces = tuple(stretch.surfaces for stretch in stretches)
-        return cls(section, ends, surfaces, road.length if road.closed else None)
-
-    def line(self, lane: int | None, station: float) -> float:
-        """How far left of the curve the middle of a lane is; 0 for None."""
-        return 0.0 if lane is None else float(self.section.offset(lane, station))
-
-    def surface(self, station: float, offset: float) -> SurfaceName | None:
-        """What is at an offset to the left of the curve; None beside the road too."""
-        station = station % self.period if self.period else station
-        lanes = self.stretches[int(np.searchsorted(self.ends, station))]
-        borders = self.section.border_offsets(station)
-        if not borders[-1] <= offset <= borders[0]:
-            return None
-        return lanes[int((borders[1:-1] > offset).sum())]
-
-
-def _wheels(bodies: Bodies, motion: Motion, agent: int) -> list[tuple[float, float]]:
-    """How far ahead of the foot point and left of the line the wheels of an agent are."""
-    cosine, sine = float(motion.cosine[agent]), float(motion.sine[agent])
-    half_base, offset = float(bodies.half_base[agent]), float(motion.offset[agent])
-    half_track = 0.5 * max(float(bodies.width[agent]) - TIRE, 0.0)
-    return [
-        (
-            i * half_base * cosine - j * half_track * sine,
-            offset + i * half_base * sine + j * half_track * cosine,
-        )
-        for i, j in WHEELS
-    ]
+def _wheels(bodies: Bodies, motion: Motion, agents: Integers) -> tuple[Floats, Floats]:
+    """(4, R) how far ahead of the foot point and left of the line the wheels of agents are."""
+    cosine, sine = motion.cosine[agents], motion.sine[agents]
+    half_base, offset = bodies.half_base[agents], motion.offset[agents]
+    half_track = 0.5 * np.maximum(bodies.width[agents] - TIRE, 0.0)
+    i, j = np.array(WHEELS).T[:, :, None]
+    ahead = i * half_base * cosine - j * half_track * sine
+    return ahead, offset + i * half_base * sine + j * half_track * cosine
