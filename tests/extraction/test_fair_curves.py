@@ -10,8 +10,9 @@ from benchmarks.drawings.strokes import Pen, drawn, strokes_of
 from roadlang.geometry import Curve
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
+from roadlang_standard.extraction.even_points import even_points
 from roadlang_standard.extraction.fair_lines import SeenOffsets
-from roadlang_standard.extraction.fairing import Rough, even_points, faired
+from roadlang_standard.extraction.fairing import Rough, faired
 from roadlang_standard.extraction.junction_points import Passing, meeting_point
 from roadlang_standard.extraction.smoothing import stations
 from roadlang_standard.extraction.tracing import trace

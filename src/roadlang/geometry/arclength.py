@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from .arrays import Floats, Integers, SharedArrays
+from .arrays import Floats, SharedArrays
 from .errors import GeometryError
+from .gauss_legendre import path_lengths, subdivided
 from .spline import PiecewiseCubic
+from .spline_rows import lengths_of_pieces
 
-# Gauss-Legendre, eight points: exact for polynomials of degree 15.
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _FINEST = 64
 _TOLERANCE = 1e-11
-_TOGETHER = 1024
-"""Stretches whose nodes fit the first caches together."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,21 +28,39 @@ class ArcLength(SharedArrays):
     @classmethod
     def of(cls, spline: PiecewiseCubic) -> ArcLength:
         """Refines the table until halving its steps changes no length."""
-        cuts = 4
-        coarse = subdivided(spline.knots, cuts)
-        lengths = lengths_of_cuts(spline, coarse, cuts)
-        while cuts < _FINEST:
-            fine = subdivided(spline.knots, 2 * cuts)
-            halves = lengths_of_cuts(spline, fine, 2 * cuts)
-            together = halves.reshape(-1, 2).sum(axis=1)
-            change = np.abs(together - lengths).max()
-            cuts, coarse, lengths = 2 * cuts, fine, halves
-            if change <= _TOLERANCE * together.sum():
-                break
+        return cls.of_each([spline])[0]
+
+    @classmethod
+    def of_each(cls, splines: Sequence[PiecewiseCubic]) -> list[ArcLength]:
+        """That of each spline, in order, as `of`."""
+        cuts, open_ones = 4, list(range(len(splines)))
+        lengths = lengths_of_pieces(splines, cuts)
+        tables: dict[int, ArcLength] = {}
+        while open_ones and cuts < _FINEST:
+            cuts, refined = 2 * cuts, []
+            halves = lengths_of_pieces([splines[index] for index in open_ones], cuts)
+            for index, found in zip(open_ones, halves, strict=True):
+                together = found.reshape(-1, 2).sum(axis=1)
+                change = np.abs(together - lengths[index].ravel()).max()
+                lengths[index] = found
+                if change > _TOLERANCE * together.sum():
+                    refined.append(index)
+                else:
+                    tables[index] = cls._with(splines[index], found)
+            open_ones = refined
+        for index in open_ones:
+            tables[index] = cls._with(splines[index], lengths[index])
+        return [tables[index] for index in range(len(splines))]
+
+    @classmethod
+    def _with(cls, spline: PiecewiseCubic, lengths: Floats) -> ArcLength:
+        """The table of the lengths (m, cuts) of the steps into which the pieces are cut."""
         total = np.concatenate([[0.0], np.cumsum(lengths)])
         if not np.isfinite(total[-1]) or total[-1] <= 0.0:
             raise GeometryError("the curve has no finite length")
-        return cls(spline, coarse, total)
+        knots = spline.knots
+        inner = subdivided(knots[:-1], knots[1:], lengths.shape[1])
+        return cls(spline, np.concatenate([inner.ravel(), knots[-1:]]), total)
 
     @property
     def total(self) -> float:
@@ -76,52 +93,3 @@ class ArcLength(SharedArrays):
         low, high = self.lengths[cell], self.lengths[cell + 1]
         length = low + path_lengths(self.spline, self.parameters[cell], u)
         return np.asarray(np.clip(length, low, high))
-
-
-def subdivided(knots: Floats, cuts: int) -> Floats:
-    """Every step between knots cut into `cuts` equal ones."""
-    shares = np.arange(cuts) / cuts
-    inner = knots[:-1, None] + (knots[1:] - knots[:-1])[:, None] * shares
-    return np.concatenate([inner.ravel(), knots[-1:]])
-
-
-def lengths_of_cuts(spline: PiecewiseCubic, parameters: Floats, cuts: int) -> Floats:
-    """The length of each step of `parameters`, which are the knots `subdivided` into `cuts`."""
-    piece = np.repeat(np.arange(len(spline.coefficients)), cuts)
-    return path_lengths(spline, parameters[:-1], parameters[1:], piece)
-
-
-def path_lengths(
-    spline: PiecewiseCubic, start: Floats, stop: Floats, piece: Integers | None = None
-) -> Floats:
-    """Length of the path from each parameter `start` to `stop`, by Gauss-Legendre quadrature.
-
-    `start` and `stop` must lie in one piece, `piece` where it is known: the speed has kinks at the
-    knots.
-    """
-    half = (stop - start) / 2.0
-    middle = (stop + start) / 2.0
-    if piece is None:
-        piece, _ = spline.locate(np.minimum(start, middle))
-    halves, middles, pieces = half.reshape(-1), middle.reshape(-1), piece.reshape(-1)
-    speeds = np.empty((half.size, len(_NODES)))
-    for begin in range(0, half.size, _TOGETHER):
-        part = slice(begin, begin + _TOGETHER)
-        _speeds(spline, halves[part], middles[part], pieces[part], into=speeds[part])
-    return np.asarray(half * (speeds.reshape(*half.shape, len(_NODES)) @ _WEIGHTS))
-
-
-def _speeds(
-    spline: PiecewiseCubic, half: Floats, middle: Floats, piece: Integers, into: Floats
-) -> None:
-    """The speed at the nodes (n, 8) around the middles (n,) of stretches."""
-    # Node by node: rows of n numbers are worked through several times as fast as rows of eight.
-    t = middle + half * _NODES[:, None] - spline.knots[piece]
-    thrice, c = 3.0 * t, spline.coefficients[piece]
-    dx, dy = (_derivative(c[:, :, k], t, thrice) for k in (0, 1))
-    into[:] = np.hypot(dx, dy).T
-
-
-def _derivative(coefficients: Floats, t: Floats, thrice: Floats) -> Floats:
-    first, second, third = np.ascontiguousarray(coefficients[:, 1:].T)
-    return np.asarray(first + t * (2.0 * second + thrice * third))

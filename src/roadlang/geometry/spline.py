@@ -142,11 +142,17 @@ def from_slopes(
         leaving, arriving = leaving[:-1], arriving[1:]
     step = (knots[1:] - knots[:-1])[:, None]
     chord = (points[1:] - points[:-1]) / step
+    return PiecewiseCubic(knots, cubics(step, points[:-1], chord, leaving, arriving))
+
+
+def cubics(step: Floats, start: Floats, chord: Floats, leaving: Floats, arriving: Floats) -> Floats:
+    """The coefficients (m, 4, 2) of pieces that begin at `start` (m, 2) and go on for steps (m, 1)
+    of the parameter, by `chord` (m, 2) in each unit of it; (m, 2) derivatives at their ends."""
     bend = (leaving + arriving - 2.0 * chord) / step
     coefficients = np.empty((len(chord), 4, 2))
-    coefficients[:, 0], coefficients[:, 1] = points[:-1], leaving
+    coefficients[:, 0], coefficients[:, 1] = start, leaving
     coefficients[:, 2], coefficients[:, 3] = (chord - leaving) / step - bend, bend / step
-    return PiecewiseCubic(knots, coefficients)
+    return coefficients
 
 
 def frame_of(first: Floats) -> tuple[Floats, Floats]:

@@ -33,7 +33,7 @@ _SQUARE, _STRAIGHT = 0.2, 0.995
 
 def are_boxes(roads: Sequence[FoundRoad], side: float) -> bool:
     """Whether roads that hang together are lines of boxes in a picture of this shorter side."""
-    widths = np.array([float(np.median(road.widths)) for road in roads])
+    widths = np.array([road.usual_width for road in roads])
     width = float(np.median(widths))
     if width > _THIN * side:
         return False
@@ -59,7 +59,7 @@ def are_framed(
 
 
 def _are_hair(roads: Sequence[FoundRoad], side: float) -> bool:
-    return float(np.median([np.median(road.widths) for road in roads])) < _HAIR * side
+    return float(np.median([road.usual_width for road in roads])) < _HAIR * side
 
 
 def _bounds(roads: Sequence[FoundRoad]) -> tuple[Floats, Floats]:

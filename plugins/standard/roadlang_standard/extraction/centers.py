@@ -11,6 +11,7 @@ from scipy.ndimage import median_filter, minimum_filter1d
 from roadlang.geometry import Booleans, Floats
 
 from .edges import CenterLine, across, normals, sides_of
+from .fast_median import median
 
 Layer = NDArray[np.float32]
 _THIN = 5.0
@@ -35,7 +36,7 @@ def _steady(offset: Floats, wide: Floats, width: float) -> tuple[Floats, Boolean
     known = np.isfinite(wide)
     if not known.any():
         return np.zeros(len(offset)), known
-    typical = float(np.median(wide[known]))
+    typical = median(wide[known])
     around = median_filter(np.where(known, wide, typical), int(4 * width) + 41, mode="nearest")
     even = known & (np.abs(np.where(known, wide, 0) - around) < _unevenness(around))
     even &= np.abs(around - typical) < 0.5 * typical

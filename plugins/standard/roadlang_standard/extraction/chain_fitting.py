@@ -12,8 +12,9 @@ from roadlang.geometry import Floats
 
 from .chains import LineChain
 from .edges import normals
+from .even_points import even_points, even_points_of
 from .fair_fitting import COVERED, Fit, Layer, Traced, Unfitted, fitted_fairly
-from .fairing import AGAIN, FULLY, ROUGHLY, even_points
+from .fairing import AGAIN, FULLY, ROUGHLY
 from .junction_points import at_stations, extended, foot_station
 from .smoothing import resample, smooth, stations
 
@@ -66,8 +67,14 @@ def fitted(
     fair = [index for index, run in enumerate(runs) if run.is_fair(fit)]
     for pace in _FITS:
         lines = [Unfitted(curves[i], runs[i].traced, runs[i].chain.closed) for i in fair]
-        for index, curve in zip(fair, fitted_fairly(lines, surface, fit, pace), strict=True):
-            curves[index] = even_points(curve, runs[index].chain.closed)
+        found = fitted_fairly(lines, surface, fit, pace)
+        opened = [index for index, line in enumerate(lines) if not line.closed]
+        even = even_points_of([found[index] for index in opened], [1.0] * len(opened))
+        for index, curve in zip(opened, even, strict=True):
+            curves[fair[index]] = curve
+        for index, line in enumerate(lines):
+            if line.closed:
+                curves[fair[index]] = even_points(found[index], True)
     return [_with_curve(*each) for each in zip(runs, curves, strict=True)]
 
 

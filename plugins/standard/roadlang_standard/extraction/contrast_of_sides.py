@@ -69,7 +69,7 @@ class LinePlaces:
     @staticmethod
     def along(roads: Sequence[FoundRoad]) -> LinePlaces:
         """About every half width of each road."""
-        widths = [float(np.median(road.widths)) for road in roads]
+        widths = [road.usual_width for road in roads]
         steps = [max(_STEP, 0.5 * width) for width in widths]
         lines = [resample(r.points, step) for r, step in zip(roads, steps, strict=True)]
         counts = [len(line) for line in lines]

@@ -72,7 +72,7 @@ def with_medians(image: Image, seen: Seen, found: FoundNetwork) -> Seen | None:
     crossings = found.nodes[np.bincount(ends.ravel(), minlength=len(found.nodes)) > 3]
     strips = np.zeros(seen.surface.shape, np.uint8)
     for road in found.roads:
-        width = float(np.median(road.widths))
+        width = road.usual_width
         wide = max(_WIDE, _WIDER * usual) <= width <= _WIDEST
         if wide and len(road.points) > 2:
             across = max(_NARROWEST, round(_STRIP * width))

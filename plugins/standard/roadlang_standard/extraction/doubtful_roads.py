@@ -48,7 +48,7 @@ def _doubtful_stretches(road: FoundRoad) -> list[tuple[float, Floats, float, boo
     stretches = []
     for first, last in _runs(road.confidences < _DOUBTFUL):
         length = float(at[last] - at[first])
-        if length > max(_STRETCH, 2 * float(np.median(road.widths))):
+        if length > max(_STRETCH, 2 * road.usual_width):
             sure = float(road.confidences[first : last + 1].mean())
             stretches.append((length, road.points[(first + last) // 2], sure, False))
     return stretches

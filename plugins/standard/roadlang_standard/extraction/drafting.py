@@ -14,8 +14,8 @@ from roadlang.geometry import Floats
 from .chain_fitting import Run, fitted, through
 from .chains import chains
 from .edges import CenterLine, Sides, sides_of, typical_width, widths
+from .even_points import even_points_of
 from .fair_fitting import Fit
-from .fairing import even_points
 from .found_network import FoundNetwork, FoundRoad
 from .graph import Graph, Line
 from .graph_cleanup import contract
@@ -26,6 +26,8 @@ from .smoothing import resample, stations
 Layer = NDArray[np.float32]
 _SAME = 1e-6
 """Junctions so near to each other, in pixels, are in one place."""
+_STEP = 2.0
+"""Pixels between the points of a road."""
 _ROWS = 16384
 """So many places are looked at at a time: OpenCV takes no longer lists."""
 
@@ -83,7 +85,8 @@ def draft(graph: Graph, surface: Layer, score: Layer, options: Draft, method: st
     order = sorted({node for line in graph.lines for node in (line.start, line.end)})
     index = {node: i for i, node in enumerate(order)}
     nodes = np.array([placed[node] for node in order]).reshape(-1, 2)
-    lines = [even_points(curves[id(line)], step=2.0) for line in graph.lines]
+    drawn = [curves[id(line)] for line in graph.lines]
+    lines = even_points_of(drawn, [_STEP] * len(drawn))
     centers = [CenterLine(points) for points in lines]
     edges = sides_of(centers, surface, 1.2 * options.width + 3, options.level)
     shown, sure = (_along(layer, lines) for layer in (surface, score))

@@ -146,7 +146,7 @@ def _level(part: list[FoundRoad]) -> int:
 def _slender(part: list[FoundRoad]) -> float:
     """How sure roads that hang together are by their length over their width."""
     lengths = np.array([road.length for road in part])
-    widths = np.array([float(np.median(road.widths)) for road in part])
+    widths = np.array([road.usual_width for road in part])
     slender = float((lengths**2).sum() / max(float(lengths @ widths), 1e-9))
     return min(1.0, slender / _SLENDER)
 
@@ -162,7 +162,7 @@ def _extended(part: list[FoundRoad], side: int) -> float:
 
 def _is_bar(road: FoundRoad, shape: tuple[int, ...]) -> bool:
     """Whether a road lies along the border of the picture (h, w), as the bar of a window does."""
-    near = _TOUCHING + 0.5 * float(np.median(road.widths))
+    near = _TOUCHING + 0.5 * road.usual_width
     last = np.array(shape[::-1]) - 1
     off = np.minimum(road.points, last - road.points)
     return bool(max((off <= near).mean(axis=0)) > _ALONG)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
+from .fast_median import median
 from .sampled import sampled
 from .smoothing import gradient, smooth_values
 
@@ -126,7 +127,7 @@ def across(
 def typical_width(found: Sides) -> float:
     """The median of the measured widths, NaN without any."""
     widths = (found.left + found.right)[found.seen]
-    return float(np.median(widths)) if len(widths) else float("nan")
+    return median(widths) if len(widths) else float("nan")
 
 
 def widths(found: Sides, fallback: float, wavelength: float, closed: bool) -> tuple[Floats, float]:
@@ -138,5 +139,5 @@ def widths(found: Sides, fallback: float, wavelength: float, closed: bool) -> tu
     good = found.seen & (np.abs(raw - typical) < 0.5 * typical)
     filled = np.where(good, raw, typical)
     even = smooth_values(filled, wavelength, closed, np.where(good, 1.0, 0.02))
-    spread = float(np.median(np.abs((raw - even)[good]))) * 1.4826 if good.any() else typical
+    spread = median(np.abs((raw - even)[good])) * 1.4826 if good.any() else typical
     return np.maximum(even, 0.2 * typical), spread

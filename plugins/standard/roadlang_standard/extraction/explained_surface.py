@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .fast_median import median
 from .found_network import FoundRoad
 from .mask_parts import parts_and_boxes
 
@@ -38,8 +39,8 @@ class ExplainedSurface:
         drawn = np.zeros(mask.shape, np.uint8)
         inner = None if measured else cv2.distanceTransform(mask.view(np.uint8), cv2.DIST_L2, 5)
         for road in roads:
-            widths = road.widths if inner is None else 2 * _along(road, inner) - 1
-            wide = max(1, round(float(np.median(widths)))) + 2
+            usual = road.usual_width if inner is None else median(2 * _along(road, inner) - 1)
+            wide = max(1, round(usual)) + 2
             line = np.round(road.points * 2**_FINE).astype(np.int32)
             cv2.polylines(drawn, [line], False, 1, wide, cv2.LINE_8, _FINE)
         near = np.bincount(labels[(drawn > 0) & mask], minlength=len(stats))

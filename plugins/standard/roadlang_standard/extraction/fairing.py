@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
-from .cubic_spline import splined
 from .edges import normals
 from .fair_lines import FairLine, FairLines, SeenOffsets, in_a_row
 from .fair_system import differences, spread, system
@@ -62,26 +61,6 @@ class Rough:
     points: Floats
     seen: SeenOffsets
     closed: bool = False
-
-
-def even_points(points: Floats, closed: bool = False, step: float = 1.0) -> Floats:
-    """Points (m, 2) about every `step` along the cubic spline through `points` (n, 2).
-
-    A closed curve repeats its first point at the end, and so does the result.
-    """
-    steps = points[1:] - points[:-1]
-    apart = np.hypot(steps[:, 0], steps[:, 1]) > 1e-9
-    if not apart.all():
-        points = points[np.append(True, apart)]
-    if len(points) < 3:
-        length = float(stations(points)[-1])
-        share = np.linspace(0.0, 1.0, max(2, round(length / step) + 1))
-        return np.asarray(points[0] + share[:, None] * (points[-1] - points[0]))
-    if closed:
-        points = np.vstack([points[:-1], points[:1]])
-    station = stations(points)
-    at = np.linspace(0.0, station[-1], max(2, round(float(station[-1]) / step) + 1))
-    return splined(station, points, at, closed)
 
 
 def faired(lines: Sequence[Rough], pace: Pace = FULLY) -> list[Floats]:

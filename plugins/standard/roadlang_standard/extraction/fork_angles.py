@@ -29,7 +29,7 @@ def sharp_forks(roads: Sequence[FoundRoad], degree: NDArray[np.intp]) -> int:
 
 
 def _direction(road: FoundRoad, points: Floats) -> float:
-    ahead = _AHEAD * max(_LEAST_WIDTH, float(np.median(road.widths)))
+    ahead = _AHEAD * max(_LEAST_WIDTH, road.usual_width)
     index = max(2, int(len(points) * min(1.0, ahead / max(road.length, 1e-9))))
     across, down = points[min(index, len(points) - 1)] - points[0]
     return float(np.arctan2(down, across))

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
+
+from .fast_median import median
 
 EDGE_LINES = "edge lines"
 """The method by which roads between two lines are found."""
@@ -39,10 +42,16 @@ class FoundRoad:
         """Whether it ends where it begins."""
         return self.start == self.end
 
-    @property
+    @cached_property
     def length(self) -> float:
         """Pixels."""
-        return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
+        steps = self.points[1:] - self.points[:-1]
+        return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
+
+    @cached_property
+    def usual_width(self) -> float:
+        """Median of its widths, pixels."""
+        return median(self.widths)
 
     def less_sure(self, factor: float) -> FoundRoad:
         """The same road, with so many times the confidence."""

@@ -37,7 +37,7 @@ def sure_by_junctions(roads: Sequence[FoundRoad], shape: tuple[int, ...]) -> flo
         return 1.0
     free = degree[nodes] == 1
     rim = np.array([ends_at_rim(road, shape) for road in roads])
-    short = np.array([road.length < _STUB * float(np.median(road.widths)) for road in roads])
+    short = np.array([road.length < _STUB * road.usual_width for road in roads])
     stubs = np.count_nonzero((free & ~rim).any(axis=1) & short)
     leaving = np.count_nonzero(free & rim) / np.sqrt(joins + crossings)
     art = (joins + min(stubs, joins) - crossings) * max(0.0, 1.0 - float(leaving))
@@ -59,7 +59,7 @@ def sure_by_widths(roads: Sequence[FoundRoad]) -> float:
 def ends_at_rim(road: FoundRoad, shape: tuple[int, ...]) -> Booleans:
     """Whether the start and the end (2,) of a road, less half its width, are at the border of the
     picture (h, w)."""
-    near = _RIM + 0.5 * float(np.median(road.widths))
+    near = _RIM + 0.5 * road.usual_width
     ends = road.points[[0, -1]]
     far = np.array(shape[::-1]) - 1 - near
     return np.asarray(((ends <= near) | (ends >= far)).any(axis=1))

@@ -51,5 +51,5 @@ def _enclose(roads: Sequence[FoundRoad]) -> bool:
 def _width(roads: Sequence[FoundRoad]) -> float:
     """Mean width, pixels."""
     lengths = np.array([road.length for road in roads])
-    widths = np.array([float(np.median(road.widths)) for road in roads])
+    widths = np.array([road.usual_width for road in roads])
     return float(lengths @ widths / max(float(lengths.sum()), 1e-9))

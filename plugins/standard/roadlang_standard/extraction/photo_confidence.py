@@ -82,7 +82,7 @@ def road_facts(found: FoundNetwork, doubt_alone: bool = True) -> list[RoadFacts]
     return [
         RoadFacts(
             _evidence(road),
-            max(0.0, float(np.median(road.widths)) - _NARROW) / 10,
+            max(0.0, road.usual_width - _NARROW) / 10,
             _ONLY * max(of_all, doubts.get(id(road), 0.0)),
         )
         for road in found.roads

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +13,7 @@ from roadlang.geometry import Floats
 from .cell_links import is_square, joined_places
 from .directions import runs_forward
 from .doubtful_roads import doubts
-from .fairing import even_points
+from .even_points import even_points_of
 from .found_network import FoundNetwork, FoundRoad
 from .legend import LegendObject
 
@@ -22,6 +21,8 @@ if TYPE_CHECKING:
     from roadlang.api import Extraction, FoundObject, Picture
     from roadlang.geometry import Curve
 
+_STEP, _APART = 2.0, 1e-6
+"""Points of roads are at least `_STEP` pixels apart; nearer than `_APART` meters they are one."""
 _WIDEST_CORNER = 2.0  # cells: more than a fillet of half a link has, so that each fills its cell
 
 
@@ -41,19 +42,21 @@ def extraction(
     edges: list[Edge] = []
     errors: list[float] = []
     confidences: list[Floats] = []
-    for road in found.roads:
-        ring = road.closed and degree[road.start] == 2
-        if found.method == "cells":
-            curve = _through_cells(picture, road, ring)
-        else:
-            curve = _spline(picture, road, where)
+    rings = [road.closed and degree[road.start] == 2 for road in found.roads]
+    if found.method == "cells":
+        curves = [_through_cells(picture, *each) for each in zip(found.roads, rings, strict=True)]
+    else:
+        curves = _splines(picture, found.roads, where)
+    for road, ring, curve in zip(found.roads, rings, curves, strict=True):
         if curve is not None:
             if ring:
                 where[road.start] = curve.at(0.0)
             widths = np.maximum(road.widths * picture.scale, 1e-3)
             ids = (road.start, road.end)
-            edge = Edge(len(edges) + 1, *ids, curve, widths, road.confidence)
-            edges.append(replace(edge, forward=runs_forward(road, found.directions)))
+            forward = runs_forward(road, found.directions)
+            edges.append(
+                Edge(len(edges) + 1, *ids, curve, widths, road.confidence, forward=forward)
+            )
             errors.append(float(road.width_error * picture.scale))
             confidences.append(
                 np.array([road.confidence]) if road.confidences is None else road.confidences
@@ -86,18 +89,38 @@ def _through_cells(picture: Picture, road: FoundRoad, ring: bool) -> Curve | Non
     return filleted(world, _WIDEST_CORNER * picture.scale, closed=ring)
 
 
-def _spline(picture: Picture, road: FoundRoad, where: Floats) -> Curve | None:
-    """A spline through points about half a width apart; None for a road without length."""
+def _splines(picture: Picture, roads: Sequence[FoundRoad], where: Floats) -> list[Curve | None]:
+    """Splines through points about half a width apart; None for a road without length."""
     from roadlang.geometry import Curve
 
-    typical = float(np.median(road.widths))
-    world = picture.to_world(even_points(road.points, step=max(2.0, 0.5 * typical)))
-    world[0], world[-1] = where[road.start], where[road.end]
-    apart = np.r_[True, np.hypot(*np.diff(world, axis=0).T) > 1e-6]
-    world = world[apart]
-    if road.closed and len(world) > 3:
-        return Curve.through(world[:-1], closed=True)
-    return Curve.through(world) if len(world) > 1 and not road.closed else None
+    lines = _between_nodes(picture, roads, where)
+    found: list[Curve | None] = [
+        Curve.through(line[:-1], closed=True) if road.closed and len(line) > 3 else None
+        for road, line in zip(roads, lines, strict=True)
+    ]
+    opened = [i for i, road in enumerate(roads) if len(lines[i]) > 1 and not road.closed]
+    curves = Curve.through_each([lines[index] for index in opened])
+    for index, curve in zip(opened, curves, strict=True):
+        found[index] = curve
+    return found
+
+
+def _between_nodes(picture: Picture, roads: Sequence[FoundRoad], where: Floats) -> list[Floats]:
+    """Points (n, 2) of each road in meters, from node to node, none of them twice."""
+    if not roads:
+        return []
+    steps = [max(_STEP, 0.5 * road.usual_width) for road in roads]
+    lines = even_points_of([road.points for road in roads], steps)
+    ends = np.cumsum([len(line) for line in lines])
+    starts = ends - [len(line) for line in lines]
+    world = picture.to_world(np.concatenate(lines))
+    world[starts] = where[[road.start for road in roads]]
+    world[ends - 1] = where[[road.end for road in roads]]
+    apart = np.ones(len(world), bool)
+    apart[1:] = np.hypot(*(world[1:] - world[:-1]).T) > _APART
+    apart[starts] = True
+    rows = [slice(*each) for each in zip(starts.tolist(), ends.tolist(), strict=True)]
+    return [world[row] if apart[row].all() else world[row][apart[row]] for row in rows]
 
 
 def _object(picture: Picture, drawn: LegendObject) -> FoundObject:

@@ -68,7 +68,7 @@ def likeness_facts(found: FoundNetwork, colored: bool) -> dict[str, float]:
     whether they were found by colors, as those of a rendered map are."""
     roads = found.roads
     lengths = np.array([road.length for road in roads])
-    widths = np.array([float(np.median(road.widths)) for road in roads])
+    widths = np.array([road.usual_width for road in roads])
     total = max(float(lengths.sum()), 1e-9)
     slender = np.where(lengths >= _BLOT * widths, lengths, 1e-9)
     usual = max(float(slender @ widths / slender.sum()), 1e-9)

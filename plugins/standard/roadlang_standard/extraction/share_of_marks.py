@@ -46,7 +46,7 @@ def _at_roads(
     near, inner = np.zeros(shape, np.uint8), np.zeros(shape, np.uint8)
     for road in found.roads:
         line = [np.round(road.points * 16).astype(np.int32)]
-        width = float(np.median(road.widths))
+        width = road.usual_width
         thick = int(np.ceil(width + 2 * _RIM))
         cv2.polylines(near, line, road.closed, 1, thick, shift=4)
         if width > 3 * _RIM:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .fast_median import median
 from .mask_parts import parts_and_boxes
 
 _LOWEST, _TALLEST, _LONG = 9.0, 24.0, 3.0
@@ -116,7 +117,7 @@ def _without_houses(points: NDArray[np.float64]) -> NDArray[np.float64]:
         piece = np.floor((u - u.min()) / _PIECE).astype(np.intp)
         counts = np.bincount(piece)
         full = np.flatnonzero(counts)
-        height = float(np.median(counts[full])) / _PIECE
+        height = median(counts[full]) / _PIECE
         medians = v[np.lexsort((v, piece))][(np.cumsum(counts) - (counts + 1) // 2)[full]]
         kept = points[np.abs(v - _bend(full, medians)(piece)) <= _OFF * height]
     return kept if height <= _ONE_LINE else kept[:0]
