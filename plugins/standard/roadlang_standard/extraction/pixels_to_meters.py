@@ -43,10 +43,7 @@ def extraction(
     errors: list[float] = []
     confidences: list[Floats] = []
     rings = [road.closed and degree[road.start] == 2 for road in found.roads]
-    if found.method == "cells":
-        curves = [_through_cells(picture, *each) for each in zip(found.roads, rings, strict=True)]
-    else:
-        curves = _splines(picture, found.roads, where)
+    curves = _curves(picture, found, rings, where)
     for road, ring, curve in zip(found.roads, rings, curves, strict=True):
         if curve is not None:
             if ring:
@@ -73,6 +70,15 @@ def extraction(
         found.has_widths,
         confidences=tuple(confidences),
     )
+
+
+def _curves(
+    picture: Picture, found: FoundNetwork, rings: Sequence[bool], where: Floats
+) -> list[Curve | None]:
+    """The curve of each road, in meters; None for a road without length."""
+    if found.method != "cells":
+        return _splines(picture, found.roads, where)
+    return [_through_cells(picture, *each) for each in zip(found.roads, rings, strict=True)]
 
 
 def _through_cells(picture: Picture, road: FoundRoad, ring: bool) -> Curve | None:
