@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,11 +12,13 @@ import pytest
 from roadlang import DiagnosticError
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.falsification.evaluator import Evaluator, Proposal
+from roadlang.geometry import Curve
 from roadlang.geometry.arrays import Floats
 from roadlang.ir.batch import RoadBatch
 from roadlang.judging.acceptance import Acceptance, Measurements
 from roadlang.plugins.kinds import Axis, Perturber, Search, Searcher
 from roadlang.testing import scenario
+from roadlang_standard.draw_segments import Segments
 from tests.falsification.slider import FEW, PERTURBED, TEXT, Slider, slides
 
 
@@ -121,3 +123,51 @@ def test_what_was_screened_gives_the_same_outcomes_and_is_measured_once(
     assert screening.evaluate(proposals) == alone
     # What depends on the number of the candidate as well is another one when it is evaluated.
     assert measured == ([40] if kind == "wander" else [10])
+
+
+DRAWN_ROAD = """
+road bent {
+  draw with segments { pieces: [straight(40m), arc(25m..60m, 40deg), straight(30m..60m)] }
+}
+require radius: always (abs(curvature(bent)) < 1 / 26m)
+agent ego is car on bent at 5m { drive with stanley { speed: 8m/s..16m/s } }
+object tree is tree on bent at 10m..60m { side: left, offset: 1m..3m }
+expect slow: always (ego.speed < 14m/s)
+"""
+
+
+def test_a_drawn_road_is_drawn_once_for_screening_and_driving(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    search = scenario(DRAWN_ROAD).falsify(evaluations=40, searcher="halton")
+    evaluator = search.evaluator
+    proposals = [Proposal(outcome.index, outcome.point) for outcome in search.outcomes]
+    alone = [Evaluator(evaluator.task).evaluate([proposal])[0] for proposal in proposals]
+    drawn: list[Segments] = []
+    draw = Segments.draw
+
+    def counted(self: Segments, closed: bool) -> Curve:
+        drawn.append(self)
+        return draw(self, closed)
+
+    monkeypatch.setattr(Segments, "draw", counted)
+    evaluator.screen(np.array([proposal.point for proposal in proposals]))
+    assert evaluator.evaluate(proposals) == alone
+    assert len(drawn) == len(proposals)
+
+
+def test_what_only_the_search_for_room_draws_is_drawn_of_each_candidate() -> None:
+    text = (
+        DRAWN_ROAD.replace("at 10m..60m", "at 30m")
+        .replace("25m..60m", "40m")
+        .replace("straight(30m..60m)", "straight(50m)")
+    )
+    task = scenario(text).falsify(evaluations=20, searcher="halton").evaluator.task
+    # The offset of the tree is no axis here, so that it is drawn by the number of the candidate.
+    task = replace(task, axes=("ego/drive 1/speed",))
+    proposals = [Proposal(index, (index / 20,)) for index in range(20)]
+    alone = [Evaluator(task).evaluate([proposal])[0] for proposal in proposals]
+    evaluator = Evaluator(task)
+    evaluator.screen(np.array([proposal.point for proposal in proposals]))
+    assert evaluator.evaluate(proposals) == alone
+    assert len({outcome.draws["tree/offset"] for outcome in alone}) == 20

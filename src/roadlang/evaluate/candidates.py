@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping
 from functools import cached_property
 from typing import Any, TypeVar
+from weakref import ref
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,8 @@ from .indexed_scenario import IndexedScenario
 from .randomness import Words, place_keys, variant_keys
 
 T = TypeVar("T")
+_Parent = tuple[Callable[[], "CandidateBatch | None"], NDArray[np.intp]]
+"""What candidates were taken from, as long as it exists, and at which rows."""
 
 
 class CandidateBatch:
@@ -49,7 +52,8 @@ class CandidateBatch:
         self.record = record
         self.known_tries = known_tries or {}
         self._computed: dict[Hashable, Any] = {}
-        self._parent: tuple[CandidateBatch, NDArray[np.intp]] | None = None
+        self._parent: _Parent | None = None
+        self._singles: dict[int, CandidateBatch] = {}
         self._keyed: set[str] = set()  # shared with all that are made of these candidates
 
     @cached_property
@@ -75,8 +79,37 @@ class CandidateBatch:
             self.scenario, self.seed, self.scenes[rows], self.attempts[rows], coordinates
         )
         chosen.known_tries = {name: tries[rows] for name, tries in self.known_tries.items()}
-        chosen._parent, chosen._keyed = (self, rows), self._keyed
+        chosen._parent, chosen._keyed = (lambda: self, rows), self._keyed
         return chosen
+
+    def single(self, row: int) -> CandidateBatch:
+        """The candidate at `row` alone, with a record where these have one.
+
+        It is the same object each time, also that of the batch that these were taken from: what was
+        computed of it is kept where candidates cannot be computed together.
+        """
+        if self.count == 1:
+            return self
+        if row not in self._singles:
+            rows = np.array([row])
+            self._singles[row] = self._single_of_parent(rows) or self._first_single(rows)
+        return self._singles[row]
+
+    def _first_single(self, rows: NDArray[np.intp]) -> CandidateBatch:
+        found = self.take(rows) if self.record is None else self.take_recorded(rows)
+        found._parent = ref(self), rows  # it is held by these: all is freed with the last use
+        return found
+
+    def _single_of_parent(self, rows: NDArray[np.intp]) -> CandidateBatch | None:
+        parent = None if self._parent is None else self._parent[0]()
+        if self._parent is None or parent is None:
+            return None
+        found = parent.single(int(self._parent[1][rows[0]]))
+        scenes, attempts = self.scenes[rows], self.attempts[rows]
+        if found.scenes[0] == scenes[0] and found.attempts[0] == attempts[0]:
+            return found
+        alone = np.zeros(1, np.intp)
+        return None if found.is_keyed else found.renumbered(alone, scenes, attempts)
 
     def take_recorded(self, rows: NDArray[np.intp]) -> CandidateBatch:
         """The candidates at `rows`, with a record of their own of what they have drawn so far."""
@@ -116,9 +149,10 @@ class CandidateBatch:
         return self.scenario.once(key, lambda: make(fixed_candidate(self.scenario)))
 
     def _inherited(self, key: Hashable) -> tuple[bool, Any]:
-        if self._parent is None:
+        parent = None if self._parent is None else self._parent[0]()
+        if self._parent is None or parent is None:
             return False, None
-        parent, rows = self._parent
+        rows = self._parent[1]
         if key in parent._computed:
             return True, rows_of(parent._computed[key], rows, parent.count)
         found, value = parent._inherited(key)

@@ -64,14 +64,16 @@ class CopyBatch(CandidateBatch):
     def uniform(self, place: str, element: int = 0) -> Floats:
         """(R, 1) numbers in [0, 1)."""
         numbers = np.zeros(len(self.rows)) if element == 0 else self.copies
-        words = retried(place_keys(self.keys, place, numbers), self.tries)
-        found = unit_interval(words[:, None], 1)
+        found, chosen = np.empty((len(self.rows), 1)), np.zeros(len(self.rows), bool)
         coordinates = self.candidates.coordinates
         for copy in np.unique(numbers).tolist() if coordinates else ():
             name = coordinate_name(place, int(copy))
             if name in coordinates:
-                chosen = (numbers == copy) & (self.tries == 0)
-                found[chosen, 0] = coordinates[name][self.rows[chosen]]
+                rows = np.flatnonzero((numbers == copy) & (self.tries == 0))
+                found[rows, 0], chosen[rows] = coordinates[name][self.rows[rows]], True
+        if not chosen.all():  # whether anything is hashed tells what a candidate depends on
+            words = retried(place_keys(self.keys, place, numbers), self.tries)
+            found[~chosen] = unit_interval(words[:, None], 1)[~chosen]
         self._uniform[place, element] = found
         return found
 

@@ -263,7 +263,8 @@ class Evaluator:
         for part in screened:
             places = np.array([part.rows.get(points[row], -1) for row in rest.tolist()], np.int64)
             rows, places = rest[places >= 0], places[places >= 0]
-            if len(rows) < _WORTH_IT:
+            # Where they find room may be keyed, where nothing that was measured before is.
+            if len(rows) < _WORTH_IT or part.candidates.is_keyed:
                 continue
             rest = np.setdiff1d(rest, rows)
             measured = part.measured.take(places)

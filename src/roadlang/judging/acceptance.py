@@ -96,9 +96,8 @@ class Acceptance:
         early = [i for i in together if i not in last]
         rows = self._sift(candidates, np.arange(count), early, result)
         if singly:
-            for row in rows:
-                single = np.array([row])
-                self._sift(candidates.take(single), single, singly, result)
+            for row in rows.tolist():
+                self._sift(candidates.single(row), np.array([row]), singly, result)
         elif last and scenes is None:
             self._sift(candidates.take(rows), rows, last, result)
         elif last and scenes is not None:
@@ -167,7 +166,7 @@ class Acceptance:
         """The candidates together, or one by one where they differ in their stations."""
         if not self.has_varying_stations:
             return [candidates]
-        return [candidates.take(np.array([row])) for row in range(candidates.count)]
+        return [candidates.single(row) for row in range(candidates.count)]
 
     def _sift(
         self,

@@ -90,7 +90,7 @@ def all_concrete_scenes(
     if candidates.count > 1 and candidates.scenario.has_fixed_roots:
         with suppress(DiagnosticError):
             return concrete_scenes(candidates, numbers, overrides)
-    singles = (candidates.take_recorded(np.array([row])) for row in range(candidates.count))
+    singles = map(candidates.single, range(candidates.count))
     return [instantiate(*each, overrides) for each in zip(singles, numbers, strict=True)]
 
 
@@ -118,8 +118,7 @@ def driven_scenes_or_faults(
     found: list[Scene | DiagnosticError] = []
     for row, number in enumerate(numbers):
         try:
-            single = candidates.take_recorded(np.array([row]))
-            found.append(driven_scene(single, number, overrides))
+            found.append(driven_scene(candidates.single(row), number, overrides))
         except DiagnosticError as error:
             found.append(error)
     return found
