@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Floats
 
 from .connected_roads import connected_parts
-from .edges import normals
+from .edges import CenterLine, normals_in_a_row
 from .found_network import NO_ROAD, FoundRoad
 from .smoothing import resample
 from .tones import Image
@@ -39,57 +39,81 @@ def sure_by_sides(roads: tuple[FoundRoad, ...], image: Image) -> list[float]:
     """How sure each road is by its contrast to both sides in the picture (h, w, 3) in which it was
     found; the same for all that are connected."""
     soft = cv2.GaussianBlur(image, (3, 3), 0)
+    seen = dict(zip(map(id, roads), _contrasts(roads, soft), strict=True))
     # Where most lines are edges, a few that are not are chance.
-    together = _sure(roads, soft)
+    together = _sure([*seen.values()])
     factors: dict[int, float] = {}
     parts = connected_parts(roads)
     if len(parts) == 1:
         return [together for _ in roads]
     for part in parts:
-        sure = min(together, _sure(part, soft))
+        sure = min(together, _sure([seen[id(road)] for road in part]))
         factors.update((id(road), sure) for road in part)
     return [factors[id(road)] for road in roads]
 
 
-def _sure(roads: Sequence[FoundRoad], image: Image) -> float:
-    """How sure roads are by the share of their length that has contrast to both sides."""
-    return float(np.interp(_two_sided_share(roads, image), (_EDGE, _ROAD), (NO_ROAD, 1.0)))
+@dataclass(frozen=True)
+class _Contrast:
+    """Of places along a road (n,): the length that each stands for, whether its sides are within
+    the picture, and whether it differs from both."""
+
+    long: Floats
+    seen: NDArray[np.bool_]
+    both: NDArray[np.bool_]
+
+
+def _sure(contrasts: Sequence[_Contrast]) -> float:
+    """How sure roads are by the share of their length that has contrast to both sides; 1 where no
+    sides are within the picture."""
+    long = np.concatenate([one.long for one in contrasts])
+    seen = np.concatenate([one.seen for one in contrasts])
+    both = np.concatenate([one.both for one in contrasts])
+    total = float(long[seen].sum())
+    share = float(long[seen & both].sum()) / total if total else 1.0
+    return float(np.interp(share, (_EDGE, _ROAD), (NO_ROAD, 1.0)))
 
 
 @dataclass(frozen=True)
 class LinePlaces:
     """Places along the middle of roads (n, 2), pixels, the unit normals there (n, 2), half the
-    usual width of each one's road (n,), and the length that it stands for (n,)."""
+    usual width of each one's road (n,), and the length that it stands for (n,); and where the
+    places of the next road begin."""
 
     points: Floats
     across: Floats
     half: Floats
     long: Floats
+    ends: NDArray[np.intp]
 
     @staticmethod
     def along(roads: Sequence[FoundRoad]) -> LinePlaces:
         """About every half width of each road."""
         widths = [road.usual_width for road in roads]
         steps = [max(_STEP, 0.5 * width) for width in widths]
-        lines = [resample(r.points, step) for r, step in zip(roads, steps, strict=True)]
-        counts = [len(line) for line in lines]
-        across = np.concatenate([normals(line) for line in lines])
+        lines = [
+            CenterLine(resample(road.points, step)) for road, step in zip(roads, steps, strict=True)
+        ]
+        counts = [len(line.points) for line in lines]
+        points = np.concatenate([line.points for line in lines])
         half = np.repeat([0.5 * width for width in widths], counts)
-        return LinePlaces(np.concatenate(lines), across, half, np.repeat(steps, counts))
+        across = normals_in_a_row(points, lines)
+        ends = np.cumsum(counts)[:-1]
+        return LinePlaces(points, across, half, np.repeat(steps, counts), ends)
 
 
-def _two_sided_share(roads: Sequence[FoundRoad], image: Image) -> float:
-    """The share of the length that has contrast to both sides; 1 where no sides are within the
-    picture."""
+def _contrasts(roads: Sequence[FoundRoad], image: Image) -> list[_Contrast]:
+    """The contrast of each road to both of its sides."""
     places = LinePlaces.along(roads)
     middle, _ = colors_at(image, places.points)
     left, seen_left = _side(image, places, 1.0, middle)
     right, seen_right = _side(image, places, -1.0, middle)
     larger = np.maximum((left**2).sum(axis=1), (right**2).sum(axis=1))
     both = (left * right).sum(axis=1) > _BOTH * np.maximum(larger, _FAINT**2)
-    seen = seen_left & seen_right
-    total = float(places.long[seen].sum())
-    return float(places.long[seen & both].sum()) / total if total else 1.0
+    found = (places.long, seen_left & seen_right, both)
+    return [
+        _Contrast(*each)
+        for each in zip(*(np.split(values, places.ends) for values in found), strict=True)
+    ]
 
 
 def _side(

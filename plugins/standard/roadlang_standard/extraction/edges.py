@@ -58,7 +58,7 @@ def sides_of(
     if not lines:
         return []
     points = np.concatenate([line.points for line in lines])
-    normal = np.concatenate([normals(line.points, line.closed) for line in lines])
+    normal = normals_in_a_row(points, lines)
     found = np.empty((2, len(points)))
     for first in range(0, len(points), _TOGETHER):
         rows = slice(first, first + _TOGETHER)
@@ -104,8 +104,26 @@ def normals(points: Floats, closed: bool = False) -> Floats:
         tangent = (around[2:] - around[:-2]) / 2
     else:
         tangent = gradient(points)
+    return _turned_left(tangent)
+
+
+def _turned_left(tangent: Floats) -> Floats:
     tangent = tangent / np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
     return np.column_stack([-tangent[:, 1], tangent[:, 0]])
+
+
+def normals_in_a_row(points: Floats, lines: Sequence[CenterLine]) -> Floats:
+    """The `normals` (N, 2) of lines of at least two points each, one after the other; `points`
+    (N, 2) are those of all of them."""
+    last = np.cumsum([len(line.points) for line in lines]) - 1
+    first = np.append(0, last[:-1] + 1)
+    tangent = gradient(points)
+    tangent[first] = points[first + 1] - points[first]
+    tangent[last] = points[last] - points[last - 1]
+    ring = np.flatnonzero([line.closed for line in lines])
+    tangent[first[ring]] = (points[first[ring] + 1] - points[last[ring] - 1]) / 2
+    tangent[last[ring]] = tangent[first[ring]]
+    return _turned_left(tangent)
 
 
 def across(

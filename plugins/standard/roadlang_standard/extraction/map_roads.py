@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .map_lines import THIN, with_line_colors, without_outlines
 from .map_styles import MapStyle
 from .map_tones import MapTone, Tolerance, map_tones
-from .map_water import without_water
+from .map_water import KnownWater, without_water
 from .road_tones import road_tones
 from .shared_colors import with_streets_alone
 from .tones import Image
@@ -68,11 +68,13 @@ def chosen_roads(
         found = _styled_roads(plain, colors, tolerance, style)
         if found is not None:
             return found
-    fine = _fine_roads(plain, with_line_colors(plain, colors), tolerance)
+    water = KnownWater()
+    fine_tones = map_tones(plain, with_line_colors(plain, colors), tolerance, smooth=True)
+    fine = _fine_roads(fine_tones, water)
     if fine is not None and fine.width(lambda tone: tone.width) < THIN:
         return fine, True
-    all_tones = map_tones(plain, colors, tolerance)
-    tones = without_water(all_tones)
+    all_tones = [tone.measured_in(fine_tones) for tone in map_tones(plain, colors, tolerance)]
+    tones = without_water(all_tones, water)
     chosen = MapRoads(all_tones, tones, road_tones(with_streets_alone(tones), min(plain.shape[:2])))
     # Names on streets leave less of them even than what is known of their edges.
     if fine is not None and fine.adds_streets(chosen):
@@ -80,14 +82,11 @@ def chosen_roads(
     return chosen, False
 
 
-def _fine_roads(
-    plain: Image, colors: list[NDArray[np.float64]], tolerance: Tolerance
-) -> MapRoads | None:
-    """The roads of a map (h, w, 3) without letters, with their smoothed edges."""
-    all_tones = map_tones(plain, colors, tolerance, smooth=True)
-    tones = without_water(all_tones)
+def _fine_roads(all_tones: list[MapTone], water: KnownWater) -> MapRoads | None:
+    """The roads of a map whose tones have smoothed edges."""
+    tones = without_water(all_tones, water)
     streets = without_outlines(with_streets_alone(tones))
-    found = MapRoads(all_tones, tones, road_tones(streets, min(plain.shape[:2])))
+    found = MapRoads(all_tones, tones, road_tones(streets, min(all_tones[0].mask.shape)))
     return found if found.roads else None
 
 

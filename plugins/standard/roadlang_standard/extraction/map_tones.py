@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -130,6 +131,14 @@ class MapTone:
     def mean_width(self) -> float:
         """Of all that is in it, pixels."""
         return float(np.count_nonzero(self.mask)) / max(1.0, self.length)
+
+    def measured_in(self, others: Sequence[MapTone]) -> MapTone:
+        """That of the others which has this color at the same pixels, and may have been measured;
+        this one if none has."""
+        for other in others:
+            if np.array_equal(self.color, other.color) and np.array_equal(self.mask, other.mask):
+                return other
+        return self
 
 
 def is_gray(color: NDArray[np.float64]) -> bool:

@@ -13,7 +13,7 @@ from roadlang.geometry import Booleans
 from .fast_median import median
 from .map_ribbons import ribbons
 from .map_tones import MapTone, is_gray, map_tone
-from .mask_parts import areas_of, parts_of, where_parts
+from .mask_parts import areas_of, parts_of, where_parts, window_around
 from .skeleton import skeleton
 from .tones import Layer
 
@@ -56,14 +56,31 @@ class _Width:
         return self.usual > _WIDER * road.usual and self.wide > times * road.wide
 
 
-def without_water(tones: list[MapTone]) -> list[MapTone]:
+class KnownWater:
+    """The water of masks, which is sought once in each."""
+
+    def __init__(self) -> None:
+        self._found: list[tuple[Booleans, Booleans | None]] = []
+
+    def of(self, mask: Booleans) -> Booleans | None:
+        """What of a mask (h, w) is water among roads of its color; None if nothing."""
+        for known, water in self._found:
+            if known is mask:
+                return water
+        self._found.append((mask, _water(mask)))
+        return self._found[-1][1]
+
+
+def without_water(tones: list[MapTone], known: KnownWater | None = None) -> list[MapTone]:
     """The tones of a map, without water as in `masks_without_water`; rivers with a line in their
     middle are rests."""
-    dry = masks_without_water([tone.color for tone in tones], [tone.mask for tone in tones])
+    masks = [tone.mask for tone in tones]
+    dry = masks_without_water([tone.color for tone in tones], masks, known)
     found = []
     for tone, mask in zip(tones, dry, strict=True):
         kept = tone if mask is tone.mask else map_tone(tone.color, mask)
-        is_rest = mask.sum() < _REST * tone.mask.sum() or _has_middle_line(kept, tones)
+        is_little = np.count_nonzero(mask) < _REST * np.count_nonzero(tone.mask)
+        is_rest = is_little or _has_middle_line(kept, tones)
         found.append(replace(kept, rest=True) if is_rest else kept)
     return found
 
@@ -73,20 +90,24 @@ def _has_middle_line(tone: MapTone, tones: list[MapTone]) -> bool:
     draw the course of a river; casings are beside roads."""
     light = float(tone.color.mean())
     lines = [one for one in tones if one.is_gray and one.color.mean() < light]
-    land = max(tones, key=lambda one: int(one.mask.sum()))
-    if not (tone.is_gray and lines and light < land.color.mean()):
+    if not (tone.is_gray and lines):
+        return False
+    land = max(tones, key=lambda one: np.count_nonzero(one.mask))
+    if light >= land.color.mean():
         return False
     mask = tone.mask.astype(np.uint8)
     closed = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((_LINE, _LINE), np.uint8)) > 0
     parting = [closed & line.mask for line in lines]
     return any(
-        within.sum() >= _WITHIN * tone.length
+        np.count_nonzero(within) >= _WITHIN * tone.length
         and map_tone(tone.color, tone.mask | within).length < _HALVED * tone.length
         for within in parting
     )
 
 
-def masks_without_water(colors: list[NDArray[np.float64]], masks: list[Booleans]) -> list[Booleans]:
+def masks_without_water(
+    colors: list[NDArray[np.float64]], masks: list[Booleans], known: KnownWater | None = None
+) -> list[Booleans]:
     """Where (h, w) the colors of a map are, the grays darker than its land without what looks like
     water among roads.
 
@@ -94,10 +115,10 @@ def masks_without_water(colors: list[NDArray[np.float64]], masks: list[Booleans]
     the remnants of a park between streets would look like roads.
     """
     land = colors[int(np.argmax([np.count_nonzero(mask) for mask in masks]))]
-    dry = []
+    dry, known = [], known or KnownWater()
     for color, mask in zip(colors, masks, strict=True):
         dark = is_gray(color) and color.mean() < land.mean()
-        water = _water(mask) if dark else None
+        water = known.of(mask) if dark else None
         dry.append(mask if water is None else np.asarray(mask & ~water))
     return dry
 
@@ -183,8 +204,10 @@ def _basin(mask: Booleans, lines: _Lines) -> Booleans | None:
     deep = (inner > broad / 2).astype(np.uint8)
     if not deep.any():
         return None
-    away = cv2.distanceTransform(1 - deep, cv2.DIST_L2, 5)
-    wide = mask & (away < broad / 2)
+    window = window_around(deep, int(broad / 2) + 3)
+    inner, thin = np.ascontiguousarray(inner[window]), np.ascontiguousarray(thin[window])
+    away = cv2.distanceTransform(1 - np.ascontiguousarray(deep[window]), cv2.DIST_L2, 5)
+    wide = mask[window] & (away < broad / 2)
     count, parts = parts_of(wide, 8)
     core = thin & wide
     # Where lines meet, they end: between junctions a road's width is one.
@@ -195,7 +218,11 @@ def _basin(mask: Booleans, lines: _Lines) -> Booleans | None:
     large = areas_of(parts, count) >= _LARGE * broad**2
     water = large & (same < _MOSTLY * total)
     water[0] = False
-    return where_parts(water, parts) if water.any() else None
+    if not water.any():
+        return None
+    found = np.zeros(mask.shape, bool)
+    found[window] = where_parts(water, parts)
+    return found
 
 
 def _constant(lines: Booleans, inner: Layer) -> Booleans:

@@ -144,7 +144,7 @@ def _name(points: NDArray[np.float64]) -> _Name | None:
     places = np.linspace(start, end, max(2, round((end - start) / 4)))
     line = middle + places[:, None] * along + bend(places)[:, None] * across
     for _ in range(_ROUNDS):
-        away = np.linalg.norm(points[:, None] - line[None, :], axis=2).min(axis=1)
+        away = _distances(points, line).min(axis=1)
         if away.mean() <= _BAND * height:
             return _Name(line, height, points) if _bends_once(line) else None
         line = _nearer(line, points)
@@ -161,10 +161,19 @@ def _bends_once(line: NDArray[np.float64]) -> bool:
 
 def _nearer(line: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
     """A line (n, 2) moved to the middle of the pixels (m, 2) of a name that may bend much."""
-    nearest = np.linalg.norm(points[:, None] - line[None, :], axis=2).argmin(axis=1)
+    nearest = _distances(points, line).argmin(axis=1)
     fits = [np.polynomial.Polynomial.fit(nearest, points[:, axis], _DEGREE) for axis in (0, 1)]
     places = np.arange(len(line))
     return np.stack([fit(places) for fit in fits], axis=1)
+
+
+def _distances(points: NDArray[np.float64], line: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The distance (m, n) of each pixel (m, 2) from each point of a line (n, 2)."""
+    x, y = (points[:, axis, None] - line[:, axis] for axis in (0, 1))
+    x *= x
+    y *= y
+    x += y
+    return np.sqrt(x, out=x)
 
 
 def _street(mask: Booleans, name: _Name, width: float) -> NDArray[np.float64] | None:
