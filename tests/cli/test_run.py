@@ -198,6 +198,20 @@ def test_failures_replay_from_the_command_line(capsys: pytest.CaptureFixture[str
         assert trace == path.with_suffix(".trace.json").read_bytes()
 
 
+def test_a_run_does_not_write_over_a_search(capsys: pytest.CaptureFixture[str]) -> None:
+    """Both write `out` where no folder is named, and a failure is driven from there."""
+    assert run(["falsify", "bend.rl"]) == 4
+    before = {path: path.read_bytes() for path in Path("out").rglob("*") if path.is_file()}
+    for file in ("out/failures/0001.json", "bend.rl"):
+        assert run(["run", file]) == 2
+        error = capsys.readouterr().err
+        assert "RL460" in error
+        assert "it is the journal of a search" in error
+    assert {path: path.read_bytes() for path in Path("out").rglob("*") if path.is_file()} == before
+    assert run(["run", "out/failures/0001.json", "-o", "out/drives"]) == 4
+    assert run(["falsify", "bend.rl", "--resume"]) == 4
+
+
 def test_tables_of_failing_and_safe_scenes() -> None:
     run(["falsify", "bend.rl", "-o", "search"])
     tables = {}

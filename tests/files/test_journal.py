@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.diagnostics import Code, DiagnosticError, diagnose
-from roadlang.files.journal import JournalFile, read_lines
+from roadlang.files.journal import JournalFile, read_lines, with_checksum
 
 
 @pytest.fixture
@@ -64,7 +64,7 @@ def test_the_journal_of_something_else_stays_as_it_is(path: Path) -> None:
 def test_lines_are_read_of_any_key_but_unfinished_ones_are_not(path: Path) -> None:
     JournalFile(path, "key", resume=False, parse=bytes).append([b'{"a": 1}', b"{"])
     path.write_bytes(path.read_bytes() + b'{"e": 5}')
-    assert read_lines(path) == [(2, b'{"a": 1}'), (3, b"{")]
+    assert read_lines(path) == [(2, with_checksum(b'{"a": 1}')), (3, b"{")]
 
 
 @pytest.mark.parametrize("damage", [b'{"c": ', b"{}", b'"text"', b'{"a": "b"}', b""])
@@ -79,7 +79,25 @@ def test_damaged_lines_are_told_and_taken_out(path: Path, damage: bytes) -> None
     assert warning.code == "RL724"
     assert "line 3 of" in warning.message
     assert JournalFile(path, "key", True, parse).diagnostics == ()
-    assert read_lines(path) == [(2, b'{"a": 1}'), (3, b'{"a": 3}')]
+    kept = [with_checksum(line) for line in (b'{"a": 1}', b'{"a": 3}')]
+    assert read_lines(path) == [*enumerate(kept, 2)]
+
+
+def test_a_line_that_still_is_json_but_was_changed_is_taken_out(path: Path) -> None:
+    """A digit of a result, which nothing but a checksum tells."""
+    lines = [b'{"a": 1, "robustness": -0.25}', b'{"a": 2}']
+    JournalFile(path, "key", False, json.loads).append(lines)
+    path.write_bytes(path.read_bytes().replace(b"-0.25", b"-0.35"))
+    later = JournalFile(path, "key", True, json.loads)
+    assert [entry["a"] for entry in later.entries] == [2]
+    assert "line 2 of" in later.diagnostics[0].message
+
+
+def test_lines_without_a_checksum_are_read(path: Path) -> None:
+    JournalFile(path, "key", False, bytes)
+    path.write_bytes(path.read_bytes() + b'{"a": 1}\n')
+    later = JournalFile(path, "key", True, json.loads)
+    assert (later.entries, later.diagnostics) == ([{"a": 1}], ())
 
 
 @pytest.mark.parametrize("header", [b'{"schema": "other"}', b"[]", b'"text"'])

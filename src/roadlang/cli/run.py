@@ -210,12 +210,16 @@ class RunBatch:
         stands for all that the drives depend on, and the text of `provenance.json`."""
         from ..session.drives_in_parts import drive_in_parts
         from ..session.run_files import RunFolder
+        from ..session.search_folders import refuse_folder_of_search
         from .drive_lines import print_drive
         from .progress import ProgressBar
 
         outputs = [] if self._outputs is None else self._outputs
         key = _digest([origin[0], *outputs], finishing.task)
-        folder = RunFolder(self._folder(run), key, origin[1], self._resume)
+        target = self._folder(run)
+        if not self._resume:
+            refuse_folder_of_search(target)
+        folder = RunFolder(target, key, origin[1], self._resume)
         report(folder.diagnostics)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]
         found: dict[Diagnostic, None] = {}

@@ -10,7 +10,7 @@ from typing import Protocol
 import msgspec
 
 from ..diagnostics import Diagnostic
-from ..files.journal import JournalFile, header_of
+from ..files.journal import JournalFile, header_of, with_checksum
 from ..files.writing import write_file
 from .evaluator import Proposal
 from .outcome import Outcome
@@ -91,7 +91,7 @@ class SearchJournal:
 def write_journal(path: Path, key: str, outcomes: Sequence[Outcome]) -> None:
     """Write the journal of a search that kept none there; one that holds all of these outcomes
     stays, as it may hold more. Raises `DiagnosticError` RL460."""
-    lines = [msgspec.json.encode(outcome) for outcome in outcomes]
+    lines = [with_checksum(msgspec.json.encode(outcome)) for outcome in outcomes]
     try:
         header, *known = path.read_bytes().split(b"\n")
         if header == header_of(key) and {*lines} <= {*known}:

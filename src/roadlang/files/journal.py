@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import zlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -23,6 +25,7 @@ UNUSABLE = (ValueError, KeyError, TypeError, AttributeError)
 _FIRST_LINE = 2
 """Number of the line below the header."""
 _MOST_SHOWN = 5
+_CHECKSUM = re.compile(rb',"checksum":"([0-9a-f]{8})"\}$')
 _ANEW = "choose another folder with `-o`, or leave out `--resume` to start over"
 
 
@@ -31,14 +34,34 @@ def header_of(key: str) -> bytes:
     return json.dumps({"schema": SCHEMA, "key": key}).encode()
 
 
+def with_checksum(line: bytes) -> bytes:
+    """A JSON object with one more member, the CRC-32 of the others; another line as it is."""
+    if not (line.startswith(b"{") and line.endswith(b"}") and len(line) > len(b"{}")):
+        return line
+    return b'%b,"checksum":"%08x"}' % (line[:-1], zlib.crc32(line[:-1]))
+
+
+def unchanged(line: bytes) -> bytes:
+    """The line without its checksum, if it has one. Raises ValueError where that differs."""
+    found = _CHECKSUM.search(line)
+    if found is None:
+        return line
+    written = line[: found.start()]
+    if int(found[1], 16) != zlib.crc32(written):
+        raise ValueError("it is not what was written: its checksum differs")
+    return written + b"}"
+
+
 class JournalFile(Generic[T]):
-    """A header with a key, then lines of JSON. A line that was not finished is left out.
+    """A header with a key, then lines of JSON with checksums. A line that was not finished is
+    left out.
 
     `entries` are what `parse` makes of the lines of an earlier run with the same key, where
-    `resume` says to go on with it; otherwise the file is begun anew. A line that `parse` refuses
-    with ValueError, KeyError, TypeError or AttributeError was changed: it is taken out of the file,
-    and `diagnostics` warns of it (RL724). Raises `DiagnosticError` RL702 where the file has another
-    key, RL460 where it cannot be written, or another process writes it.
+    `resume` says to go on with it; otherwise the file is begun anew. A line was changed if its
+    checksum differs, or if `parse` refuses it with ValueError, KeyError, TypeError or
+    AttributeError: it is taken out of the file, and `diagnostics` warns of it (RL724). Raises
+    `DiagnosticError` RL702 where the file has another key, RL460 where it cannot be written, or
+    another process writes it.
     """
 
     def __init__(self, path: Path, key: str, resume: bool, parse: Callable[[bytes], T]) -> None:
@@ -91,7 +114,7 @@ class JournalFile(Generic[T]):
         self._has_lines = self._has_lines or bool(lines)
         try:
             with self.path.open("ab") as file:
-                file.write(b"".join(line + b"\n" for line in lines))
+                file.write(b"".join(with_checksum(line) + b"\n" for line in lines))
         except OSError as error:
             raise not_written(self.path, error) from error
 
@@ -103,7 +126,7 @@ class JournalFile(Generic[T]):
         kept, damaged = [], []
         for number, line in enumerate(lines[:-1], _FIRST_LINE):
             try:
-                self.entries.append(parse(line))
+                self.entries.append(parse(unchanged(line)))
             except UNUSABLE:
                 damaged.append(number)
             else:
@@ -123,8 +146,8 @@ def _damaged(path: Path, numbers: list[int]) -> Diagnostic:
 
 
 def read_lines(path: Path) -> list[tuple[int, bytes]]:
-    """The finished lines of a journal with their numbers, whatever its key. Raises `OSError`, and
-    `ValueError` for a file that is no journal."""
+    """The finished lines of a journal, each with its number and checksum, whatever its key. Raises
+    `OSError`, and `ValueError` for a file that is no journal."""
     first, *lines = path.read_bytes().split(b"\n")
     header = json.loads(first)
     if not isinstance(header, dict) or header.get("schema") != SCHEMA:

@@ -13,7 +13,7 @@ import msgspec
 from ..diagnostics import Code, DiagnosticError, diagnose
 from ..drive.standing import with_objects
 from ..drive.trace_files import from_json
-from ..files.journal import JOURNAL_FILE, UNUSABLE, read_lines
+from ..files.journal import JOURNAL_FILE, UNUSABLE, read_lines, unchanged
 from ..files.reading import UnreadableFile, read_file
 from ..ir.encoding import scene_from_json
 from ..ir.result_files import SCENE, TRACE
@@ -65,7 +65,7 @@ def read_journal(folder: Path, parse: Callable[[bytes], T]) -> list[T]:
         raise broken(path, reason_of(error)) from error
     for number, line in lines:
         try:
-            found.append(parse(line))
+            found.append(parse(unchanged(line)))
         except UNUSABLE as error:
             known = isinstance(error, KeyError | msgspec.ValidationError)
             reason = reason_of(error) if known else "it is not JSON that roadlang writes"
