@@ -15,6 +15,7 @@ from roadlang.geometry import Booleans
 from .ellipses import closed_by, grown_by
 from .found_network import FoundNetwork
 from .map_contrast import stretch_of, without_strong_contrast
+from .map_controls import without_controls
 from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
 from .map_lines import THIN, holes, short_parts
@@ -76,6 +77,7 @@ def roads_of_map(
     """
     tolerance = tolerance_of(image)
     plain = without_jpeg_noise(image) if tolerance is LOSSY else image
+    plain = without_controls(plain, tolerance)
     names = letters_of_map(plain, LARGER)
     style = style_of(plain, flat_colors(plain, tolerance), tolerance)
     stretch = stretch_of(plain, tolerance, names)
