@@ -120,3 +120,18 @@ def test_the_name_of_a_scene_file_may_hold_bytes_that_are_no_text(tmp_path: Path
     manifest = json.loads((folder / "out" / "manifest.json").read_text())
     assert manifest["source"].endswith(r"caf\xe9/stra\xdfe.rl")
     assert manifest["name"] == r"stra\xdfe"
+
+
+def test_check_finds_a_picture_whose_end_is_missing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    picture = Path(__file__).parents[2] / "examples" / "hairpin.jpg"
+    (tmp_path / "cut.jpg").write_bytes(picture.read_bytes()[:20000])
+    (tmp_path / "a.rl").write_text(
+        'image photo from "cut.jpg" { scale: 0.5m/px }\nnetwork town from photo\n'
+    )
+    assert run(["check", str(tmp_path / "a.rl")]) == 1
+    told = capsys.readouterr().err
+    assert told.count("error[") == 1
+    assert "error[RL403]: `cut.jpg` is truncated" in told
+    assert "a.rl:1:18" in told

@@ -37,3 +37,16 @@ def test_what_is_no_file_or_no_image_is_refused(tmp_path: Path) -> None:
     assert refused(read_image, tmp_path / "none") == "RL400"
     assert refused(read_input, tmp_path) == "RL400"
     assert refused(read_image, tmp_path / "a.png") == "RL402"
+
+
+def test_an_image_that_is_damaged_in_part_is_refused(tmp_path: Path) -> None:
+    noise = np.random.default_rng(1).integers(0, 255, (60, 80, 3), np.uint8)
+    content = bytearray(cv2.imencode(".jpg", noise)[1].tobytes())
+    middle = len(content) // 2
+    content[middle : middle + 40] = bytes(40)
+    (tmp_path / "a.jpg").write_bytes(bytes(content))
+    with pytest.raises(DiagnosticError) as caught:
+        read_image(tmp_path / "a.jpg")
+    (found,) = caught.value.diagnostics
+    assert found.code == "RL404"
+    assert "`a.jpg` is damaged: Corrupt JPEG data" in found.help[0]

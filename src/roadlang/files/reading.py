@@ -66,6 +66,19 @@ def read_start(path: Path, count: int) -> bytes:
     return _read(path, count, must_fit=False)
 
 
+def read_ends(path: Path, first: int, last: int) -> tuple[bytes, bytes, int]:
+    """The `first` and the `last` bytes of a regular file, which overlap where it has fewer, and how
+    many it has. Raises `UnreadableFile`."""
+    start = read_start(path, first)
+    try:
+        with path.open("rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            file.seek(max(0, size - last))
+            return start, file.read(last), size
+    except OSError as error:
+        raise UnreadableFile((error.strerror or str(error)).lower()) from None
+
+
 def _read(path: Path, limit: int, *, must_fit: bool) -> bytes:
     try:
         refuse_others(os.stat(path))

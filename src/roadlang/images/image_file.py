@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..files.matching import files_matching
+from ..files.picture_ends import LAST, has_end
 from ..files.picture_formats import READABLE, other_content
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .codec_output import codec_output
-from .image_header import ImageHeader, is_complete, read_header
+from .image_header import ImageHeader, read_header
 from .image_scale import FoundScale, scale_in_file, unusable_world_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
 from .placed_pixels import MOST_PIXELS, Pixels, PlacedPixels, placed
@@ -108,7 +109,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     if header is None:
         raise _refusal(Code.NOT_AN_IMAGE, span, written, help=(other_content(content), READABLE))
     _check_size(header, written, span)
-    if not is_complete(header.format, content):
+    if not has_end(content, content[-LAST:], len(content)):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
     bands = TiffBands.of(content) if header.format == "TIFF" else TiffBands()
     pixels, damage = (None, None) if bands.is_misread else _decoded(content, header)

@@ -3,16 +3,14 @@ decoded."""
 
 from __future__ import annotations
 
-import re
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ..files.picture_ends import PNM_HEADER
 from ..files.picture_formats import picture_format
 from .tiff import TiffTags
 
-_LAST_CHUNK = 8
-"""bytes of the last chunk of a PNG file from its name on"""
 _CODESTREAM = b"\xff\x4f\xff\x51"
 """the first bytes of JPEG 2000's data"""
 _Size = tuple[int, int]
@@ -38,26 +36,6 @@ def read_header(content: bytes) -> ImageHeader | None:
     except (struct.error, IndexError, ValueError):
         return None
     return None if size is None else ImageHeader(name, *size)
-
-
-def is_complete(format: str, content: bytes) -> bool:
-    """Whether the end of the file is there."""
-    if format == "PNG":
-        return 0 <= content.rfind(b"IEND", -64) <= len(content) - _LAST_CHUNK
-    if format in ("JPEG", "JPEG 2000"):
-        return b"\xff\xd9" in content[-65536:]
-    if format == "BMP":
-        return len(content) >= int(struct.unpack("<I", content[2:6])[0]) * 0.99
-    if format == "PNM" and content[1:2] in b"56":
-        header = _PNM_HEADER.match(content)
-        if header is None:
-            return False
-        width, height, most = map(int, header.groups())
-        values = width * height * (3 if content[1:2] == b"6" else 1)
-        return len(content) - header.end() >= values * (2 if most > 255 else 1)
-    if format == "WebP":
-        return len(content) >= int(struct.unpack("<I", content[4:8])[0]) + 8
-    return True
 
 
 def _png(content: bytes) -> _Size:
@@ -92,13 +70,9 @@ def _jpeg(content: bytes) -> _Size | None:
     return 8, 8
 
 
-_GAP = rb"(?:[ \t\r\n]|#[^\n]*\n)+"
-_PNM_HEADER = re.compile(rb"P[2356]" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)\s")
-
-
 def _pnm(content: bytes) -> _Size | None:
     """PGM and PPM files, which maps of robots are."""
-    found = _PNM_HEADER.match(content)
+    found = PNM_HEADER.match(content)
     if found is None:
         return None
     width, height, most = map(int, found.groups())

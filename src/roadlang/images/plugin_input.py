@@ -39,8 +39,16 @@ def read_text(path: Path) -> str:
 def read_image(path: Path) -> NDArray[np.uint8]:
     """The pixels (height, width, 3) BGR of an image, row 0 at the top.
 
-    Raises `DiagnosticError` RL400 to RL405.
+    Raises `DiagnosticError` RL400 to RL405; RL404 also where a part of the image is damaged, which
+    an `image` of a scene warns of (RL446).
     """
     from .image_file import open_image
 
-    return open_image(path, path.name, None).pixels
+    opened = open_image(path, path.name, None)
+    if opened.damage:
+        said = (*(each.message for each in opened.damage), "get the file again from its source")
+        name = path.name
+        raise DiagnosticError(
+            diagnose(Code.DAMAGED_IMAGE, help=said, path=name, file=name, format="JPEG")
+        )
+    return opened.pixels

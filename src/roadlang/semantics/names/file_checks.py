@@ -7,8 +7,9 @@ from pathlib import Path
 
 from ...diagnostics import Code, Diagnostic, Fix, Span, diagnose, did_you_mean
 from ...files.matching import files_matching
+from ...files.picture_ends import LAST, has_end
 from ...files.picture_formats import NEEDED, READABLE, other_content, picture_format
-from ...files.reading import UnreadableFile, read_start
+from ...files.reading import UnreadableFile, read_ends
 
 _MOST_SHOWN = 4
 PICTURE_SUFFIXES = (
@@ -50,7 +51,7 @@ def _files_in(folder: Path, span: Span, written: str) -> list[str] | Diagnostic:
 
 
 def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
-    """What is wrong with a file that the scene names, as far as its first bytes tell.
+    """What is wrong with a file that the scene names, as far as its first and last bytes tell.
 
     A picture may be named with `*` and `?`, which stand for all its tiles.
     """
@@ -80,7 +81,7 @@ def _missing_tiles(folder: Path, span: Span, written: str) -> Diagnostic:
 
 def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagnostic | None:
     try:
-        head = read_start(target, NEEDED)
+        head, end, size = read_ends(target, NEEDED, LAST if picture else 0)
     except UnreadableFile as error:
         if error.is_missing:
             return missing_file(target.parent, target.name, span, written)
@@ -91,4 +92,6 @@ def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagn
         reason, help_ = "it is not an image that can be read", (other_content(head), READABLE)
         shown = tuple(filter(None, help_))
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=reason, help=shown)
+    if picture and not has_end(head, end, size):
+        return diagnose(Code.TRUNCATED_IMAGE, span, file=written)
     return None
