@@ -282,6 +282,10 @@ def test_signals_of_a_drive_are_of_one_copy() -> None:
          "`wall` is in the way of `ego`"),
         ("object wall is box at (0m..0.1m, 0m) { count: 2 }",
          "copies of `wall` are in the way of each other"),
+        ("agent cars is car on main at 20m { count: 2, length: 4.2m..4.4m }",
+         "put its copies in a row with `spacing: 5m` or more, or anywhere with `at random`"),
+        ("object wall is box at (2m, 0m) { count: 2, length: 1m..2m }",
+         "give each copy a place of its own: `at (10m..40m, 20m)` draws one for each"),
         ("agent ego is car on main at 20m..30m { lane: choice(-1, 1) }\n"
          "agent b is car on main at 50m { lane: ego.start_lane + choice(5, 6) }",
          "has no lane"),

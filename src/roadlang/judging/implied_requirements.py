@@ -26,6 +26,7 @@ from ..world.placement import (
 )
 from ..world.placement_causes import beyond_road, cause_of_place, lane_fault
 from ..world.placement_faults import beyond_the_end
+from ..world.placement_order import draws_of
 from ..world.roads import road_batch, road_root
 from ..world.route_faults import route_fault
 from ..world.shortest_features import features_of_candidates
@@ -80,7 +81,10 @@ def _in_the_way(actor: ScenarioActor, candidates: CandidateBatch) -> str | None:
     if other is None:
         return cause_of_place(actor, candidates) or beyond_road(actor, candidates)
     if other == actor.name:
-        return f"copies of `{other}` are in the way of each other"
+        found = f"copies of `{other}` are in the way of each other"
+        if "spacing" in actor.options or draws_of(actor, candidates.scenario):
+            return found
+        return f"{found}; {_places_apart(actor, candidates, more=' or more')}"
     return f"`{other}` is in the way of `{actor.name}`"
 
 
@@ -111,14 +115,22 @@ def _room(actor: ScenarioActor, is_fixed: bool, candidates: CandidateBatch) -> F
         help_ = f"leave {-float(room.min()):.2g}m more, or write `apart: 0.1m` for less room, "
         help_ += "or `overlap: true` if they may stand in each other"
         if other == actor.name and "spacing" not in actor.options:
-            row = f"`spacing: {math.ceil(least_spacing(actor, candidates))}m`"
-            help_ = f"put its copies in a row with {row}, or anywhere with `at random`"
+            help_ = _places_apart(actor, candidates)
         elif _runs_back(actor, candidates.scenario):
             help_ = "`spacing` leads away from the other agent or object: leave out its sign"
         raise DiagnosticError(
             diagnose(Code.NO_ROOM, actor.span, name=actor.name, other=other, help=help_)
         )
     return room
+
+
+def _places_apart(actor: ScenarioActor, candidates: CandidateBatch, more: str = "") -> str:
+    """What to do with copies that all stand in one place; `more`: of those that differ in length
+    between scenes."""
+    if actor.on is None:
+        return "give each copy a place of its own: `at (10m..40m, 20m)` draws one for each"
+    row = f"`spacing: {math.ceil(least_spacing(actor, candidates))}m`{more}"
+    return f"put its copies in a row with {row}, or anywhere with `at random`"
 
 
 def _runs_back(actor: ScenarioActor, scenario: IndexedScenario) -> bool:
