@@ -170,8 +170,10 @@ def test_a_program_that_writes_more_than_its_answers_is_an_error(tmp_path: Path)
             answer = '{"steering": 0, "acceleration": 1}'
             print(answer + "\\n" + answer, flush=True)
     """
-    with pytest.raises(roadlang.DiagnosticError, match="without being asked"):
-        driven(scene(program(tmp_path, body)))
+    for _ in range(5):  # at once, however busy the machine is
+        with pytest.raises(roadlang.DiagnosticError, match="without being asked") as found:
+            driven(scene(program(tmp_path, body)))
+        assert "failed 0.04 s into the drive" in str(found.value)
 
 
 def test_a_program_that_ended_before_it_was_written_to_is_named_with_its_code() -> None:

@@ -12,7 +12,7 @@ import threading
 import weakref
 from collections import deque
 from collections.abc import Sequence
-from typing import IO
+from typing import IO, TypeAlias
 
 from roadlang.api import program_environment
 
@@ -24,6 +24,10 @@ LONGEST_KEPT = 300
 """bytes of each: minified source code is one line of many thousands"""
 PATIENCE = 1.0
 """seconds for which a program may go on after its standard input was closed"""
+
+Came: TypeAlias = tuple[list[bytes], bool]
+"""Lines that came together, so that nobody sees the first without the others; and whether the
+beginning of one more came with them."""
 
 
 class ProgramFailed(Exception):
@@ -55,7 +59,11 @@ class ControllerProcess:
             raise ProgramFailed(f"it cannot be started: {reason}{_words_of(command)}") from error
         self.close = weakref.finalize(self, _end, self._process)
         self._errors: deque[bytes] = deque(maxlen=TAIL)
-        self._answers: queue.Queue[bytes] = queue.Queue()
+        self._answers: queue.Queue[Came] = queue.Queue()
+        self._next: deque[bytes] = deque()
+        """lines that came together with others before them"""
+        self._more_begun = False
+        """whether the beginning of one more came with them"""
         process = self._process
         assert process.stdout is not None
         assert process.stderr is not None
@@ -81,16 +89,23 @@ class ControllerProcess:
     def unasked(self) -> str | None:
         """A line that it wrote without being asked; None where there is none."""
         with contextlib.suppress(queue.Empty):
-            line = self._answers.get_nowait()
+            line = self._line(PATIENCE if self._more_begun else 0.0)
             if line.endswith(b"\n"):
                 return line.decode("utf-8", "replace").rstrip("\r\n")
-            self._answers.put(line)  # the end, or too long a line: `receive` says so
+            self._next.appendleft(line)  # the end, or too long a line: `receive` says so
         return None
+
+    def _line(self, seconds: float) -> bytes:
+        """The next one. Raises queue.Empty where there is none by then."""
+        if not self._next:
+            lines, self._more_begun = self._answers.get(timeout=seconds)
+            self._next += lines
+        return self._next.popleft()
 
     def receive(self, seconds: float) -> str:
         """The next line of its standard output. Raises ProgramFailed where there is none."""
         try:
-            line = self._answers.get(timeout=seconds)
+            line = self._line(seconds)
         except queue.Empty:
             late = self.failed(f"it did not answer within {seconds:g} s")
             raise ProgramLate(str(late)) from None
@@ -121,14 +136,19 @@ class ControllerProcess:
         )
 
 
-def _read_answers(stream: IO[bytes], answers: queue.Queue[bytes]) -> None:
-    """Lines as they come; nothing for the end. Of what is too long, its beginning."""
+def _read_answers(stream: IO[bytes], answers: queue.Queue[Came]) -> None:
+    """Lines as they come, and an empty one for the end. Of what is too long, its beginning."""
+    begun = b""
     with contextlib.suppress(OSError, ValueError):
-        while line := stream.readline(LONGEST_LINE):
-            answers.put(line)
-            if not line.endswith(b"\n"):
-                break
-    answers.put(b"")
+        while len(begun) < LONGEST_LINE and (part := os.read(stream.fileno(), LONGEST_LINE)):
+            *lines, begun = (begun + part).split(b"\n")
+            if lines:
+                answers.put(([_bounded(line + b"\n") for line in lines], bool(begun)))
+    answers.put(([_bounded(begun), b""] if begun else [b""], False))
+
+
+def _bounded(line: bytes) -> bytes:
+    return line[:LONGEST_LINE]
 
 
 def _read_errors(stream: IO[bytes], errors: deque[bytes]) -> None:
