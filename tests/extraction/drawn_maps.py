@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from roadlang_standard.extraction.map_tones import MapTone
-from roadlang_standard.extraction.tone_shape import ToneShape
+from roadlang_standard.extraction.tone_shape import Steadiness, ToneShape
 from tests.extraction.graph_drawings import dense
 
 Color = tuple[int, int, int]
@@ -129,10 +129,16 @@ def _at(point: tuple[float, float]) -> tuple[int, int]:
 
 
 def known_tone(color: np.ndarray, mask: np.ndarray, *shape: float) -> MapTone:
-    """A tone whose shape is given, not measured: the values of a `ToneShape`."""
-    return MapTone(color, mask, SimpleNamespace(shape=ToneShape(*shape)))
+    """A tone whose shape is given, not measured: the values of a `ToneShape` and, after the first
+    six, of a `Steadiness`."""
+    known = SimpleNamespace(shape=ToneShape(*shape[:6]), steadiness=Steadiness(*shape[6:]))
+    return MapTone(color, mask, known)
 
 
-def shaped(tone: MapTone, **values: float) -> MapTone:
-    """A tone with other values of its shape."""
-    return replace(tone, surface=SimpleNamespace(shape=replace(tone.surface.shape, **values)))
+def shaped(tone: MapTone, steady: float, **values: float) -> MapTone:
+    """A tone of which another share is steady, with other values of its shape."""
+    seen = tone.surface
+    known = SimpleNamespace(
+        shape=replace(seen.shape, **values), steadiness=replace(seen.steadiness, share=steady)
+    )
+    return replace(tone, surface=known)

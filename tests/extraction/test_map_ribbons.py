@@ -17,7 +17,7 @@ def _strip(period: int) -> np.ndarray:
 
 def test_a_street_as_wide_as_the_bound_between_two_classes_keeps_its_width() -> None:
     for period in (2, 3, 5, 8):
-        assert ToneSurface(_strip(period)).shape.steady > 0.9, period
+        assert ToneSurface(_strip(period)).steadiness.share > 0.9, period
 
 
 def test_squares_do_not_keep_their_width() -> None:
@@ -25,4 +25,4 @@ def test_squares_do_not_keep_their_width() -> None:
     for row in range(5, 190, 20):
         for column in range(5, 190, 20):
             mask[row : row + 14, column : column + 14] = True
-    assert ToneSurface(mask).shape.steady < 0.2
+    assert ToneSurface(mask).steadiness.share < 0.2

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from roadlang.geometry import Booleans, Floats
 
 from .centers import centers
-from .edges import CenterLine, normals
+from .edges import CenterLine, normals_in_a_row
 from .fair_lines import SeenOffsets
 from .fairing import FULLY, Pace, Rough, faired
 from .smoothing import curvature
@@ -80,11 +80,13 @@ def fitted_fairly(
 
     What was seen is let go, little by little, where the curve would be too tight.
     """
+    if not lines:
+        return []
     outlines = [CenterLine(line.curve, line.closed) for line in lines]
     middles = centers(outlines, surface, fit.width, fit.level)
     sought = [
-        Rough(line.curve, _seen(line, *middle, fit), line.closed)
-        for line, middle in zip(lines, middles, strict=True)
+        Rough(line.curve, seen, line.closed)
+        for line, seen in zip(lines, _seen(lines, outlines, middles, fit), strict=True)
     ]
     found = [line.curve for line in lines]
     tight = list(range(len(lines)))
@@ -106,20 +108,36 @@ def _eased(rough: Rough, sharp: Booleans, fit: Fit) -> Rough:
     return replace(rough, seen=replace(rough.seen, weight=weight))
 
 
-def _seen(line: Unfitted, offset: Floats, even: Booleans, fit: Fit) -> SeenOffsets:
-    """The middle of the road beside a curve, `offset` (n,) where it is `even` (n,), and the traced
+def _seen(
+    lines: Sequence[Unfitted],
+    outlines: Sequence[CenterLine],
+    middles: Sequence[tuple[Floats, Booleans]],
+    fit: Fit,
+) -> list[SeenOffsets]:
+    """The middle of the road beside each curve, offsets (n,) where it is even (n,), and the traced
     line where it is not seen."""
-    curve, traced = line.curve, line.traced
-    _, nearest = cKDTree(traced.line).query(curve)
-    aside = ((traced.line[nearest] - curve) * normals(curve, line.closed)).sum(axis=1)
+    curves = np.concatenate([line.curve for line in lines])
+    offset = np.concatenate([offset for offset, _ in middles])
+    even = np.concatenate([even for _, even in middles])
+    nearest = np.concatenate(
+        [line.traced.line[cKDTree(line.traced.line).query(line.curve)[1]] for line in lines]
+    )
+    aside = ((nearest - curves) * normals_in_a_row(curves, outlines)).sum(axis=1)
     offset = np.where(even, offset, aside)
-    covered = fit.is_covered(curve)
+    covered = np.concatenate([fit.is_covered(line.curve) for line in lines])
     even = even & ~covered
-    vague = _near(curve, traced.junctions, 2.0 * fit.width + 3) & ~even
+    near = [_near(line.curve, line.traced.junctions, 2.0 * fit.width + 3) for line in lines]
+    vague = np.concatenate(near) & ~even
     weight = np.where(vague, _HARDLY, np.where(even, 1.0, np.where(covered, COVERED, _UNSEEN)))
     loose = np.where(vague, max(1.0, 0.25 * fit.width), max(0.6, fit.tolerance))
     loose = np.where(covered, np.maximum(loose, fit.width), loose)
-    return SeenOffsets(offset, weight, np.where(even, fit.tolerance, loose), line.pins)
+    tolerance = np.where(even, fit.tolerance, loose)
+    ends = np.cumsum([len(line.curve) for line in lines])[:-1]
+    offsets, weights, tolerances = (
+        np.split(values, ends) for values in (offset, weight, tolerance)
+    )
+    pins = [line.pins for line in lines]
+    return [*map(SeenOffsets, offsets, weights, tolerances, pins)]
 
 
 def _near(curve: Floats, places: Floats, distance: float) -> Booleans:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Floats
 
-from .edges import normals
+from .edges import CenterLine, normals, normals_in_a_row
 from .fair_lines import FairLine, FairLines, SeenOffsets, in_a_row
 from .fair_system import differences, spread, system
 from .smoothing import banded_solution, stations
@@ -70,9 +70,11 @@ def faired(lines: Sequence[Rough], pace: Pace = FULLY) -> list[Floats]:
     """
     curves = [line.points for line in lines]
     for group in _groups(lines):
-        row = in_a_row([_fair_line(lines[index]) for index in group], _TURNING, _CHANGING)
-        for index, offsets in zip(group, row.parts(_solved(row, pace)), strict=True):
-            curves[index] = _moved(lines[index], offsets)
+        some = [lines[index] for index in group]
+        row = in_a_row([*map(_fair_line, some, _open_normals(some))], _TURNING, _CHANGING)
+        moved = _moved(some, row.parts(_solved(row, pace)))
+        for index, curve in zip(group, moved, strict=True):
+            curves[index] = curve
     return curves
 
 
@@ -92,12 +94,20 @@ def _groups(lines: Sequence[Rough]) -> Iterator[list[int]]:
         yield group
 
 
-def _fair_line(line: Rough) -> FairLine:
+def _open_normals(lines: Sequence[Rough]) -> list[Floats]:
+    """The normals (n, 2) of each line, as if none were closed."""
+    outlines = [CenterLine(line.points) for line in lines]
+    found = normals_in_a_row(np.concatenate([line.points for line in lines]), outlines)
+    return np.split(found, np.cumsum([len(line.points) for line in lines])[:-1])
+
+
+def _fair_line(line: Rough, normal: Floats) -> FairLine:
     step = float(stations(line.points)[-1]) / (len(line.points) - 1)
     if not line.closed:
-        return FairLine(line.seen, _bends(line.points, step), step)
+        return FairLine(line.seen, _bends(line.points, normal, step), step)
     turn = _around(line)
-    return FairLine(_repeated(line.seen, turn), _bends(line.points[turn], step), step)
+    around = line.points[turn]
+    return FairLine(_repeated(line.seen, turn), _bends(around, normals(around), step), step)
 
 
 def _around(line: Rough) -> NDArray[np.intp]:
@@ -108,14 +118,23 @@ def _around(line: Rough) -> NDArray[np.intp]:
     return np.arange(-overlap, count + overlap) % count
 
 
-def _moved(line: Rough, offsets: Floats) -> Floats:
-    """The line with its points moved to the left by so much; of a closed line only those count
-    that are not repeated."""
-    if line.closed:
-        count = len(line.points) - 1
-        first = (len(offsets) - count) // 2
-        offsets = np.append(offsets[first : first + count], offsets[first])
-    return np.asarray(line.points + offsets[:, None] * normals(line.points, line.closed))
+def _moved(lines: Sequence[Rough], offsets: Sequence[Floats]) -> list[Floats]:
+    """The lines with their points moved to the left by so much; of a closed line only those
+    offsets count that are not repeated."""
+    points = np.concatenate([line.points for line in lines])
+    outlines = [CenterLine(line.points, line.closed) for line in lines]
+    aside = np.concatenate([*map(_once_round, lines, offsets)])
+    moved = points + aside[:, None] * normals_in_a_row(points, outlines)
+    return np.split(moved, np.cumsum([len(line.points) for line in lines])[:-1])
+
+
+def _once_round(line: Rough, offsets: Floats) -> Floats:
+    """The offsets (n,) of the points of a line."""
+    if not line.closed:
+        return offsets
+    count = len(line.points) - 1
+    first = (len(offsets) - count) // 2
+    return np.append(offsets[first : first + count], offsets[first])
 
 
 def _repeated(seen: SeenOffsets, turn: NDArray[np.intp]) -> SeenOffsets:
@@ -129,9 +148,10 @@ def _repeated(seen: SeenOffsets, turn: NDArray[np.intp]) -> SeenOffsets:
     return SeenOffsets(offset, weight, tolerance, pins)
 
 
-def _bends(points: Floats, step: float) -> Floats:
-    """Signed curvature (n - 2,) of a line of even steps, at all points but its ends."""
-    return np.asarray((np.diff(points, 2, axis=0) * normals(points)[1:-1]).sum(axis=1) / step**2)
+def _bends(points: Floats, normal: Floats, step: float) -> Floats:
+    """Signed curvature (n - 2,) of a line of even steps with its normals (n, 2), at all points but
+    its ends."""
+    return np.asarray((differences(points, 2) * normal[1:-1]).sum(axis=1) / step**2)
 
 
 def _solved(row: FairLines, pace: Pace) -> Floats:

@@ -45,10 +45,16 @@ def ribbons(thin: Booleans, inner: Layer) -> RibbonLines:
     `thin` (h, w) is the skeleton of the surface, `inner` (h, w) how far pixels are from its edge.
     """
     at = np.flatnonzero(thin)
-    widths = 2 * inner.ravel()[at] - 1
-    across, least = np.zeros(thin.shape, np.float32), np.full(thin.shape, 1e3, np.float32)
+    return ribbons_along((thin.shape[0], thin.shape[1]), at, 2 * inner.ravel()[at] - 1)
+
+
+def ribbons_along(size: tuple[int, int], at: Pixels, widths: Layer) -> RibbonLines:
+    """As `ribbons` of a picture of some `size`, given the pixels (n,) of the skeleton, as indices
+    of the flat picture, and the width (n,) of the surface there."""
+    across, least = np.zeros(size, np.float32), np.full(size, 1e3, np.float32)
     across.ravel()[at] = least.ravel()[at] = widths
-    found = np.zeros(thin.shape, bool)
+    found, thin = np.zeros(size, bool), np.zeros(size, bool)
+    thin.ravel()[at] = True
     usual = _usual(across, thin, at)
     for low, high in pairwise(_WIDTHS):
         some = at[(usual >= low) & (usual < high)]

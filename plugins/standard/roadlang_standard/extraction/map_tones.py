@@ -103,17 +103,17 @@ class MapTone:
     @property
     def steady(self) -> float:
         """Share of the surface that keeps its width along its length."""
-        return self.surface.shape.steady
+        return self.surface.steadiness.share
 
     @property
     def steady_length(self) -> float:
         """Length of that, pixels."""
-        return self.surface.shape.steady_length
+        return self.surface.steadiness.length
 
     @property
     def steady_wide(self) -> float:
         """Width of its widest twentieth, pixels."""
-        return self.surface.shape.steady_wide
+        return self.surface.steadiness.wide
 
     @property
     def is_gray(self) -> bool:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .map_ribbons import ribbons
+from .map_ribbons import ribbons_along
 from .mask_parts import window_around
 from .masks import without_specks
 from .skeleton import skeleton
@@ -46,15 +46,38 @@ class ToneShape:
     """share of the length whose width is near that of its part"""
     widest: float
     """width of its widest place, pixels"""
-    steady: float
-    """share of the surface that keeps its width along its length"""
-    steady_length: float
-    """length of that, pixels"""
-    steady_wide: float = 0.0
+
+
+@dataclass(frozen=True)
+class Steadiness:
+    """How much of a surface keeps its width along its length."""
+
+    share: float
+    """of the surface"""
+    length: float
+    """of that, pixels"""
+    wide: float = 0.0
     """width of its widest twentieth, pixels"""
 
 
-NO_SHAPE = ToneShape(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
+@dataclass(frozen=True)
+class _Ridge:
+    """The center lines of a surface (h, w): the picture's `size`, their pixels (n,) as indices of
+    the flat picture, and the width there (n,)."""
+
+    size: tuple[int, int]
+    at: NDArray[np.intp]
+    widths: Layer
+
+    @property
+    def steadiness(self) -> Steadiness:
+        if not len(self.at):
+            return Steadiness(0.0, 0.0)
+        steady = ribbons_along(self.size, self.at, self.widths)
+        return Steadiness(steady.share, steady.length, steady.wide)
+
+
+NO_SHAPE = ToneShape(0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 """Of nothing."""
 
 
@@ -66,6 +89,11 @@ class HasShape(Protocol):
         """Its shape."""
         ...
 
+    @property
+    def steadiness(self) -> Steadiness:
+        """How much of it keeps its width."""
+        ...
+
 
 @dataclass(frozen=True)
 class ToneSurface:
@@ -74,37 +102,45 @@ class ToneSurface:
 
     mask: Booleans
 
-    @cached_property
+    @property
     def shape(self) -> ToneShape:
         """Its shape."""
+        return self._measured[0]
+
+    @cached_property
+    def steadiness(self) -> Steadiness:
+        """How much of it keeps its width: asked where colors alone do not tell what is a road."""
+        return self._measured[1].steadiness
+
+    @cached_property
+    def _measured(self) -> tuple[ToneShape, _Ridge]:
         return _shape(self.mask)
 
 
-def _shape(mask: Booleans) -> ToneShape:
+def _shape(mask: Booleans) -> tuple[ToneShape, _Ridge]:
     window = window_around(mask, SPECK)
     clean = without_specks(np.ascontiguousarray(mask[window]), SPECK)
     inner = cv2.distanceTransform(clean.view(np.uint8), cv2.DIST_L2, 5)
     thin = skeleton(clean)
-    parts = _parts(clean, inner, thin)
+    at = np.flatnonzero(thin)
+    ridge = _Ridge((clean.shape[0], clean.shape[1]), at, 2 * inner.ravel()[at] - 1)
+    parts = _parts(clean, ridge)
     if not len(parts.lengths):
-        return NO_SHAPE
+        return NO_SHAPE, ridge
     wide = (parts.usual > THINNEST) | (parts.lengths > _THIN_LONG)
     ribbon = (parts.lengths > _LONG * np.maximum(parts.usual, 1)) & wide
     weights = np.where(ribbon, parts.lengths, 0) if ribbon.any() else parts.lengths
     weights = weights / max(float(weights.sum()), 1.0)
     usual = float(weights @ parts.usual)
-    steady = ribbons(thin, inner)
-    return ToneShape(
+    shape = ToneShape(
         float(parts.lengths.sum()),
         float((parts.lengths * parts.usual)[ribbon].sum() / (parts.lengths @ parts.usual)),
         usual,
         float(weights @ parts.wide) / max(usual, 1.0),
         float(weights @ parts.even),
         2 * float(inner.max()) - 1,
-        steady.share,
-        steady.length,
-        steady.wide,
     )
+    return shape, ridge
 
 
 @dataclass(frozen=True)
@@ -118,9 +154,9 @@ class _Parts:
     even: NDArray[np.float64]
 
 
-def _parts(mask: Booleans, inner: Layer, thin: Booleans) -> _Parts:
+def _parts(mask: Booleans, ridge: _Ridge) -> _Parts:
     _, labels = cv2.connectedComponents(mask.view(np.uint8), connectivity=8)
-    part, width = labels[thin], (2 * inner[thin] - 1).astype(np.float64)
+    part, width = labels.ravel()[ridge.at], ridge.widths.astype(np.float64)
     order = np.lexsort((width, part))
     part, width = part[order], width[order]
     starts = np.flatnonzero(np.r_[True, np.diff(part) > 0]) if len(part) else np.zeros(0, np.intp)
