@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,6 +37,10 @@ _STRONG, _ENOUGH = 200, 100
 levels splits their color. The contrast is then lowered until they differ by `_ENOUGH`."""
 
 
+Colors = Sequence[NDArray[np.float64]]
+"""Of a map, (3,) BGR each, most frequent first."""
+
+
 @dataclass(frozen=True)
 class Stretch:
     """More or less contrast about the color `land` (3,) of the land, which becomes `base` (3,)."""
@@ -54,15 +59,19 @@ class Stretch:
 
 
 def stretch_of(
-    image: Image, tolerance: Tolerance = EXACT, letters: Booleans | None = None
+    image: Image,
+    tolerance: Tolerance = EXACT,
+    letters: Booleans | None = None,
+    colors: Colors | None = None,
 ) -> Stretch | None:
     """How much more contrast a map (h, w, 3) needs about its land, None if it has enough: otherwise
     lines that differ from it by ten gray levels have no edges of a mixed color.
 
     Its `letters` (h, w) are not looked at: maps are faint, but not their names. JPEG's noise gets
-    more contrast, too: there, all of the map is to be faint.
+    more contrast, too: there, all of the map is to be faint. `colors` are its flat colors, if
+    known.
     """
-    seen = _Contrast.of(image, letters)
+    seen = _Contrast.of(image, letters, colors)
     differs = None if seen is None else _faint(seen, tolerance)
     if seen is None or differs is None:
         return None
@@ -79,10 +88,10 @@ def with_contrast(
     return image if stretch is None else stretch.picture(image)
 
 
-def without_strong_contrast(image: Image, letters: Booleans) -> Image:
+def without_strong_contrast(image: Image, letters: Booleans, colors: Colors | None = None) -> Image:
     """A map (h, w, 3) stored as JPEG, with less contrast about its land if it is in black and
-    white; its `letters` (h, w) are not looked at."""
-    seen = _Contrast.of(image, letters)
+    white; its `letters` (h, w) are not looked at. `colors` are its flat colors, if known."""
+    seen = _Contrast.of(image, letters, colors)
     if seen is None or not seen.marked.any():
         return image
     usual = float(np.quantile(seen.away[seen.marked], _MARKED))
@@ -102,9 +111,9 @@ class _Contrast:
     marked: Booleans
 
     @staticmethod
-    def of(image: Image, letters: Booleans | None) -> _Contrast | None:
+    def of(image: Image, letters: Booleans | None, colors: Colors | None) -> _Contrast | None:
         """That of a map (h, w, 3) with `letters` (h, w); None if it has no flat color."""
-        land = flat_colors(image)[:1]
+        land = (flat_colors(image) if colors is None else colors)[:1]
         if not land:
             return None
         away = away_from(image, land[0])

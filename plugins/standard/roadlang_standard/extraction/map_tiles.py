@@ -79,26 +79,28 @@ def roads_of_map(
     plain = without_jpeg_noise(image) if tolerance is LOSSY else image
     plain = without_controls(plain, tolerance)
     names = letters_of_map(plain, LARGER)
-    style = style_of(plain, flat_colors(plain, tolerance), tolerance)
-    stretch = stretch_of(plain, tolerance, names)
+    colors = flat_colors(plain, tolerance)
+    style = style_of(plain, colors, tolerance)
+    stretch = stretch_of(plain, tolerance, names, colors)
     clear = plain if stretch is None else stretch.picture(plain)
     if style is not None and stretch is not None:
         style = style.stretched(stretch)
     # Nobody draws with so little contrast as faint maps have.
     may_be_plan = is_plan if clear is plain else None
     if tolerance is LOSSY and clear is plain and style is None:
-        clear = without_strong_contrast(plain, names)
-    return _roads_of_map(clear, _Seen(plain, names, style), tolerance, width, may_be_plan)
+        clear = without_strong_contrast(plain, names, colors)
+    return _roads_of_map(clear, _Seen(plain, names, colors, style), tolerance, width, may_be_plan)
 
 
 @dataclass(frozen=True)
 class _Seen:
     """A map (h, w, 3) before its contrast is changed, of which noise would become letters, what
-    is written on it (h, w), as names on roads leave no even strips of their color, and its style,
-    None if that is not known."""
+    is written on it (h, w), as names on roads leave no even strips of their color, its flat colors,
+    and its style, None if that is not known."""
 
     image: Image
     names: Booleans
+    colors: list[NDArray[np.float64]]
     style: MapStyle | None
 
     def letters(self, width: float) -> Booleans:
@@ -114,7 +116,7 @@ def _roads_of_map(
     is_plan: Callable[[], bool] | None,
 ) -> FoundNetwork | None:
     plain = without_letters(image, seen.names)
-    colors = flat_colors(plain, tolerance)
+    colors = seen.colors if plain is seen.image else flat_colors(plain, tolerance)
     style = seen.style
     if style is not None:
         colors = style.with_its_own(colors, tolerance)
