@@ -5,8 +5,6 @@ import math
 import sys
 from pathlib import Path
 
-STEERING, ACCELERATION, DECELERATION = 0.61, 4.0, 8.0  # what the actions 1 and -1 mean
-
 
 def layer(values: list[float], weights: list[float], outputs: int) -> list[float]:
     """One layer of the network: the last row of its weights are the biases."""
@@ -21,6 +19,7 @@ def main() -> None:
     """Answer each line of standard input with one of standard output."""
     policy = json.loads(Path("policy.json").read_text(encoding="utf-8"))
     inputs, hidden, weights = policy["inputs"], policy["hidden"], policy["weights"]
+    most = policy["actions"]  # what the actions 1 and -1 meant in training
     split = (len(inputs) + 1) * hidden
     distances = json.loads(sys.stdin.readline())["distances"]
     print(json.dumps({"protocol": "roadlang.drive/1"}), flush=True)
@@ -30,8 +29,8 @@ def main() -> None:
             seen[f"path_left_{distance:g}m"] = left
         values = [seen[name] * scale for name, scale in inputs.items()]
         steering, wish = layer(layer(values, weights[:split], hidden), weights[split:], 2)
-        acceleration = wish * (ACCELERATION if wish > 0 else DECELERATION)
-        answer = {"steering": steering * STEERING, "acceleration": acceleration}
+        acceleration = wish * most["acceleration" if wish > 0 else "deceleration"]
+        answer = {"steering": steering * most["steering"], "acceleration": acceleration}
         print(json.dumps(answer), flush=True)
 
 

@@ -26,6 +26,8 @@ INPUTS = {
     "steering": 2.0, "path_left_10m": 0.2, "path_left_20m": 0.1, "path_left_30m": 0.05,
 }  # fmt: skip
 """by what each number of the observation is multiplied"""
+ACCELERATION, DECELERATION = 4.0, 8.0
+"""m/s^2 that the second action means at 1 and at -1"""
 SIZE = (len(INPUTS) + 1) * HIDDEN + (HIDDEN + 1) * 2
 
 
@@ -78,8 +80,15 @@ def main() -> None:
     parser.add_argument("--generations", type=int, default=30)
     parser.add_argument("--failures", metavar="DIR", help="what `roadlang falsify` wrote")
     arguments = parser.parse_args()
+    roads = scenes(arguments.failures)
     env = SceneVectorEnv(
-        scenes(arguments.failures), POLICIES * ROADS, duration=30.0, reward=reward, agents=0
+        roads,
+        POLICIES * ROADS,
+        duration=30.0,
+        acceleration=ACCELERATION,
+        deceleration=DECELERATION,
+        reward=reward,
+        agents=0,
     )
     start, spread = np.zeros(SIZE), 0.5
     if arguments.failures is not None:
@@ -93,7 +102,13 @@ def main() -> None:
         search.tell(list(candidates), list(-found))
         if generation % 10 == 0 or generation == arguments.generations - 1:
             print(f"generation {generation}: mean {found.mean():.1f}, best {found.max():.1f}")
-    policy = {"inputs": INPUTS, "hidden": HIDDEN, "weights": search.mean.tolist()}
+    meaning = {
+        "steering": roads[0].agents["ego"].options["max_steering"],  # all that the car can
+        "acceleration": ACCELERATION,
+        "deceleration": DECELERATION,
+    }
+    weights = search.mean.tolist()
+    policy = {"inputs": INPUTS, "hidden": HIDDEN, "actions": meaning, "weights": weights}
     Path("policy.json").write_text(json.dumps(policy), encoding="utf-8")
 
 

@@ -52,6 +52,7 @@ def test_a_policy_that_is_trained_on_its_failures_fails_less(folder: Path) -> No
     untrained, *_ = means(run(folder, "train_policy.py", "--generations", "8"))
     policy = json.loads((folder / "policy.json").read_text())
     assert len(policy["weights"]) == 68
+    assert policy["actions"] == {"steering": 0.6109, "acceleration": 4.0, "deceleration": 8.0}
     first = failing(folder, "search")
     assert first >= 1
     more = ("--failures", "search", "--generations", "8")
