@@ -6,10 +6,11 @@ from typing import Any
 
 import cv2
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from roadlang_standard.extraction.skeleton import skeleton
+from roadlang_standard.extraction.skeleton import skeleton, widths_across
 
 
 def test_a_thick_bar_becomes_its_middle_row() -> None:
@@ -70,3 +71,10 @@ def test_the_rules_are_kept_to_the_pixel() -> None:
         assert (skeleton(mask) == _one_by_one(mask)).all()
     full = np.ones((9, 31), bool)
     assert (skeleton(full) == _one_by_one(full)).all()
+
+
+def test_a_stroke_is_as_wide_as_the_depth_of_its_middle_says() -> None:
+    stroke = np.zeros((40, 60), np.uint8)
+    stroke[10:17, 5:55] = 1
+    depths = cv2.distanceTransform(stroke, cv2.DIST_L2, 5)[13, 12:48]
+    assert widths_across(depths, (0.1, 0.5)) == pytest.approx([7.0, 7.0], abs=0.05)

@@ -11,7 +11,7 @@ from roadlang.geometry import Booleans
 from .ellipses import closed_by, grown_by, opened_by
 from .mask_parts import parts_and_boxes, where_parts
 from .masks import without_holes
-from .skeleton import skeleton
+from .skeleton import skeleton, widths_across
 
 _REACH = 4
 """Grain is found by closing the strokes by this many pixels to each side."""
@@ -83,5 +83,4 @@ def _width(part: Booleans) -> float:
 def _widths(part: Booleans, shares: tuple[float, ...]) -> list[float]:
     """The widths that such shares of strokes (h, w) are thinner than, pixels."""
     inner = cv2.distanceTransform(part.view(np.uint8), cv2.DIST_L2, 5)
-    across = inner[skeleton(part)]
-    return [2 * float(np.quantile(across, share)) - 1 for share in shares]
+    return widths_across(inner[skeleton(part)], shares)

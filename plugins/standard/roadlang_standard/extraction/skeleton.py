@@ -50,6 +50,13 @@ def skeleton(mask: Booleans) -> Booleans:
     return flat.reshape(height + 2, stride)[1:-1, 1:-1].astype(bool)
 
 
+def widths_across(depths: NDArray[np.float32], shares: tuple[float, ...]) -> list[float]:
+    """The widths, in pixels, that such shares of strokes are thinner than. `depths` (n,) of the
+    pixels along their middles: how far the nearest pixel beside the stroke is. Half a pixel on
+    each side of it is not of the stroke."""
+    return [2 * float(np.quantile(depths, share)) - 1 for share in shares]
+
+
 def _codes(flat: NDArray[np.uint8], pixels: Pixels, around: Pixels) -> NDArray[np.uint8]:
     """Which neighbors of each pixel (n,) are set: bit 0 is north, clockwise."""
     is_set = flat.take(pixels + around)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from .graph import Graph, Line
 from .graph_cleanup import at_border, components, join
+from .skeleton import widths_across
 
 _LONG, _SHORT = 0.6, 0.4
 """In shorter sides of the picture: connected roads are at least `_LONG` in length, names and arrows
@@ -109,5 +110,4 @@ def _widths(
     points = np.concatenate([line.points for line in lines])
     last = (inner.shape[1] - 1, inner.shape[0] - 1)
     columns, rows = np.clip(np.round(points).astype(int), 0, last).T
-    depths = inner[rows, columns]
-    return [2 * float(np.quantile(depths, share)) - 1 for share in shares]
+    return widths_across(inner[rows, columns], shares)
