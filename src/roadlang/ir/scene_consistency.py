@@ -71,9 +71,11 @@ def conditions(scene: Scene) -> Iterator[tuple[str, Mapping[str, Any]]]:
 def _check_condition(condition: Mapping[str, Any], place: str) -> None:
     from ..diagnostics import DiagnosticError
     from ..stl import from_json
+    from ..stl.formats.json_form import shown
 
     if "formula" not in condition:
-        raise InconsistentScene(place, "a condition has a `formula`")
+        fault = "a condition needs the member `formula`, which is missing"
+        raise InconsistentScene(place, fault)
     try:
         formula = from_json(condition["formula"])
     except DiagnosticError as error:
@@ -82,10 +84,11 @@ def _check_condition(condition: Mapping[str, Any], place: str) -> None:
     _check_evaluation(condition.get("evaluation", {}), place)
     signals, numbers = condition.get("signals", {}), condition.get("numbers", {})
     if not isinstance(signals, Mapping) or not all(map(_is_call, signals.values())):
-        fault = "each signal is a map with its `kind` and `options`"
+        fault = "expected a map from names to signals, each with its `kind` and `options`"
         raise InconsistentScene(f"{place}.signals", fault)
     if not isinstance(numbers, Mapping) or not all(map(_is_number, numbers.values())):
-        raise InconsistentScene(f"{place}.numbers", "this is a map of numbers")
+        fault = f"expected a map from names to numbers, found `{shown(numbers)}`"
+        raise InconsistentScene(f"{place}.numbers", fault)
     for name in sorted(formula.variables - signals.keys() - numbers.keys()):
         fault = f"`{name}` is neither in `signals` nor in `numbers`"
         raise InconsistentScene(f"{place}.formula", fault)
@@ -93,9 +96,11 @@ def _check_condition(condition: Mapping[str, Any], place: str) -> None:
 
 def _check_evaluation(evaluation: object, place: str) -> None:
     from ..stl.formats.evaluation_json import UnreadableEvaluation, evaluation_from_json
+    from ..stl.formats.json_form import shown
 
     if not isinstance(evaluation, Mapping):
-        raise InconsistentScene(f"{place}.evaluation", "this is a map")
+        fault = f'expected a map such as `{{"semantics": "held"}}`, found `{shown(evaluation)}`'
+        raise InconsistentScene(f"{place}.evaluation", fault)
     try:
         evaluation_from_json(evaluation)
     except UnreadableEvaluation as error:

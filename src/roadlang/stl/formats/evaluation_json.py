@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from math import inf
 from typing import Any, get_args
 
-from ...diagnostics import DiagnosticError
+from ...diagnostics import DiagnosticError, did_you_mean
 from ..formula.evaluation_options import PLAIN, EvaluationOptions, Measure, Semantics
 from ..formula.formulas import Formula
-from .json_form import from_json, to_json
+from .json_form import from_json, shown, to_json
+
+MEMBERS = tuple(each.name for each in fields(EvaluationOptions))
+"""of an evaluation in JSON"""
 
 
 class UnreadableEvaluation(ValueError):
@@ -38,10 +41,10 @@ def evaluation_to_json(options: EvaluationOptions) -> dict[str, Any]:
 
 def evaluation_from_json(record: Mapping[str, Any]) -> EvaluationOptions:
     """What `evaluation_to_json` wrote. Raises UnreadableEvaluation for anything else."""
-    known = [each.name for each in fields(EvaluationOptions)]
     for name in record:
-        if name not in known:
-            raise UnreadableEvaluation(name, f"the members are {', '.join(known)}")
+        if name not in MEMBERS:
+            meant = did_you_mean(name, MEMBERS) or (f"it has {_one_of(MEMBERS, 'and')}",)
+            raise UnreadableEvaluation(name, f"an evaluation has no member `{name}`: {meant[0]}")
     found = EvaluationOptions(
         _word("semantics", get_args(Semantics), record),
         _word("robustness", get_args(Measure), record),
@@ -49,38 +52,52 @@ def evaluation_from_json(record: Mapping[str, Any]) -> EvaluationOptions:
         _flag("strict", record),
     )
     if found.conflict is not None:
-        raise UnreadableEvaluation(found.conflict[0], f"not together with `{found.conflict[1]}`")
+        name, other = found.conflict
+        fault = f"`{name}` and `{other}` cannot be used together: leave out one of them"
+        raise UnreadableEvaluation(name, fault)
     return found
 
 
 def _word(name: str, words: tuple[str, ...], record: Mapping[str, Any]) -> Any:
     value = record.get(name, getattr(PLAIN, name))
     if value not in words:
-        raise UnreadableEvaluation(name, f"this is one of {', '.join(words)}")
+        meant = did_you_mean(value, words) if isinstance(value, str) else ()
+        raise _unexpected(name, _one_of(words), value, *meant)
     return value
 
 
 def _flag(name: str, record: Mapping[str, Any]) -> bool:
     value = record.get(name, False)
     if not isinstance(value, bool):
-        raise UnreadableEvaluation(name, "this is true or false")
+        raise _unexpected(name, "`true` or `false`", value)
     return value
 
 
 def _weights(listed: Any) -> tuple[tuple[Formula, float], ...]:
     if not isinstance(listed, list | tuple):
-        raise UnreadableEvaluation("weights", "this is a list of formulas, each with its weight")
+        raise _unexpected("weights", "a list of pairs, each a formula and its weight", listed)
     return tuple(_weight(number, item) for number, item in enumerate(listed))
 
 
 def _weight(number: int, item: Any) -> tuple[Formula, float]:
     place = f"weights[{number}]"
     if not isinstance(item, list | tuple) or len(item) != 2:
-        raise UnreadableEvaluation(place, "this is a formula and its weight")
+        raise _unexpected(place, "a pair, a formula and its weight", item)
     weight = item[1]
     if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0.0 < weight < inf:
-        raise UnreadableEvaluation(f"{place}[1]", "a weight is a number above 0")
+        raise _unexpected(f"{place}[1]", "a weight, a number above 0", weight)
     try:
         return from_json(item[0]), float(weight)
     except DiagnosticError as error:
         raise UnreadableEvaluation(f"{place}[0]", error.diagnostics[0].message) from error
+
+
+def _unexpected(place: str, expected: str, value: Any, meant: str = "") -> UnreadableEvaluation:
+    found = f"expected {expected}, found `{shown(value)}`"
+    return UnreadableEvaluation(place, f"{found}: {meant}" if meant else found)
+
+
+def _one_of(words: Sequence[str], joint: str = "or") -> str:
+    """`a`, `b` or `c`."""
+    *first, last = (f"`{word}`" for word in words)
+    return f"{', '.join(first)} {joint} {last}"

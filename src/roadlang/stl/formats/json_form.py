@@ -7,6 +7,7 @@ infinity; `{"count": [p, "<=", 3], "interval": [0, 10]}`. Truth values are JSON'
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any, cast, get_args
 
@@ -23,6 +24,7 @@ Json = Any
 _WORDS = {operator.json: operator.word for operator in OPERATORS}
 _UNARY = {operator.json for operator in OPERATORS if operator.form in PREFIXES}
 """Their operand stands by itself, not in a list."""
+_LONGEST = 60
 _OPERATORS = {*_WORDS, *get_args(f.ComparisonOperator)}
 
 
@@ -130,7 +132,10 @@ def _term_from_json(value: Json) -> t.Term:
 
 
 def _refusal(value: Json) -> Exception:
-    shown = repr(value)
-    return stl_error(
-        Code.INVALID_JSON_FORMULA, found=shown if len(shown) <= 60 else f"{shown[:57]}..."
-    )
+    return stl_error(Code.INVALID_JSON_FORMULA, found=shown(value))
+
+
+def shown(value: Any) -> str:
+    """A value as JSON has it, at most sixty characters of it, for a message."""
+    text = json.dumps(value, default=repr)
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
