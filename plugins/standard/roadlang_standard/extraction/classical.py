@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from .found_network import FoundNetwork
 from .hysteresis import hysteresis
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
 _ANGLES = 12
 _WIDTHS = (5, 9, 13)
 _LENGTH = 21
+_BEYOND = 9
+"""What is at most half as many pixels beyond a turned picture may be sampled to turn it back."""
+_ROWS = 32
+"""Number of rows that are evaluated together: more do not stay in a processor's cache."""
 _SMALLER = 1 / 3
 """Scale at which a photo without fine detail is processed."""
 _STRIP, _REACH = 4, 40
@@ -100,14 +105,54 @@ def _along(even: Layer, angle: float) -> Layer:
     turn = cv2.getRotationMatrix2D((width / 2, height / 2), angle, 1.0)
     turn[:, 2] += (diagonal - width) / 2, (diagonal - height) / 2
     turned = cv2.warpAffine(even, turn, (diagonal, diagonal), borderMode=cv2.BORDER_REFLECT)
-    response, squares = np.zeros_like(turned), turned * turned
-    for bar in _WIDTHS:
-        inner = cv2.blur(turned, (_LENGTH, bar))
-        rough = cv2.blur(squares, (_LENGTH, bar)) - inner * inner
-        shift = bar + 1
-        above, below = inner - np.roll(inner, shift, 0), inner - np.roll(inner, -shift, 0)
-        brighter, darker = np.minimum(above, below), -np.maximum(above, below)
-        edge = np.maximum(brighter, darker) - 0.35 * np.sqrt(np.maximum(rough, 0))
-        np.maximum(response, edge, out=response)
+    response = _response(turned, _shown(turn, even.shape, diagonal))
     back = cv2.warpAffine(response, turn, (width, height), flags=cv2.WARP_INVERSE_MAP)
     return np.asarray(back, np.float32)
+
+
+def _shown(turn: NDArray[np.float64], shape: tuple[int, ...], side: int) -> NDArray[np.uint8]:
+    """Where (side, side) a turned picture of some shape shows that, and a little beyond."""
+    right, bottom = shape[1] - 1, shape[0] - 1
+    corners = np.array([(0, 0, 1), (right, 0, 1), (right, bottom, 1), (0, bottom, 1)])
+    shown = np.zeros((side, side), np.uint8)
+    cv2.fillConvexPoly(shown, np.round(corners @ turn.T).astype(np.int32), 1)
+    return np.asarray(cv2.dilate(shown, np.ones((_BEYOND, _BEYOND), np.uint8)))
+
+
+def _response(turned: Layer, shown: NDArray[np.uint8]) -> Layer:
+    """The response (side, side) of level ribbons in a turned picture, where that is `shown`."""
+    response, squares = np.zeros_like(turned), turned * turned
+    height = len(turned)
+    for bar in _WIDTHS:
+        shift = bar + 1
+        wrapped = np.empty((height + 2 * shift, turned.shape[1]), np.float32)
+        wrapped[shift:-shift] = cv2.blur(turned, (_LENGTH, bar))
+        wrapped[:shift], wrapped[-shift:] = wrapped[-2 * shift : -shift], wrapped[shift : 2 * shift]
+        mean_squares = cv2.blur(squares, (_LENGTH, bar))
+        for top in range(0, height, _ROWS):
+            bottom = min(height, top + _ROWS)
+            columns = np.flatnonzero(shown[top:bottom].any(axis=0))
+            if not len(columns):
+                continue
+            part = (slice(top, bottom), slice(int(columns[0]), int(columns[-1]) + 1))
+            above, inner, below = (
+                wrapped[top + down : bottom + down, part[1]] for down in (0, shift, 2 * shift)
+            )
+            edge = _edge(inner, above, below, mean_squares[part])
+            np.maximum(response[part], edge, out=response[part])
+    return response
+
+
+def _edge(inner: Layer, above: Layer, below: Layer, mean_squares: Layer) -> Layer:
+    """By how much a strip is brighter, or darker, than both of its sides, less its roughness."""
+    edge, other = np.maximum(above, below), np.minimum(above, below)
+    np.subtract(inner, edge, out=edge)  # rounding keeps the order of numbers
+    np.subtract(other, inner, out=other)
+    np.maximum(edge, other, out=edge)
+    np.multiply(inner, inner, out=other)
+    np.subtract(mean_squares, other, out=other)
+    np.maximum(other, 0, out=other)
+    np.sqrt(other, out=other)
+    other *= 0.35
+    edge -= other
+    return edge
