@@ -53,13 +53,15 @@ class Auto(Extractor):
 
         from .extract_contour import road_width
         from .extract_pixels import Pixel
+        from .extraction.picture_memo import measuring_once
 
         check_hints(self.through, self.leave_out, picture)
         if picture.characters is not None or picture.legend:
             kind = "typed grid" if picture.characters is not None else "drawing with a legend"
             found = Pixel(thickness=road_width(self.width, picture)).extract(picture)
         else:
-            kind, found = self._seen(picture)
+            with measuring_once():
+                kind, found = self._seen(picture)
         article = "an" if kind[0] in "aeiou" else "a"
         unused = (_UNUSED_BOXES,) if self.leave_out and kind != "photo" else ()
         return replace(found, remarks=(f"read as {article} {kind}", *unused, *found.remarks))

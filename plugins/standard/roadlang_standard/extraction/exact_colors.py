@@ -88,6 +88,8 @@ def has_exact_land(image: Image) -> bool:
 
 def _middle(image: Image) -> Image:
     """The middle of a picture (h, w, 3), at most so many pixels a side."""
+    if max(image.shape[:2]) <= _WINDOW:
+        return np.ascontiguousarray(image)
     top, left = (max(0, size - _WINDOW) // 2 for size in image.shape[:2])
     return np.ascontiguousarray(image[top : top + _WINDOW, left : left + _WINDOW])
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .counted_colors import Codes, color_codes
 from .map_tones import Tolerance, flat_colors, local_spread
 from .mask_parts import parts_and_boxes
 from .tones import Image, away_from
@@ -152,10 +153,12 @@ def _scale_bars(image: Image) -> Iterator[_Box]:
 def _level_lines(image: Image) -> list[tuple[int, int, int]]:
     """Row, first and last column of each level run of one color (h, w, 3) that is as long as a
     scale bar and differs from what is above and below it."""
-    code = image.astype(np.int32) @ np.array([1, 256, 65536])
+    code = color_codes(image)
     gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.int16)
     lines = []
-    for row in range(1, len(code) - 1):
+    # A row of one color is one run.
+    rows = np.arange(len(code)) if code.shape[1] <= _LONGEST else np.flatnonzero(_changes(code))
+    for row in rows[(rows > 0) & (rows < len(code) - 1)].tolist():
         cuts = np.flatnonzero(np.diff(code[row])) + 1
         starts, ends = np.append(0, cuts), np.append(cuts, code.shape[1])
         long = (ends - starts >= _SHORTEST) & (ends - starts <= _LONGEST)
@@ -168,6 +171,11 @@ def _level_lines(image: Image) -> list[tuple[int, int, int]]:
             if min(float(np.median(one)) for one in apart) >= _CLEAR:
                 lines.append((row, start, end))
     return lines
+
+
+def _changes(code: Codes) -> Booleans:
+    """Which rows (h,) of colors (h, w) have more than one."""
+    return np.asarray((code[:, 1:] != code[:, :-1]).any(axis=1))
 
 
 def _ticks(image: Image, row: int, ends: Sequence[int]) -> tuple[int, int] | None:
@@ -199,7 +207,11 @@ def _strips(image: Image) -> Iterator[_Box]:
     height, width = image.shape[:2]
     low, high = _STRIP
     best: tuple[int, _Box] | None = None
-    for top in range(max(1, height - high), height - low + 1):
+    first = max(1, height - high)
+    bottom = image[first - 1 : height - low + 1]
+    changes = (bottom[1:] != bottom[:-1]).any(axis=2).sum(axis=1)
+    # Where a veil begins, colors change.
+    for top in (first + np.flatnonzero(changes >= _STRIP_LONG // 2)).tolist():
         for shown in (image, image[:, ::-1]):
             long = _veiled(shown[top - 1], shown[top])
             if long >= _STRIP_LONG and (best is None or long > best[0]):

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .counted_colors import color_codes, counted_colors
+from .counted_colors import CountedColors, color_codes, counted_colors
 from .mixed_pixels import with_thin_lines
+from .picture_memo import OncePerPicture
 from .tone_shape import HasShape, ToneSurface
 from .tones import Image, away_from_each
 
@@ -167,7 +168,13 @@ def without_jpeg_noise(image: Image) -> Image:
 
 def flat_colors(image: Image, tolerance: Tolerance = EXACT) -> list[NDArray[np.float64]]:
     """The colors (3,) BGR of the even parts of a picture (h, w, 3), most frequent first."""
-    return frequent_colors(image, local_spread(image) <= tolerance.flat, tolerance)
+    return _frequent(_flat(image, tolerance.flat), image.shape, tolerance)
+
+
+@OncePerPicture
+def _flat(image: Image, most: int) -> CountedColors:
+    """The colors of the pixels of a picture (h, w, 3) around which it varies by at most so much."""
+    return counted_colors(color_codes(image)[local_spread(image) <= most])
 
 
 def frequent_colors(
@@ -175,11 +182,17 @@ def frequent_colors(
 ) -> list[NDArray[np.float64]]:
     """The colors (3,) BGR that many of some pixels (h, w) of a picture (h, w, 3) have, most
     frequent first."""
-    flat = counted_colors(color_codes(image)[within])
+    return _frequent(counted_colors(color_codes(image)[within]), image.shape, tolerance)
+
+
+def _frequent(
+    flat: CountedColors, shape: tuple[int, ...], tolerance: Tolerance
+) -> list[NDArray[np.float64]]:
+    """Those that many pixels of a picture (h, w, 3) have, most frequent first."""
     blue, green, red = (flat.colors >> _BITS).astype(np.int32).T
     cells, cell = np.unique((blue * _LEVELS + green) * _LEVELS + red, return_inverse=True)
     counts = flat.binned(cell, len(cells))
-    least = 0.5 * _LEAST * image.shape[0] * image.shape[1]
+    least = 0.5 * _LEAST * shape[0] * shape[1]
     frequent = np.flatnonzero(counts >= least)
     left = np.ones(len(cell), bool)
     colors: list[NDArray[np.float64]] = []
@@ -195,11 +208,14 @@ def frequent_colors(
     return colors
 
 
+@OncePerPicture
 def local_spread(image: Image) -> Image:
     """How much the 3 x 3 pixels around each (h, w) vary, in their worst channel."""
     kernel = np.ones((3, 3), np.uint8)
     blue, green, red = cv2.split(cv2.subtract(cv2.dilate(image, kernel), cv2.erode(image, kernel)))
-    return np.asarray(cv2.max(cv2.max(blue, green), red))
+    spread = np.asarray(cv2.max(cv2.max(blue, green), red))
+    spread.flags.writeable = False  # others read it as well
+    return spread
 
 
 def map_tones(

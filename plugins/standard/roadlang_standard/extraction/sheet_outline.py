@@ -76,7 +76,8 @@ def _at_level(gray: Image, level: float) -> tuple[float, np.ndarray] | None:
         return None
     part = cv2.fillPoly(np.zeros(gray.shape, np.uint8), [largest], 1)
     straight = cv2.fillPoly(np.zeros(gray.shape, np.uint8), [corners], 1)
-    return float((part & straight).sum() / (part | straight).sum()), corners
+    both, any_ = (cv2.countNonZero(each) for each in (part & straight, part | straight))
+    return both / any_, corners
 
 
 def _on_darker_desk(gray: Image, corners: np.ndarray) -> bool:
@@ -87,7 +88,8 @@ def _on_darker_desk(gray: Image, corners: np.ndarray) -> bool:
     closed = np.vstack([corners, corners[:1]])[:, 0].astype(float)
     steps = [np.linspace(a, b, 32, endpoint=False) for a, b in pairwise(closed)]
     x, y = np.vstack(steps).T
-    inside, outside = (_beside(gray, signed, x, y, side * _BESIDE) for side in (1, -1))
+    slope = np.gradient(signed, axis=1), np.gradient(signed, axis=0)
+    inside, outside = (_beside(gray, slope, x, y, side * _BESIDE) for side in (1, -1))
     lengths = np.repeat(np.hypot(*np.diff(closed, axis=0).T), 32)
     rim = np.minimum.reduce([x, y, gray.shape[1] - 1 - x, gray.shape[0] - 1 - y]) < _BESIDE
     seen = np.isfinite(inside) & np.isfinite(outside) & ~rim
@@ -96,10 +98,10 @@ def _on_darker_desk(gray: Image, corners: np.ndarray) -> bool:
     return bool(total >= _SEEN * lengths.sum() and lengths[darker].sum() >= _AROUND * total)
 
 
-def _beside(gray: Image, signed: Layer, x: Layer, y: Layer, away: float) -> np.ndarray:
-    """The gray (n,) beside points of an outline; NaN beyond the picture. `signed` (h, w) is how
-    far inside the outline each pixel is."""
-    across, down = np.gradient(signed, axis=1), np.gradient(signed, axis=0)
+def _beside(gray: Image, slope: tuple[Layer, Layer], x: Layer, y: Layer, away: float) -> np.ndarray:
+    """The gray (n,) beside points of an outline; NaN beyond the picture. `slope` (h, w) is how much
+    farther inside the outline the next pixel is, to the right and below."""
+    across, down = slope
     row, column = np.round(y).astype(int), np.round(x).astype(int)
     norm = np.maximum(np.hypot(across[row, column], down[row, column]), 1e-6)
     to_x = np.round(x + away * across[row, column] / norm).astype(int)

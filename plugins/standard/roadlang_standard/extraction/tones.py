@@ -78,7 +78,7 @@ def away_from_each(image: Image, colors: Sequence[NDArray[np.float64]]) -> Itera
 def thinned(image: Image, most: int) -> Image:
     """Every k-th pixel, so that at most about `most` are left."""
     step = max(1, int(np.ceil(np.sqrt(image.shape[0] * image.shape[1] / most))))
-    return image[::step, ::step]
+    return image if step == 1 else image[::step, ::step]
 
 
 def flatness(image: Image, within: NDArray[np.bool_] | None = None) -> float:
