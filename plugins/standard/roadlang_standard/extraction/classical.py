@@ -125,9 +125,8 @@ def _response(turned: Layer, shown: NDArray[np.uint8]) -> Layer:
     height = len(turned)
     for bar in _WIDTHS:
         shift = bar + 1
-        wrapped = np.empty((height + 2 * shift, turned.shape[1]), np.float32)
-        wrapped[shift:-shift] = cv2.blur(turned, (_LENGTH, bar))
-        wrapped[:shift], wrapped[-shift:] = wrapped[-2 * shift : -shift], wrapped[shift : 2 * shift]
+        around = ((shift, shift), (0, 0))
+        wrapped = np.pad(cv2.blur(turned, (_LENGTH, bar)), around, mode="wrap")
         mean_squares = cv2.blur(squares, (_LENGTH, bar))
         for top in range(0, height, _ROWS):
             bottom = min(height, top + _ROWS)
