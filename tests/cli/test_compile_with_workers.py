@@ -11,6 +11,7 @@ import pytest
 
 import roadlang
 from roadlang.diagnostics import DiagnosticError
+from roadlang.files.staging import StagedFile
 from roadlang.search.worker_pool import ALONE, Workers
 from roadlang.session.compiling import compiled
 from roadlang.session.emitting import SetWriting
@@ -61,7 +62,7 @@ def test_processes_write_what_one_writes_and_send_no_contents(
     compiled(roadlang.loads(TEXT), tmp_path / "out", MANY, 3, Workers(2))
     assert files_in(tmp_path / "out") == alone
     assert os.listdir(tmp_path) == ["out"]
-    assert sum(issubclass(kind, Path) for kind in taken) == 2 * MANY
+    assert taken.count(StagedFile) == 2 * MANY
 
 
 def test_in_a_folder_that_is_there_the_rest_stays(tmp_path: Path, alone: dict[str, bytes]) -> None:
@@ -83,7 +84,7 @@ def test_an_executor_may_be_on_other_machines_and_sends_contents(
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(1, mp_context=context) as executor:
         compiled(roadlang.loads(TEXT), tmp_path / "out", 20, 3, Workers(2, executor))
-    assert not any(issubclass(kind, Path) for kind in taken)
+    assert StagedFile not in taken
     names = [f"scene-{number:04}.json" for number in range(20)]
     found = files_in(tmp_path / "out")
     assert {name: found[name] for name in names} == {name: alone[name] for name in names}

@@ -16,7 +16,7 @@ import pytest
 
 import roadlang
 from roadlang.drive.batches import DriveTask
-from roadlang.files.staging import StagingFolder
+from roadlang.files.staging import StagedFile, StagingFolder
 from roadlang.files.transaction import PREFIX
 from roadlang.search.worker_pool import ALONE, Workers
 from roadlang.session.drives_in_parts import drive_in_parts
@@ -76,7 +76,7 @@ class Lost:
         self.staged = 0
         self.started_by = os.getpid()
 
-    def stage(self, content: bytes) -> Path:
+    def stage(self, content: bytes) -> StagedFile:
         """As a staging folder does."""
         place = self.room.stage(content)
         self.staged += os.getpid() != self.started_by
@@ -101,7 +101,7 @@ def test_processes_make_what_one_makes_and_send_no_contents(
     types = drive_into(tmp_path, Workers(2))
     assert files_in(tmp_path) == alone
     assert len(types) == FILES * COUNT
-    assert all(issubclass(each, Path) for each in types)
+    assert set(types) == {StagedFile}
 
 
 def test_an_executor_may_be_on_other_machines_and_sends_contents(
@@ -137,7 +137,7 @@ if how == "staging":  # while a worker stages files its parent is ended
     staged = staging.StagingFolder.stage
     def stage(room, content):
         place = staged(room, content)
-        if int(place.name.rpartition("-")[2]) == 200:
+        if int(place.path.rpartition("-")[2]) == 200:
             try:  # by one worker alone: a second Ctrl-C may end what the first one cleans up
                 os.close(os.open("ended", os.O_CREAT | os.O_EXCL))
                 os.kill(os.getppid(), number)

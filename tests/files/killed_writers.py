@@ -1,6 +1,6 @@
 """Writers that are killed at every step that changes a folder. Run as a program by the tests.
 
-    python killed_writers.py FOLDER
+    python killed_writers.py FOLDER HOW [staged]
 
 A child process is killed (SIGKILL) before its k-th call that changes something, for every k, and
 in a second sweep its recovery is killed in the same way. After each, FOLDER is looked at.
@@ -21,6 +21,7 @@ from pathlib import Path
 from roadlang.diagnostics import DiagnosticError
 from roadlang.files import writing
 from roadlang.files.locking import folder_lock
+from roadlang.files.staging import staging_folder
 from roadlang.files.transaction import recover
 
 reached: list[int] = []
@@ -38,6 +39,16 @@ def manifest(contents: dict[str, bytes]) -> bytes:
 def write(folder: Path, contents: dict[str, bytes]) -> None:
     whole = {**contents, "manifest.json": manifest(contents)}
     writing.write_set(folder, whole, "manifest.json", lambda path: json.loads(path.read_text()))
+
+
+def write_staged(folder: Path, contents: dict[str, bytes]) -> None:
+    """As `write`, of files that workers have staged in the folder."""
+    with staging_folder(folder) as staging:
+        whole = {**contents, "manifest.json": manifest(contents)}
+        places = {name: staging.stage(data) for name, data in whole.items()}
+        writing.write_set(
+            folder, places, "manifest.json", lambda path: json.loads(path.read_text())
+        )
 
 
 def before_call(number: int, act: Callable[[], None]) -> None:
@@ -131,7 +142,7 @@ def sweep(folder: Path, first: Callable[[], None], second: Callable[[], None] | 
 
             def work(number: int = number) -> None:
                 before_call(number, first)
-                write(folder, NEW)
+                write_new(folder, NEW)
 
             finished = in_child(work) == 0
             check_at_kill(folder)
@@ -165,7 +176,7 @@ def fail_then_kill(folder: Path) -> set[str]:
             def work(number: int = number, later: int = later) -> None:
                 before_call(later, kill)
                 before_call(number, fail)
-                write(folder, NEW)
+                write_new(folder, NEW)
 
             code = in_child(work)
             check_at_kill(folder)
@@ -182,6 +193,7 @@ if __name__ == "__main__":
     os.fsync = lambda fd: None
     where = Path(sys.argv[1]) / "out"
     mode = sys.argv[2]
+    write_new = write_staged if "staged" in sys.argv[3:] else write
     if mode == "fail":
         outcomes = fail_then_kill(where)
     else:

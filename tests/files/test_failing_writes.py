@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from roadlang.files import transaction
-from roadlang.files.transaction import PREFIX, is_plain, recover, replace_files
+from roadlang.files.transaction import PREFIX, STAGED, is_plain, recover, replace_files
 
 BEFORE = {"a.txt": b"old a", "b.txt": b"old b", "gone.txt": b"old", "manifest.json": b"old m"}
 AFTER = {"a.txt": b"new a", "c.txt": b"new c", "manifest.json": b"new m"}
@@ -156,7 +156,11 @@ def test_what_has_no_journal_yet_is_forgotten(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "step",
     [{"name": "../a.txt", "new": "new-1", "old": None}, {"name": "a.txt", "new": "/b", "old": None},
-     {"name": "a.txt", "new": None, "old": ".."}, {"name": "a.txt"}],
+     {"name": "a.txt", "new": "sub/b", "old": None}, {"name": "a.txt"},
+     {"name": "a.txt", "new": f"{STAGED}1/..", "old": None},
+     {"name": "a.txt", "new": f"../{STAGED}1/b", "old": None},
+     {"name": "a.txt", "new": f"{STAGED}1/", "old": None},
+     {"name": "a.txt", "new": None, "old": ".."}],
     ids=str,
 )  # fmt: skip
 def test_a_journal_that_names_other_folders_is_refused(step: Any, tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.diagnostics import DiagnosticError
-from roadlang.files import transaction
+from roadlang.files import syncing, transaction
 from roadlang.files.staging import staged_set
 from roadlang.files.transaction import STAGED
 
@@ -145,7 +145,7 @@ def test_contents_that_the_disk_did_not_take_are_reported(
         return -1
 
     monkeypatch.setattr(os, "fsync", fail_on_files)
-    monkeypatch.setattr(transaction, "_syncfs", lambda: fail if together else None)
+    monkeypatch.setattr(syncing, "_syncfs", lambda: fail if together else None)
     with pytest.raises(DiagnosticError) as refused:
         fill(tmp_path / "out", *map(str, range(count)))
     assert refused.value.diagnostics[0].code == "RL460"
@@ -165,7 +165,7 @@ def test_many_files_are_made_safe_together_where_the_system_can(
 
     monkeypatch.setattr(os, "fsync", note)
     call = None if result is None else lambda handle: result
-    monkeypatch.setattr(transaction, "_syncfs", lambda: call)
+    monkeypatch.setattr(syncing, "_syncfs", lambda: call)
     fill(tmp_path / "out", *map(str, range(count)))
     assert len(names_in(tmp_path / "out")) == count + 1
     assert sum(synced) == alone
@@ -212,7 +212,7 @@ def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from roadlang.files import transaction
+from roadlang.files import syncing, transaction
 from roadlang.files.staging import staged_set
 with staged_set(Path(sys.argv[1]), "manifest.json", lambda marker: ()) as files:
     files.add("a", b"half")
@@ -270,7 +270,7 @@ def test_a_staging_folder_keeps_what_a_lost_process_of_the_same_number_wrote(
         first = side.stage(b"1")
         monkeypatch.setattr("roadlang.files.staging._numbers", itertools.count())
         assert side.stage(b"2") != first
-        assert first.read_bytes() == b"1"
+        assert Path(first).read_bytes() == b"1"
 
 
 def lay_in_a_lost_room(folder: Path) -> None:

@@ -38,19 +38,23 @@ def files_of(folder: Path) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("stopped", ["kill", "fail"])
+@pytest.mark.parametrize("how", [(), ("staged",)], ids=["contents", "staged"])
 def test_a_writer_stopped_at_any_moment_leaves_the_old_set_or_the_new_one(
-    stopped: str, tmp_path: Path
+    stopped: str, how: tuple[str, ...], tmp_path: Path
 ) -> None:
     done = subprocess.run(
-        [sys.executable, str(KILLED), str(tmp_path), stopped], capture_output=True, text=True
+        [sys.executable, str(KILLED), str(tmp_path), stopped, *how], capture_output=True, text=True
     )
     assert done.stdout == "new old\n", done.stderr
 
 
 @pytest.mark.slow
-def test_a_recovery_that_is_killed_as_well_is_made_good(tmp_path: Path) -> None:
+@pytest.mark.parametrize("how", [(), ("staged",)], ids=["contents", "staged"])
+def test_a_recovery_that_is_killed_as_well_is_made_good(
+    how: tuple[str, ...], tmp_path: Path
+) -> None:
     done = subprocess.run(
-        [sys.executable, str(KILLED), str(tmp_path), "kill recovery"],
+        [sys.executable, str(KILLED), str(tmp_path), "kill recovery", *how],
         capture_output=True,
         text=True,
     )

@@ -15,25 +15,28 @@ import shutil
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from .locking import folder_lock, held_lock, may_be_held
-from .transaction import (
-    STAGED,
-    is_plain,
-    recover,
-    remove_tree,
-    replace_files,
-    sync_folder,
-    sync_of_many,
-)
+from .syncing import sync_folder, sync_of_many
+from .transaction import STAGED, is_awaited, is_plain, recover, remove_tree, replace_files
 from .transaction import write as write_new
-from .writing import created, reported
+from .writing import created, reason_of, reported
 
 Belonging = Callable[[Path], Iterable[str]]
 _SIDE = ".side"
 """The folder in a room that other processes write in: no name of a backend begins with a dot."""
 _numbers = itertools.count()
 """Of the files that this process has written there."""
+
+
+class StagedFile(NamedTuple):
+    """The path of a staged content: there are many, and this is sent in less time than a `Path`."""
+
+    path: str
+
+    def __fspath__(self) -> str:
+        return self.path
 
 
 @dataclass(frozen=True)
@@ -44,15 +47,18 @@ class StagingFolder:
     folder: Path
     path: Path
 
-    def stage(self, content: bytes) -> Path:
+    def stage(self, content: bytes) -> StagedFile:
         """Write a content under a name that nobody else has. Raises `DiagnosticError` RL460."""
-        with reported(self.folder):
-            while True:
-                place = self.path / f"{os.getpid()}-{next(_numbers)}"
-                # A process that was lost may have had the same number.
-                with contextlib.suppress(FileExistsError):
-                    write_new(place, content)
-                    return place
+        start = f"{os.path.join(self.path, str(os.getpid()))}-"
+        while True:
+            place = start + str(next(_numbers))
+            try:
+                write_new(place, content)
+            except FileExistsError:
+                continue  # a process that was lost may have had the same number
+            except OSError as error:
+                raise reason_of(self.folder, error) from error
+            return StagedFile(place)
 
 
 class StagedFiles:
@@ -70,17 +76,17 @@ class StagedFiles:
             side.mkdir(exist_ok=True)
         return StagingFolder(self._folder, side)
 
-    def add(self, name: str, content: bytes | Path) -> None:
+    def add(self, name: str, content: bytes | os.PathLike[str]) -> None:
         """Write a file of another name than those before, or move it from a staging folder.
         Raises `DiagnosticError` RL460."""
         if not is_plain(name):
             raise ValueError(f"`{name}` is not the name of a file in a folder")
         with reported(self._folder):
             place = os.path.join(self._room, name)
-            if isinstance(content, Path):
-                os.rename(content, place)
-            else:
+            if isinstance(content, bytes):
                 write_new(place, content)
+            else:
+                os.rename(content, place)
         self._names.append(name)
 
     def paths(self) -> dict[str, Path]:
@@ -127,9 +133,10 @@ def _held_room(base: Path) -> Iterator[Path]:
     """A new folder in another, with its lock; at the end it is removed where it still is there."""
     with contextlib.ExitStack() as stack:
         with folder_lock(base):
-            _remove_left(base)
+            if _left(base):
+                recover(base)
             room = _new_room(base)
-            stack.callback(remove_tree, room)
+            stack.callback(_remove_unless_awaited, room)
             stack.enter_context(held_lock(room))
         yield room
 
@@ -167,8 +174,14 @@ def _move(folder: Path, files: StagedFiles, marker: str, belonging: Belonging) -
         replace_files(folder, files.paths(), removed, marker)
 
 
-def _remove_left(base: Path) -> None:
-    """What processes left that were killed. The caller holds the lock of the folder."""
-    for room in base.glob(f"{STAGED}*"):
-        if room.is_dir() and not room.is_symlink() and not may_be_held(room):
-            shutil.rmtree(room, ignore_errors=True)
+def _left(base: Path) -> bool:
+    """Whether processes that were killed left staging folders. The caller holds the lock."""
+    found = (base / name for name in os.listdir(base) if name.startswith(STAGED))
+    return any(not may_be_held(room) for room in found)
+
+
+def _remove_unless_awaited(room: Path) -> None:
+    """What could neither be put in place nor undone is finished by whoever writes there next."""
+    with contextlib.suppress(FileNotFoundError):
+        if not is_awaited(room):
+            remove_tree(room)

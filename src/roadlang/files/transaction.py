@@ -3,36 +3,31 @@
 New contents and the files that they replace are gathered in a separate folder, `.roadlang-*`,
 beside the files. Its journal is what decides: before there is one, nothing has happened;
 `journal.json` says that the new files are to be put in place, `undo.json` that the old ones are.
-Either is carried out from the beginning as often as it takes.
+Either is carried out from the beginning as often as it takes. New files that were staged in the
+folder are not gathered: the journal names where they are, and they are moved once.
 """
 
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import errno
 import json
 import os
-import re
 import shutil
-import sys
 import tempfile
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from functools import cache
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from .locking import may_be_held
 from .reading import UnreadableFile, refuse_others
+from .syncing import sync_folder, sync_of_many
 
 PREFIX = ".roadlang-"
 STAGED = f"{PREFIX}new-"
 """Begins the names of folders in which files are gathered under a lock; the names of those of
 transactions have no second hyphen."""
 _JOURNAL, _UNDO = "journal.json", "undo.json"
-_MANY = 32
-_TELLS_OF_ERRORS = (5, 12)
-"""The version of Linux from which on `syncfs` does, through layered file systems too."""
 
 
 @dataclass(frozen=True)
@@ -41,15 +36,32 @@ class _FileStep:
 
     name: str
     new: str | None
-    """None: the file is removed"""
+    """None: the file is removed. `STAGING_FOLDER/NAME`: it is taken from there"""
     old: str | None
     """None: the file was not there"""
 
+    def place(self, folder: Path, room: Path) -> str:
+        """Where the new file is until it is put in place."""
+        assert self.new is not None
+        return os.path.join(folder if "/" in self.new else room, self.new)
+
+    @property
+    def names_own_files(self) -> bool:
+        """Whether all its files are of the folder, the transaction's own or a staging folder."""
+        staging, slash, new = (self.new or "").rpartition("/")
+        is_staging = staging.startswith(STAGED) and is_plain(staging) and is_plain(new)
+        names = [name for name in (self.name, new, self.old) if name]
+        return (is_staging or not slash) and all(map(is_plain, names))
+
 
 def replace_files(
-    folder: Path, contents: Mapping[str, bytes | Path], removed: Iterable[str], marker: str | None
+    folder: Path,
+    contents: Mapping[str, bytes | os.PathLike[str]],
+    removed: Iterable[str],
+    marker: str | None,
 ) -> None:
-    """Write `contents` by name and remove `removed`, all or nothing. Of a path the file is moved.
+    """Write `contents` by name and remove `removed`, all or nothing. Of a path the file is moved;
+    one in a staging folder of `folder` only when all is ready: until then it stays there.
 
     While it happens `marker` is not there: where it is, all files are those that belong to it.
     Raises `OSError` with the folder as it was before. The caller holds the lock of the folder.
@@ -79,8 +91,11 @@ def recover(folder: Path) -> None:
 
     The caller holds the lock of the folder. Raises `OSError`.
     """
-    for room in sorted(folder.glob(f"{PREFIX}*")):
-        if room.name.startswith(STAGED) and may_be_held(room):
+    found = sorted(name for name in os.listdir(folder) if name.startswith(PREFIX))
+    # Transactions first: their journals may name files that are still in staging folders.
+    for name in sorted(found, key=_is_staging):
+        room = folder / name
+        if _is_staging(name) and may_be_held(room):
             continue  # somebody gathers files there
         if not _is_folder(room):
             with contextlib.suppress(OSError):
@@ -91,6 +106,23 @@ def recover(folder: Path) -> None:
                 carry_out(folder, room, *_from_json((room / journal).read_bytes()))
                 break
         _dissolve(room)
+
+
+def is_awaited(staging: Path) -> bool:
+    """Whether the journal of an unfinished transaction names files of a staging folder."""
+    folder = staging.parent
+    for name in os.listdir(folder):
+        if name.startswith(PREFIX) and not _is_staging(name):
+            for journal in (_UNDO, _JOURNAL):
+                with contextlib.suppress(OSError):
+                    steps, _ = _from_json((folder / name / journal).read_bytes())
+                    if any(step.new and step.new.startswith(f"{staging.name}/") for step in steps):
+                        return True
+    return False
+
+
+def _is_staging(name: str) -> bool:
+    return name.startswith(STAGED)
 
 
 def _dissolve(room: Path) -> None:
@@ -133,7 +165,7 @@ def _refuse_non_files(folder: Path, names: Iterable[str]) -> None:
 def _gathered(
     folder: Path,
     room: Path,
-    contents: Mapping[str, bytes | Path],
+    contents: Mapping[str, bytes | os.PathLike[str]],
     removed: Iterable[str],
     marker: str | None,
 ) -> list[_FileStep]:
@@ -146,12 +178,34 @@ def _gathered(
     ]
     steps = []
     for number, name in enumerate([*deleted, *names]):
-        new = f"new-{number}" if name in contents else None
-        if new is not None:
-            _place(os.path.join(room, new), contents[name])
+        new = None
+        if name in contents:
+            new = _staged(folder, contents[name]) or _placed(room, f"new-{number}", contents[name])
         steps.append(_FileStep(name, new, _backup(folder, name, room, number)))
-    sync_of_many([room / step.new for step in steps if step.new is not None])
+    sync_of_many([step.place(folder, room) for step in steps if step.new is not None])
+    for staging in {step.new.partition("/")[0] for step in steps if step.new and "/" in step.new}:
+        sync_folder(folder / staging)
     return steps
+
+
+def _staged(folder: Path, content: bytes | os.PathLike[str]) -> str | None:
+    """`STAGING_FOLDER/NAME` of a file in a staging folder of `folder`."""
+    if isinstance(content, bytes):
+        return None
+    path, start = os.fspath(content), os.path.join(folder, "")
+    if not path.startswith(start + STAGED):
+        return None
+    name = path[len(start) :].replace(os.sep, "/")
+    return name if name.count("/") == 1 else None
+
+
+def _placed(room: Path, name: str, content: bytes | os.PathLike[str]) -> str:
+    """The name of a new file in the transaction's own folder."""
+    if isinstance(content, bytes):
+        write(os.path.join(room, name), content)
+    else:
+        shutil.move(os.fspath(content), room / name)
+    return name
 
 
 def _backup(folder: Path, name: str, room: Path, number: int) -> str | None:
@@ -171,7 +225,7 @@ def _backup(folder: Path, name: str, room: Path, number: int) -> str | None:
 
 def _put_in_place(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) -> None:
     last = steps[-1] if steps else None
-    if last is not None and last.name == marker and last.new and (room / last.new).exists():
+    if last is not None and last.name == marker and _waits(last, folder, room):
         _remove(folder / marker)
         sync_folder(folder)
     for step in steps:
@@ -179,32 +233,33 @@ def _put_in_place(folder: Path, room: Path, steps: list[_FileStep], marker: str 
             sync_folder(folder)
         if step.new is None:
             _remove(folder / step.name)
-        elif os.path.exists(new := os.path.join(room, step.new)):
+        elif os.path.exists(new := step.place(folder, room)):
             os.replace(new, os.path.join(folder, step.name))
     sync_folder(folder)
 
 
 def _undo(folder: Path, room: Path, steps: list[_FileStep], marker: str | None) -> None:
-    if steps and steps[-1].name == marker and steps[-1].new and not (room / steps[-1].new).exists():
-        _remove(folder / steps[-1].name)
+    last = steps[-1] if steps else None
+    if last and last.name == marker and last.new and not _waits(last, folder, room):
+        is_undone = last.old is not None and not os.path.lexists(room / last.old)
+        if not is_undone:
+            _remove(folder / last.name)
     for step in steps:
         if step.old is not None and os.path.lexists(room / step.old):
             os.replace(room / step.old, folder / step.name)
-        elif step.old is None and step.new is not None and not (room / step.new).exists():
+        elif step.old is None and step.new and not _waits(step, folder, room):
             _remove(folder / step.name)
     sync_folder(folder)
+
+
+def _waits(step: _FileStep, folder: Path, room: Path) -> bool:
+    """Whether there is a new file that is not in place yet."""
+    return step.new is not None and os.path.exists(step.place(folder, room))
 
 
 def _remove(path: Path) -> None:
     with contextlib.suppress(FileNotFoundError):
         path.unlink()
-
-
-def _place(path: str, content: bytes | Path) -> None:
-    if isinstance(content, Path):
-        shutil.move(content, path)
-    else:
-        write(path, content)
 
 
 def write(path: str | Path, content: bytes) -> None:
@@ -218,64 +273,8 @@ def write(path: str | Path, content: bytes) -> None:
         os.close(handle)
 
 
-def sync_of_many(paths: Sequence[Path]) -> None:
-    """Make contents outlast a loss of power. Raises `OSError` for what could not be written.
-
-    Of many files each alone takes a commit of the file system, milliseconds. Linux writes
-    everything at once and waits for it, but before 5.12 only for a file does it tell of errors.
-    """
-    if sys.platform == "linux" and len(paths) > _MANY:
-        if _is_synced(paths[0].parent):
-            return
-        os.sync()
-    for path in paths:
-        _sync(path)
-
-
-def _is_synced(folder: Path) -> bool:
-    """Whether all that was written to the file system of a folder is safe now, and the system
-    would have told otherwise. Raises `OSError` for what could not be written."""
-    call = _syncfs()
-    if call is None:
-        return False
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        if call(handle) != 0:
-            number = ctypes.get_errno()
-            raise OSError(number, os.strerror(number), str(folder))
-    finally:
-        os.close(handle)
-    return True
-
-
-@cache
-def _syncfs() -> Callable[[int], int] | None:
-    """The call of Linux for a whole file system, where it tells of errors."""
-    version = tuple(map(int, re.findall(r"\d+", os.uname().release)[:2]))
-    library = ctypes.CDLL(None, use_errno=True)
-    return getattr(library, "syncfs", None) if version >= _TELLS_OF_ERRORS else None
-
-
-def _sync(path: Path) -> None:
-    handle = os.open(path, os.O_RDWR if os.name == "nt" else os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def sync_folder(folder: Path) -> None:
-    """Make renames in a folder outlast a loss of power, where the system can do that."""
-    with contextlib.suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
-
-
 def _as_json(steps: list[_FileStep], marker: str | None) -> bytes:
-    return json.dumps({"marker": marker, "steps": [asdict(step) for step in steps]}).encode()
+    return json.dumps({"marker": marker, "steps": [vars(step) for step in steps]}).encode()
 
 
 def _from_json(content: bytes) -> tuple[list[_FileStep], str | None]:
@@ -283,8 +282,7 @@ def _from_json(content: bytes) -> tuple[list[_FileStep], str | None]:
     try:
         record = json.loads(content)
         steps, marker = [_FileStep(**step) for step in record["steps"]], record["marker"]
-        names = [name for step in steps for name in (step.name, step.new, step.old) if name]
-        if all(map(is_plain, names)):
+        if all(step.names_own_files for step in steps):
             return steps, marker
     except (ValueError, KeyError, TypeError):
         pass

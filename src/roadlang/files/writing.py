@@ -13,7 +13,7 @@ from .locking import folder_lock
 from .not_written import not_written
 from .transaction import PREFIX, is_plain, recover, replace_files
 
-Content = bytes | str | Path
+Content = bytes | str | os.PathLike[str]
 """What is to be in a file, or the path of a file on the same disk that is moved."""
 
 
@@ -124,5 +124,10 @@ def reported(folder: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        path = str(error.filename or folder)
-        raise not_written(folder if PREFIX in path else Path(path), error) from error
+        raise reason_of(folder, error) from error
+
+
+def reason_of(folder: Path, error: OSError) -> DiagnosticError:
+    """RL460 of a folder, or of the file in it that an error names."""
+    path = str(error.filename or folder)
+    return not_written(folder if PREFIX in path else Path(path), error)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from os import PathLike
 
 from ..diagnostics import DiagnosticError
 from ..evaluate.candidates import CandidateBatch
@@ -17,7 +17,7 @@ from .emitting import Output, outputs_of_scene, wants_all
 from .instantiate import ConcreteScene
 from .spool import packed
 
-Stager = Callable[[bytes], bytes | Path]
+Stager = Callable[[bytes], bytes | PathLike[str]]
 """Where the content of a file stays until it is taken; pickled with the scenario."""
 
 
@@ -31,7 +31,7 @@ class EmittedFile:
     """A file of a scene, and its content or where that was staged."""
 
     record: OutputFile
-    content: bytes | Path
+    content: bytes | PathLike[str]
 
 
 @dataclass(frozen=True)

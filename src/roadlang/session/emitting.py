@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -82,7 +83,7 @@ class SetWriting:
         """Write a file, unless another has its name."""
         self.take(output.record(), output.content)
 
-    def take(self, record: OutputFile, content: bytes | Path) -> None:
+    def take(self, record: OutputFile, content: bytes | PathLike[str]) -> None:
         """Write a file of which everything is known, or move it here from the staging folder."""
         self._names.add(record)
         self._files.add(record.path, content)

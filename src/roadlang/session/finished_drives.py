@@ -6,7 +6,7 @@ import dataclasses
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from ..drive.batches import DriveTask
@@ -70,7 +70,7 @@ class FinishedDrive:
     ones; `files` by name are contents, or where these were staged."""
 
     entry: Mapping[str, Any]
-    files: Mapping[str, bytes | Path]
+    files: Mapping[str, bytes | PathLike[str]]
     line: DriveLine
     diagnostics: tuple[Diagnostic, ...]
 

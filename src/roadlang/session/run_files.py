@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
@@ -48,6 +49,8 @@ class RunFolder:
         for path in earlier:
             path.unlink(missing_ok=True)
         write_file(folder / RESULTS_FILE, provenance)
+        self._findings = {name for name in os.listdir(folder) if name.endswith(FINDINGS)}
+        """of earlier drives: nobody else writes here while the journal is locked"""
         self.finished: dict[int, Mapping[str, Any]] = {
             entry["row"]["scene"]: entry
             for entry in self._journal.entries
@@ -75,10 +78,9 @@ class RunFolder:
 
     def add(self, drives: Sequence[FinishedDrive]) -> None:
         """Write the files of drives, all of them or none, and then their lines in the journal."""
-        for drive in drives:
-            stem = file_stem(drive.line.scene)
-            for ending in FINDINGS:  # of an earlier drive
-                (self._folder / (stem + ending)).unlink(missing_ok=True)
+        names = (file_stem(drive.line.scene) + ending for drive in drives for ending in FINDINGS)
+        for name in self._findings.intersection(names):
+            (self._folder / name).unlink(missing_ok=True)
         write_all(self._folder, {n: c for drive in drives for n, c in drive.files.items()})
         entries = [drive.entry for drive in drives]
         self._journal.append([json.dumps(entry).encode() for entry in entries])
