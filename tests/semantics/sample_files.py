@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 
 SAMPLES = Path(__file__).parents[1] / "syntax" / "samples"
-_FIRST_BYTES = {
-    "hairpin.jpg": b"\xff\xd8\xff\xe0",
-    "town.png": b"\x89PNG\r\n\x1a\n",
+_FIRST_AND_LAST_BYTES = {
+    "hairpin.jpg": b"\xff\xd8\xff\xe0\xff\xd9",
+    "town.png": b"\x89PNG\r\n\x1a\nIEND\xae\x42\x60\x82",
     "town.tif": b"II*\x00",
     "town.xodr": b"<OpenDRIVE/>",
     "Town01.xodr": b"<OpenDRIVE/>",
@@ -18,7 +18,7 @@ _FIRST_BYTES = {
 
 
 def copy_samples(folder: Path) -> list[Path]:
-    """Copy all samples to `folder`, with stand-ins for pictures and maps that begin like them."""
-    for name, head in _FIRST_BYTES.items():
-        (folder / name).write_bytes(head)
+    """Copy all samples to `folder`, with stand-ins for pictures and maps that begin and end like them."""
+    for name, content in _FIRST_AND_LAST_BYTES.items():
+        (folder / name).write_bytes(content)
     return [Path(shutil.copy(path, folder)) for path in sorted(SAMPLES.glob("*.rl"))]

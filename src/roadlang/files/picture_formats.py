@@ -27,6 +27,8 @@ _OTHERS = (
 """What it is, what to do, and how it starts."""
 _OF_PHONES = (b"heic", b"heix", b"mif1", b"msf1")
 _MARKS = (
+    (b"<osm", "a map of OpenStreetMap", 'read it with `network town from "FILE.osm"`'),
+    (b"<opendrive", "a map in OpenDRIVE", 'read it with `network town from "FILE.xodr"`'),
     (b"<svg", "a drawing in SVG", "export it as PNG, as with `rsvg-convert FILE -o FILE.png`"),
     (b"<html", "a web page", "the download may have failed: look at the file in a browser"),
     (

@@ -43,6 +43,7 @@ from ..types.expression_types import (
     TypedExpression,
     unknown,
 )
+from ..types.range_or_interval import drawn_between
 from .habits import number_of_entity_help
 from .kinds import find_default, verbs_with
 from .unresolved_names import report_unresolved
@@ -107,7 +108,7 @@ def infer_arithmetic(
             sign = f"`{node.operator}`"
             return checker.report(
                 Code.WRONG_TYPE, side.span, what=sign, expected="a number", found=side.type,
-                help=number_of_entity_help(side),
+                help=number_of_entity_help(side) or drawn_between(side),
             )  # fmt: skip
     return signal_arithmetic(checker, node, left, right)
 

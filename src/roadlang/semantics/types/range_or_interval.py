@@ -21,9 +21,7 @@ def other_form(
 ) -> tuple[tuple[str, ...], tuple[Fix, ...]]:
     """Help and fix for a value that has the wrong one of the two forms; nothing for others."""
     if isinstance(expected, opt.QuantityType | opt.LikeType) and _is_pair(typed):
-        low, high = (item.span.text for item in typed.items)
-        meant = f"{low}..{high}"
-        return (f"to draw a value between the two, write `{meant}`",), (Fix(typed.span, meant),)
+        return drawn_between(typed), (Fix(typed.span, _as_range(typed)),)
     if isinstance(expected, opt.IntervalType) and typed.range:
         low, _, high = typed.span.text.partition("..")
         meant = f"[{low.strip()}, {high.strip()}]"
@@ -50,6 +48,18 @@ def other_form(
         fits = len(numbers) == len(typed.items) == len(expected.parts)
         return ((f"write `{meant}`",), (Fix(typed.span, meant),)) if fits else ((), ())
     return _as_list(typed, expected) if isinstance(expected, opt.ListType) else ((), ())
+
+
+def drawn_between(typed: TypedExpression) -> tuple[str, ...]:
+    """Help for `[a, b]` where a number belongs; none for anything else."""
+    if not _is_pair(typed):
+        return ()
+    return (f"to draw a value between the two, write `{_as_range(typed)}`",)
+
+
+def _as_range(pair: TypedExpression) -> str:
+    low, high = (item.span.text for item in pair.items)
+    return f"{low}..{high}"
 
 
 def _as_list(

@@ -120,6 +120,9 @@ def list_operand(place: ErrorPosition) -> Mistake | None:
     before = place.kind() == "LSQB" and place.wants_value
     if not after_list and not before:
         return None
+    numbers = [place.kind(offset) for offset in range(1, 5)] == _PAIR
+    if before and numbers and place.kind(-1) in _ARITHMETIC:
+        return _range_as_operand(place)
     return Mistake(diagnose(Code.LIST_AS_OPERAND, place.span()))
 
 
@@ -186,3 +189,19 @@ def actor_order(place: ErrorPosition) -> Mistake | None:
         help="the order is `is KIND on ROAD at PLACE { ... }`",
     )
     return Mistake(found, Edit(at, end, moved))
+
+
+def _range_as_operand(place: ErrorPosition) -> Mistake:
+    """`ego.start + [20m, 60m]`, where a draw is meant."""
+    span, low, high, comma = place.span(0, 4), place.token(1), place.token(3), place.token(2)
+    meant = f"({low[1]}..{high[1]})"
+    help = f"to draw a value between the two, write `{meant}`"
+    found = diagnose(Code.LIST_AS_OPERAND, span, help=help, fixes=[Fix(span, meant)])
+    opening = ("LPAR", "(", span.start, span.start)
+    closing = ("RPAR", ")", span.end, span.end)
+    tokens = (opening, low, ("RANGE", "..", comma[2], comma[3]), high, closing)
+    return Mistake(found, Edit(place.index, place.index + 5, tokens))
+
+
+_PAIR = ["NUMBER", "COMMA", "NUMBER", "RSQB"]
+_ARITHMETIC = ("PLUS", "MINUS", "TIMES", "DIVIDE")

@@ -43,6 +43,7 @@ from .scenic_habits import controllers_in_turn, scenic_operator, scenic_placemen
 from .sign_mistakes import (
     colon_before_monitor,
     extra_sign,
+    long_arrow,
     power_of_python,
     sign_for_word,
     stray_closer,
@@ -102,6 +103,7 @@ _KNOWN: tuple[Callable[[ErrorPosition], Mistake | None], ...] = (
     option_without_value,
     next_item,
     next_statement,
+    long_arrow,
     turned_comparison,
     stray_closer,
     interval_form,

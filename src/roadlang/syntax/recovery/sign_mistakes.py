@@ -136,3 +136,19 @@ def turned_comparison(place: ErrorPosition) -> Mistake | None:
     )
     meant = ("COMPARISON", "<=", span.start, span.end)
     return Mistake(found, Edit(place.index, place.index + 2, (meant,)))
+
+
+def long_arrow(place: ErrorPosition) -> Mistake | None:
+    """`p ==> q`, where `implies` is meant."""
+    if place.word() != ">" or place.word(-1) != "==" or not place.glued(0):
+        return None
+    span = place.span(-1, 0)
+    found = diagnose(
+        Code.UNEXPECTED_CHARACTER,
+        span,
+        what="==>",
+        help="write `implies`",
+        fixes=[Fix(span, "implies")],
+    )
+    meant = ("IMPLIES", "implies", span.start, span.end)
+    return Mistake(found, Edit(place.index - 1, place.index + 1, (meant,)))
