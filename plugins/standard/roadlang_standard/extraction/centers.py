@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ from scipy.ndimage import median_filter, minimum_filter1d
 
 from roadlang.geometry import Booleans, Floats
 
-from .edges import CenterLine, across, normals, sides_of
+from .edges import CenterLine, across, normals_in_a_row, sides_of
 from .fast_median import median
 
 Layer = NDArray[np.float32]
@@ -26,7 +26,7 @@ def centers(
     `normals`; and whether the road is as wide there as around: not so at junctions, corners and
     ends."""
     if width < _THIN:
-        return [_steady(*_centroid(line, surface, width), width) for line in lines]
+        return [_steady(*each, width) for each in _centroids(lines, surface, width)]
     found = sides_of(lines, surface, 1.1 * width + 3, level)
     return [_steady((s.left - s.right) / 2, s.left + s.right, width) for s in found]
 
@@ -52,7 +52,9 @@ def _unevenness(width: Floats) -> Floats:
 
 def _without_short_runs(flags: Booleans, least: float) -> Booleans:
     """Only those that are set so many times in a row; chance has it so in a junction's middle."""
-    edges = np.flatnonzero(np.diff(flags.view(np.int8), prepend=0, append=0))
+    padded = np.zeros(len(flags) + 2, np.int8)
+    padded[1:-1] = flags
+    edges = np.flatnonzero(padded[1:] != padded[:-1])
     begins, lengths = edges[::2], edges[1::2] - edges[::2]
     kept = np.zeros(len(flags), bool)
     for begin, length in zip(begins.tolist(), lengths.tolist(), strict=True):
@@ -60,11 +62,17 @@ def _without_short_runs(flags: Booleans, least: float) -> Booleans:
     return kept
 
 
-def _centroid(line: CenterLine, surface: Layer, width: float) -> tuple[Floats, Floats]:
-    """Of the ink across the line, and how much of it there is, NaN without any."""
+def _centroids(
+    lines: Sequence[CenterLine], surface: Layer, width: float
+) -> Iterator[tuple[Floats, Floats]]:
+    """Of the ink across each line, and how much of it there is, NaN without any."""
     away = np.arange(-(width / 2 + 2), width / 2 + 2 + _STEP, _STEP)
-    normal = normals(line.points, line.closed)
-    ink = across(line.points, normal, away, surface).astype(float)
-    total = ink.sum(axis=1)
-    there = total * _STEP > 0.3
-    return (ink @ away) / np.maximum(total, 1e-9), np.where(there, total * _STEP, np.nan)
+    points = np.concatenate([line.points for line in lines])
+    every = across(points, normals_in_a_row(points, lines), away, surface).astype(float)
+    first = 0
+    for line in lines:
+        ink = every[first : first + len(line.points)]
+        first += len(line.points)
+        total = ink.sum(axis=1)
+        there = total * _STEP > 0.3
+        yield (ink @ away) / np.maximum(total, 1e-9), np.where(there, total * _STEP, np.nan)

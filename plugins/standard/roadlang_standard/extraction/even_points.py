@@ -9,7 +9,7 @@ import numpy as np
 from roadlang.geometry import Floats
 
 from .cubic_spline import splined
-from .smoothing import stations
+from .smoothing import evenly, stations
 from .spline_rows import FEWEST, splined_each
 
 _APART = 1e-9
@@ -73,4 +73,4 @@ def _stations(lines: Sequence[Floats]) -> list[Floats | None]:
 def _even(station: Floats, step: float) -> Floats:
     """Places (m,) about every `step` from the first station to the last."""
     length = float(station[-1])
-    return np.linspace(0.0, length, max(2, round(length / step) + 1))
+    return evenly(length, max(2, round(length / step) + 1))

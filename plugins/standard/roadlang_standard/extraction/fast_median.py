@@ -1,4 +1,5 @@
-"""The median of few values without numpy's preparations, and of many from the few near it."""
+"""Medians and quantiles of few values without numpy's preparations; the median of many from the
+few near it."""
 
 from __future__ import annotations
 
@@ -28,6 +29,23 @@ def median(values: NDArray[Any]) -> float:
     if first < 0 or last >= len(near):
         return float(np.median(values))
     return float(np.partition(near, (first, last))[first : last + 1].mean())
+
+
+def quantile(values: NDArray[np.floating[Any]], share: float) -> float:
+    """As `numpy.quantile` of values (n,), in a tenth of the time for few."""
+    if not 0 < len(values) < _FEW:
+        return float(np.quantile(values, share))
+    ascending = values.copy()
+    ascending.sort()  # puts what is not a number last
+    if ascending[-1] != ascending[-1]:
+        return float("nan")
+    last = len(ascending) - 1
+    place = last * share
+    low = int(place)
+    below, above = ascending[low], ascending[min(low + 1, last)]
+    step, part = above - below, place - low
+    # From the nearer one, and in the type of the values: so numpy rounds.
+    return float(below + step * part if part < 0.5 else above - step * (1 - part))
 
 
 def _of_few(values: NDArray[Any]) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .fast_median import median
+from .fast_median import median, quantile
 from .map_ribbons import ribbons
 from .map_tones import MapTone, is_gray, map_tone
 from .mask_parts import areas_of, parts_of, where_parts, window_around
@@ -182,7 +182,7 @@ class _Lines:
         across = (2 * self.inner.ravel()[self.at] - 1)[order]
         starts = np.flatnonzero(np.diff(owner[order], prepend=-1))
         return {
-            int(owner[order[start]]): _Width(median(values), float(np.quantile(values, 0.9)))
+            int(owner[order[start]]): _Width(median(values), quantile(values, 0.9))
             for start, values in zip(starts, np.split(across, starts[1:]), strict=True)
             if len(values) >= _SHORT
         }

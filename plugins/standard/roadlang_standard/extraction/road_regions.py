@@ -12,6 +12,7 @@ from scipy.ndimage import find_objects
 
 from roadlang.geometry import Booleans
 
+from .fast_median import quantile
 from .mask_parts import areas_of, boxes_of, parts_of
 
 _LEAST = 40
@@ -65,7 +66,7 @@ class _Region:
 
     def width(self) -> float:
         """The usual width, pixels."""
-        return 2 * float(np.quantile(self.half_widths, _USUAL))
+        return 2 * quantile(self.half_widths, _USUAL)
 
     def is_even(self, width: float) -> bool:
         """Whether it looks like a road that is usually so wide."""

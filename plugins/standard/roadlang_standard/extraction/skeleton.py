@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from .fast_median import quantile
+
 Pixels = NDArray[np.intp]
 _BITS = np.arange(8, dtype=np.uint8)[:, None]
 
@@ -54,7 +56,7 @@ def widths_across(depths: NDArray[np.float32], shares: tuple[float, ...]) -> lis
     """The widths, in pixels, that such shares of strokes are thinner than. `depths` (n,) of the
     pixels along their middles: how far the nearest pixel beside the stroke is. Half a pixel on
     each side of it is not of the stroke."""
-    return [2 * float(np.quantile(depths, share)) - 1 for share in shares]
+    return [2 * quantile(depths, share) - 1 for share in shares]
 
 
 def _codes(flat: NDArray[np.uint8], pixels: Pixels, around: Pixels) -> NDArray[np.uint8]:
