@@ -56,8 +56,10 @@ class _Measured:
 
     @staticmethod
     def of(curve: Floats) -> _Measured:
-        steps = curve[1:] - curve[:-1]
-        return _Measured(curve, stations(curve), steps, np.hypot(steps[:, 0], steps[:, 1]))
+        steps, along = curve[1:] - curve[:-1], np.zeros(max(1, len(curve)))
+        lengths = np.hypot(steps[:, 0], steps[:, 1])
+        np.cumsum(lengths, out=along[1:])
+        return _Measured(curve, along, steps, lengths)
 
     def foot(self, place: Floats) -> tuple[Floats, Floats]:
         """The point nearest to a place, and the normal there."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .counted_colors import Codes, color_codes
+from .fast_median import median
 from .map_tones import Tolerance, flat_colors, local_spread
 from .mask_parts import parts_and_boxes
 from .tones import Image, away_from
@@ -168,7 +169,7 @@ def _level_lines(image: Image) -> list[tuple[int, int, int]]:
             level = gray[row, start]
             inner = slice(start + _BAR, end - _BAR)
             apart = [np.abs(gray[other, inner] - level) for other in (above, below)]
-            if min(float(np.median(one)) for one in apart) >= _CLEAR:
+            if min(median(one) for one in apart) >= _CLEAR:
                 lines.append((row, start, end))
     return lines
 
