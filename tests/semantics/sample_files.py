@@ -18,7 +18,7 @@ _FIRST_AND_LAST_BYTES = {
 
 
 def copy_samples(folder: Path) -> list[Path]:
-    """Copy all samples to `folder`, with stand-ins for pictures and maps that begin and end like them."""
+    """Copy all samples to `folder`, with stand-ins for the files that they name."""
     for name, content in _FIRST_AND_LAST_BYTES.items():
         (folder / name).write_bytes(content)
     return [Path(shutil.copy(path, folder)) for path in sorted(SAMPLES.glob("*.rl"))]
