@@ -9,7 +9,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from roadlang.geometry import Curve, GeometryError
+from roadlang.geometry import Curve, CurveFrame, GeometryError
+from roadlang.geometry.arclength import ArcLength
 from tests.geometry.geometry_shapes import (
     angles,
     circle,
@@ -231,3 +232,23 @@ def test_refusals_of_the_other_methods() -> None:
     ):
         with pytest.raises(GeometryError):
             call()
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_frame_finds_its_places_once(closed: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    curve = Curve.through([(0.0, 0.0), (30.0, 5.0), (50.0, 40.0), (10.0, 60.0)], closed)
+    s = np.linspace(-5.0, curve.length + 5.0, 60)
+    curvature, slope = curve.bending(s)
+    apart = curve.at(s), curve.heading(s), curvature, slope
+    found: list[int] = []
+    parameter = ArcLength.parameter
+
+    def counted(self: ArcLength, s: Any) -> Any:
+        found.append(len(s))
+        return parameter(self, s)
+
+    monkeypatch.setattr(ArcLength, "parameter", counted)
+    for together, alone in zip(curve.pose_and_bending(s), apart, strict=True):
+        np.testing.assert_array_equal(together, alone)
+    CurveFrame.of(curve, curve.stations(1.0))
+    assert found == [60, len(curve.stations(1.0))]

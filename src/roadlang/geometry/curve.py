@@ -89,31 +89,19 @@ class Curve(SharedArrays):
 
     def at(self, s: ArrayLike) -> Floats:
         """(..., 2) points at arc lengths `s`; exactly the end point at `length`."""
-        u, beyond, _ = self._parameters(s)
-        points = self.spline.position(u)
-        if not self.closed:
-            last = np.asarray(s, dtype=np.float64) == self.length
-            points = np.where(last[..., None], self.points[-1], points)
-        if beyond.any():
-            tangent, _ = frame_of(self.spline.derivatives(u)[0])
-            points = points + beyond[..., None] * tangent
-        return points
+        return self._points(self._places(s))
 
     def tangent(self, s: ArrayLike) -> Floats:
         """(..., 2) unit vectors along the curve."""
-        return frame_of(self.spline.derivatives(self._parameters(s)[0])[0])[0]
+        return frame_of(self._places(s).derivatives[0])[0]
 
     def normal(self, s: ArrayLike) -> Floats:
         """(..., 2) unit vectors to the left of the curve."""
-        return frame_of(self.spline.derivatives(self._parameters(s)[0])[0])[1]
+        return frame_of(self._places(s).derivatives[0])[1]
 
     def heading(self, s: ArrayLike) -> Floats:
         """Radians counter-clockwise from east, continuous along the curve, in (-pi, pi] at 0."""
-        u, _, laps = self._parameters(s)
-        first = self.spline.derivatives(u)[0]
-        near = self._headings[np.searchsorted(self.arc.parameters, u, side="right") - 1]
-        turned = near + wrapped(np.arctan2(first[..., 1], first[..., 0]) - near)
-        return np.asarray(turned + laps * (self._headings[-1] - self._headings[0]))
+        return self._heading(self._places(s))
 
     def curvature(self, s: ArrayLike) -> Floats:
         """1/m, positive where the curve bends left; zero beyond the ends."""
@@ -121,14 +109,12 @@ class Curve(SharedArrays):
 
     def bending(self, s: ArrayLike) -> tuple[Floats, Floats]:
         """The curvature (1/m) and its derivative by arc length (1/m^2), between its jumps."""
-        u, beyond, _ = self._parameters(s)
-        first, second, third = self.spline.derivatives(u)
-        speed = np.maximum(np.hypot(first[..., 0], first[..., 1]), 1e-9)
-        curvature = cross(first, second) / speed**3
-        along = (first * second).sum(axis=-1) / speed**2
-        change = (cross(first, third) / speed**3 - 3.0 * curvature * along) / speed
-        inside = np.abs(beyond) <= 1e-9 * self.length
-        return np.where(inside, curvature, 0.0), np.where(inside, change, 0.0)
+        return self._bending(self._places(s))
+
+    def pose_and_bending(self, s: ArrayLike) -> tuple[Floats, Floats, Floats, Floats]:
+        """What `at`, `heading` and `bending` give, for less: the places are found once."""
+        places = self._places(s)
+        return self._points(places), self._heading(places), *self._bending(places)
 
     def curvature_jumps(self) -> tuple[Floats, Floats]:
         """Arc lengths (n,) where the curvature jumps, and by how much, 1/m (n,).
@@ -221,15 +207,54 @@ class Curve(SharedArrays):
         first = self.spline.derivatives(self.arc.parameters)[0]
         return np.unwrap(np.arctan2(first[:, 1], first[:, 0]))
 
-    def _parameters(self, s: ArrayLike) -> tuple[Floats, Floats, Floats]:
-        """Spline parameter, meters beyond an end (signed), and whole laps, of arc lengths."""
+    def _points(self, places: _Places) -> Floats:
+        points = self.spline.position(places.parameter)
+        if not self.closed:
+            last = places.s == self.length
+            points = np.where(last[..., None], self.points[-1], points)
+        if places.beyond.any():
+            tangent, _ = frame_of(places.derivatives[0])
+            points = points + places.beyond[..., None] * tangent
+        return points
+
+    def _heading(self, places: _Places) -> Floats:
+        first, parameters = places.derivatives[0], self.arc.parameters
+        near = self._headings[np.searchsorted(parameters, places.parameter, side="right") - 1]
+        turned = near + wrapped(np.arctan2(first[..., 1], first[..., 0]) - near)
+        return np.asarray(turned + places.laps * (self._headings[-1] - self._headings[0]))
+
+    def _bending(self, places: _Places) -> tuple[Floats, Floats]:
+        first, second, third = places.derivatives
+        speed = np.maximum(np.hypot(first[..., 0], first[..., 1]), 1e-9)
+        curvature = cross(first, second) / speed**3
+        along = (first * second).sum(axis=-1) / speed**2
+        change = (cross(first, third) / speed**3 - 3.0 * curvature * along) / speed
+        inside = np.abs(places.beyond) <= 1e-9 * self.length
+        return np.where(inside, curvature, 0.0), np.where(inside, change, 0.0)
+
+    def _places(self, s: ArrayLike) -> _Places:
         stations = finite(s, "arc lengths")
-        if self.closed:
-            laps = np.floor(stations / self.length)
-            inside = np.clip(stations - laps * self.length, 0.0, self.length)
-            return self.arc.parameter(inside), np.zeros_like(stations), laps
-        inside = np.clip(stations, 0.0, self.length)
-        return self.arc.parameter(inside), stations - inside, np.zeros_like(stations)
+        laps = np.floor(stations / self.length) if self.closed else np.zeros_like(stations)
+        inside = np.clip(stations - laps * self.length, 0.0, self.length)
+        beyond = np.zeros_like(stations) if self.closed else stations - inside
+        return _Places(self.spline, stations, self.arc.parameter(inside), beyond, laps)
+
+
+@dataclass(frozen=True, eq=False)
+class _Places:
+    """Where arc lengths `s` are on a spline: its parameter there, the meters beyond an end of the
+    curve (signed), and whole laps."""
+
+    spline: PiecewiseCubic
+    s: Floats
+    parameter: Floats
+    beyond: Floats
+    laps: Floats
+
+    @cached_property
+    def derivatives(self) -> tuple[Floats, Floats, Floats]:
+        """The first three by the parameter."""
+        return self.spline.derivatives(self.parameter)
 
 
 def distinct_points(points: ArrayLike, closed: bool) -> Floats:

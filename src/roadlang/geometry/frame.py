@@ -37,9 +37,9 @@ class CurveFrame(SharedArrays):
         s = finite(stations, "stations")
         if s.ndim != 1 or len(s) < 2 or not (np.diff(s) > 0.0).all():
             raise GeometryError("stations must be at least two increasing arc lengths")
-        curvature, slope = curve.bending(s)
+        points, heading, curvature, slope = curve.pose_and_bending(s)
         slope = slope + _spread(*curve.curvature_jumps(), s, curve)
-        return cls(curve, s, curve.at(s), curve.heading(s), curvature, slope)
+        return cls(curve, s, points, heading, curvature, slope)
 
     @property
     def closed(self) -> bool:
