@@ -9,7 +9,12 @@ import pytest
 
 from roadlang_standard.extraction.drawn_confidence import _are_stripes, with_doubts
 from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.road_likeness import LIKENESS, likeness_facts
+from roadlang_standard.extraction.road_likeness import (
+    LIKENESS,
+    MAP_LIKENESS,
+    likeness_facts,
+    map_facts,
+)
 
 _SHAPE = (600, 800)
 _STAR = ((400, 300, 799, 300), (400, 300, 400, 0), (400, 300, 0, 300), (400, 300, 400, 599))
@@ -126,3 +131,24 @@ def test_a_parking_lot_says_nothing_about_the_width_of_roads() -> None:
     assert likeness_facts(_network(road, lot), colored=False)["unlike"] < 0.01
     lane = _line(2, 3, (300, 150, 420, 150), 5.0)
     assert likeness_facts(_network(road, lane), colored=False)["unlike"] > 0.2
+
+
+def test_rows_of_a_form_that_leave_a_picture_in_colors_are_no_sure_roads() -> None:
+    rows = [_line(2 * i, 2 * i + 1, (0, 60 + 90 * i, 799, 60 + 90 * i), 34.0) for i in range(5)]
+    assert _most(*rows, drawn=False) < 0.5
+
+
+def test_streets_of_a_map_that_leave_it_are_sure() -> None:
+    assert _most(*(_line(0, i + 1, ends, 8.0) for i, ends in enumerate(_STAR)), drawn=False) > 0.9
+    turned = [_line(2 * i, 2 * i + 1, (0, 40 + 70 * i, 799, 130 + 90 * i), 7.0) for i in range(5)]
+    assert _most(*turned, drawn=False) > 0.9
+
+
+def test_each_sign_of_a_map_is_what_it_says() -> None:
+    facts = map_facts(_network(*(_line(0, i + 1, ends, 6.0) for i, ends in enumerate(_STAR))))
+    assert set(facts) == set(MAP_LIKENESS)
+    assert facts["upright"] == pytest.approx(1.0)
+    assert facts["odd"] == pytest.approx(0.0)
+    assert facts["apart"] == pytest.approx(0.25)
+    assert facts["many"] == pytest.approx(np.log(4))
+    assert facts["sharp"] == 0.0

@@ -11,7 +11,7 @@ from .connected_roads import connected_parts
 from .explained_surface import ExplainedSurface
 from .found_network import EDGE_LINES, NO_ROAD, FoundNetwork, FoundRoad
 from .line_art import ends_at_rim, sure_by_junctions, sure_by_widths
-from .road_likeness import sure_by_likeness
+from .road_likeness import sure_by_likeness, sure_like_map
 
 _LONG, _SLENDER = 0.6, 3.0
 """Connected roads have full confidence if their total length is at least `_LONG` shorter sides
@@ -94,13 +94,13 @@ def with_doubts(found: FoundNetwork, drawn: bool = True, measured: bool = True) 
 
 
 def _sure_as_network(found: FoundNetwork, drawn: bool, colored: bool) -> float:
-    """How sure all roads are by how they meet, leave the picture and, if drawn, keep their width
-    and are like roads; what a rendered map shows is wide at its symbols."""
+    """How sure all roads are by how they meet, leave the picture and are like roads and, if drawn,
+    keep their width; what a rendered map shows is wide at its symbols."""
     if not found.roads or found.method in _STATED:
         return 1.0
     by_junctions = sure_by_junctions(found.roads, found.mask.shape)
     if not drawn:
-        return by_junctions
+        return min(by_junctions, sure_like_map(found))
     return min(by_junctions, sure_by_widths(found.roads), sure_by_likeness(found, colored))
 
 
