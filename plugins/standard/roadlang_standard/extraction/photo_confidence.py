@@ -11,7 +11,8 @@ from scipy.ndimage import uniform_filter1d
 from roadlang.geometry import Floats
 
 from .connected_roads import connected_parts
-from .found_network import FoundNetwork, FoundRoad
+from .found_network import NO_ROAD, FoundNetwork, FoundRoad
+from .upright_patterns import is_upright_pattern
 
 _LEAST, _EVIDENCE, _WIDE = 0.899, 0.449, -0.334
 """Log odds of being right: without anything, for each log odd of the evidence, and for each ten
@@ -66,10 +67,12 @@ def calibrated(found: FoundNetwork, doubt_alone: bool) -> FoundNetwork:
     """The same roads with confidences that are about the share of their length that is right.
 
     Faint roads in a picture that shows little else, or none that are clearer, are seldom any: they
-    are doubted more, if `doubt_alone`.
+    are doubted more, if `doubt_alone`, and so are patterns such as bricks.
     """
     facts = road_facts(found, doubt_alone)
     roads = tuple(_calibrated(*pair) for pair in zip(found.roads, facts, strict=True))
+    if doubt_alone and is_upright_pattern(roads):
+        roads = tuple(road.less_sure(NO_ROAD) for road in roads)
     return replace(found, roads=roads)
 
 
