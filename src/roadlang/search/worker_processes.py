@@ -19,6 +19,7 @@ from multiprocessing.queues import SimpleQueue
 from typing import Any
 
 from ..plugins.termination import Terminated, end_on_sigterm
+from .kept_memory import keep_memory
 from .ordered_results import results_in_order
 from .shared_state import Reference, SharedState, read
 from .start_method import FORK, start_method
@@ -194,6 +195,7 @@ _is_idle = threading.Event()
 def _start(reference: Reference, jobs: Sequence[Any]) -> None:
     """Read the shared state, and keep the jobs that came with a fork."""
     gc.freeze()  # what came with a fork: to look through it would copy its memory
+    keep_memory()
     # Not ignored: programs that are started from here would not hear it either.
     signal.signal(signal.SIGINT, lambda number, frame: None)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
