@@ -96,6 +96,14 @@ def test_draws_go_to_their_simplest_values_or_half_way_while_the_first_violation
     assert shrunk(evaluator.outcome(start), evaluator).point == pytest.approx(end)
 
 
+def test_where_it_fails_with_the_simplest_values_one_drive_is_enough() -> None:
+    """Even where no single change toward them fails."""
+    at_the_ends = lambda x, y, z: (-1.0 if x + y in (0.0, 1.5) else 1.0, 1.0)  # noqa: E731
+    evaluator: Any = Formula(at_the_ends)
+    assert shrunk(evaluator.outcome((0.8, 0.7, 0.0)), evaluator).point == (0.0, 0.0, 0.0)
+    assert len(evaluator.tried) == 1
+
+
 def test_influences_are_of_the_first_violation_with_draws_at_their_medians() -> None:
     evaluator: Any = Formula(lambda x, y, z: (x - 1.0 + 0.1 * y, z - 1.0))
     listed = influences(evaluator.outcome((0.0, 0.0, 0.0)), evaluator, ["x", "y", "z"])
