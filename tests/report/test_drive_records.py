@@ -42,6 +42,18 @@ def test_the_worst_expectation_is_the_one_that_is_violated_most() -> None:
     assert seen.worst.verdict.robustness == pytest.approx(-8.0, abs=0.5)
 
 
+def test_robustness_is_in_the_units_of_the_rest_of_the_page() -> None:
+    text = TEXT.replace("ego.x < 32m", "ego.heading < 10deg")
+    text = text.replace("ego.speed < 8m/s", "abs(ego.acceleration) < 2m/s^2")
+    drive = roadlang.loads(text).sample(1, seed=0)[0].run(duration=1.0)
+    verdicts = tuple(drive.verdicts.values())
+    shown = ShownDrive("one", "1", 4, drive.scene.record, drive.trace, verdicts, True)
+    _, force, near = drive_record(view(shown, installed()), {}, 20)["verdicts"]
+    assert force["unit"] == "m/s\N{SUPERSCRIPT TWO}"
+    assert (near["unit"], near["robustness"]) == ("deg", pytest.approx(10.0, abs=0.5))
+    assert min(near["series"]) == pytest.approx(near["robustness"], abs=0.01)
+
+
 def test_the_moment_is_that_of_the_first_violation() -> None:
     _, record = driven()
     time, x = np.cumsum(record["time"]) / 1000, np.cumsum(record["agents"][0]["x"]) / 100

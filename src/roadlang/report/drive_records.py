@@ -20,7 +20,7 @@ from ..judging.deciding_moment import DecidingMoment, deciding_moment, first_vio
 from ..judging.robustness_series import robustness_series
 from ..plugins.registry import Registry
 from .decimation import deltas, samples_of
-from .numbers import quantity
+from .numbers import quantity, shown_unit
 from .outlines import CENTIMETERS, outlines
 from .results import ShownDrive
 from .units import robustness_unit
@@ -158,14 +158,16 @@ def _samples_until_gone(agent: Any, samples: Integers) -> int:
 
 
 def _verdict(judged: Judged, samples: Integers) -> Mapping[str, Any]:
-    verdict, series = judged.verdict, judged.series
+    verdict, (factor, unit) = judged.verdict, shown_unit(judged.unit)
+    least = verdict.robustness
+    series = None if judged.series is None else (factor * judged.series[samples]).tolist()
     return {
         "name": verdict.name,
         "text": verdict.text,
-        "unit": judged.unit,
-        "robustness": verdict.robustness,
+        "unit": unit,
+        "robustness": None if least is None else least * factor,
         "satisfied": verdict.satisfied,
-        "series": None if series is None else [_short(value) for value in series[samples].tolist()],
+        "series": None if series is None else [_short(rho) for rho in series],
     }
 
 

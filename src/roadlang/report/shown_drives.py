@@ -58,10 +58,14 @@ def _explained(stem: Path) -> dict[str, Any] | None:
         return None
     found = read_typed(path, FailureExplanation)
     listed = [*found.singles[:MOST_INFLUENCES], *found.pairs[:MOST_INFLUENCES]]
+    medians = [
+        (" + ".join(item.draws), _shown(item.robustness, found.unit)[0], item.holds)
+        for item in listed
+    ]
     return {
         "expectation": found.expectation,
-        "unit": found.unit,
-        "medians": [[" + ".join(item.draws), item.robustness, item.holds] for item in listed],
+        "unit": shown_unit(found.unit)[1],
+        "medians": medians,
         "others": len(found.without_effect),
     }
 
