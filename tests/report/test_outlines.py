@@ -11,7 +11,9 @@ import pytest
 from roadlang.ir.scene import SceneNetwork, SceneRoad
 from roadlang.ir.scene_junctions import SceneArm, SceneJunction
 from roadlang.ir.scene_lane import SceneLane
+from roadlang.ir.scene_surface import SurfacePatch
 from roadlang.report.outlines import Outline, outline, outlines, surfaces
+from roadlang.scenes.figure_colors import FIGURE_COLORS
 from tests.backends.handmade_scenes import actor, bend, road, through
 
 
@@ -27,6 +29,15 @@ def test_a_straight_road_is_a_rectangle_with_a_broken_line() -> None:
     ((line, broken),) = found.lines
     assert line.tolist() == [[0.0, 0.0], [100.0, 0.0]]
     assert broken
+
+
+def test_lanes_of_another_surface_have_its_color_where_it_lies() -> None:
+    patch = SurfacePatch("ice", 23.0, 41.5, (-1,))
+    ((ring, color),) = outline(straight(surface_patches=(patch,))).covers
+    assert color == FIGURE_COLORS.of_surface("ice")
+    assert ring.tolist() == [[23.0, 0.0], [41.5, 0.0], [41.5, -3.5], [23.0, -3.5]]
+    assert len(outline(straight(surface="gravel")).covers) == 2
+    assert outline(straight(surface="asphalt")).covers == ()
 
 
 @pytest.mark.parametrize(
@@ -86,12 +97,13 @@ def test_only_derived_roads_are_drawn_where_there_are_some_and_junctions_of_thei
 def test_the_page_gets_steps_of_centimeters() -> None:
     ring = np.array([[0.0, 0.0], [1.234, 0.0], [1.234, -2.0]])
     lines = ((ring[:2], True), (ring[1:], False))
-    record = Outline(ring, lines, bands=((ring, True),), paint=(ring[:2],)).record()
+    record = Outline(ring, lines, ((ring, True),), (ring[:2],), ((ring, "red"),)).record()
     assert record == {
         "surface": [[0, 123, 0], [0, 0, -200]],
         "lines": [[[[0, 123], [0, 0]], 1], [[[123, 0], [0, -200]], 0]],
         "bands": [[[[0, 123, 0], [0, 0, -200]], 1]],
         "paint": [[[0, 123], [0, 0]]],
+        "covers": [[[[0, 123, 0], [0, 0, -200]], "red"]],
     }
 
 

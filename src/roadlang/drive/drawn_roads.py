@@ -44,7 +44,7 @@ def drawn_roads(
         [line for line, _ in painted],
         tolerance,
     )
-    for area in road_areas(bands, junctions):
+    for area in road_areas(bands, junctions, {road.name: road for road in scene.roads}):
         yield _area(place(*area.ring.T), area.color, 0.0 if area.inner else _SEAM)
     yield from _lane_lines(lines, [stroke for _, stroke in painted], place)
     yield from _paint(scene, junctions, place, scale)

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.cross_section import drivable_borders
+from ..scenes.figure_colors import FIGURE_COLORS
 from .lane_lines import TOLERANCE, ShownPart, with_few_points
 
 
@@ -24,6 +25,8 @@ class LaneBand:
     """behind a curb"""
     inner: bool = False
     """between drivable lanes"""
+    cover: str | None = None
+    """the color of what lies on a lane that is not asphalt"""
 
     @property
     def ring(self) -> Floats:
@@ -40,6 +43,21 @@ def lane_bands(part: ShownPart) -> Iterator[LaneBand]:
         left, right = (part.beside(part.borders[place + side]) for side in (0, 1))
         raised = part.section.lanes[place].raised
         yield LaneBand(left, right, False, raised, first <= place < last)
+    yield from _covers(part)
+
+
+def _covers(part: ShownPart) -> Iterator[LaneBand]:
+    """Of each lane and stretch of another surface than asphalt."""
+    for stretch in part.stretches:
+        there = (part.stations >= stretch.start) & (part.stations <= stretch.end)
+        for place, (lane, name) in enumerate(
+            zip(part.section.lanes, stretch.surfaces, strict=True)
+        ):
+            color = FIGURE_COLORS.of_surface(name)
+            if color is None or lane.raised or there.sum() < 2:
+                continue
+            left, right = (part.beside(part.borders[place + side])[there] for side in (0, 1))
+            yield LaneBand(left, right, lane.drivable, cover=color)
 
 
 def bands_and_lines(

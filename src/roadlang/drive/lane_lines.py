@@ -13,6 +13,7 @@ from ..geometry.simplifying import all_simplified
 from ..geometry.strokes_of_lanes import LaneStroke, lane_strokes
 from ..geometry.unfolding import SEEN_FROM, unfolded_lines
 from ..ir.scene import SceneRoad
+from ..ir.surface_stretches import SurfaceStretch, surface_stretches
 
 TOLERANCE = 0.1
 """How far a drawn line may be from the road's, meters."""
@@ -29,6 +30,9 @@ class ShownPart:
     """(L + 1, n) of the lanes, meters left of the points"""
     width: float
     """meters, of the drivable lanes on average"""
+    stations: Floats
+    """(n,) of the points; the ends of all stretches are among them"""
+    stretches: tuple[SurfaceStretch, ...]
 
     def beside(self, offset: Floats) -> Floats:
         """(n, 2) points `offset` (n,) meters left of the road."""
@@ -44,14 +48,16 @@ def shown_part(road: SceneRoad) -> ShownPart | None:
     first, last = axis[0] + road.trim[0], axis[-1] - road.trim[1]
     if not first < last:
         return None
-    inner = axis[(axis > first) & (axis < last)]
+    section = road.cross_section()
+    stretches = surface_stretches(road, section.ids)
+    every = np.union1d(axis, [one.end for one in stretches]) if len(stretches) > 1 else axis
+    inner = every[(every > first) & (every < last)]
     s = np.concatenate([[first], inner, [last]])
     columns[2] = np.unwrap(columns[2])
     x, y, heading = (np.interp(s, axis, part) for part in columns)
     points, left = np.column_stack([x, y]), np.column_stack([-np.sin(heading), np.cos(heading)])
-    section = road.cross_section()
     width = float(np.mean(road.width))
-    return ShownPart(points, left, section, section.border_offsets(s), width)
+    return ShownPart(points, left, section, section.border_offsets(s), width, s, stretches)
 
 
 def painted_lines(part: ShownPart, pixels_per_meter: float) -> Iterator[tuple[Floats, LaneStroke]]:

@@ -78,7 +78,8 @@ def _road_shapes(scene: Scene) -> Iterator[_Shape]:
     painted = [found for part in parts for found in painted_lines(part, SCALE)]
     every = [band for part in parts for band in lane_bands(part)]
     bands, lines = bands_and_lines(every, [line for line, _ in painted])
-    for area in road_areas(bands, shown_junctions(scene, {road.name for road in roads})):
+    junctions = shown_junctions(scene, {road.name for road in roads})
+    for area in road_areas(bands, junctions, {road.name: road for road in scene.roads}):
         yield _Shape(area.ring, area.color)
     for line, (_, stroke) in zip(lines, painted, strict=True):
         yield from _line_shapes(line, stroke)

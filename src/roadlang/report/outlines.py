@@ -13,6 +13,8 @@ from ..drive.lane_lines import line_beside, painted_lines, shown_part, with_few_
 from ..geometry.arrays import Floats
 from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
+from ..ir.surface_stretches import junction_surface
+from ..scenes.figure_colors import FIGURE_COLORS
 from ..scenes.junction_paint import PaintedShape, crosswalk_paint, junction_paint
 from ..scenes.paint_rings import paint_rings
 from ..scenes.shown_junctions import shown_junctions
@@ -37,6 +39,8 @@ class Outline:
     """rings of lanes that nobody drives on, and whether each is raised"""
     paint: tuple[Floats, ...] = ()
     """rings of what is painted"""
+    covers: tuple[tuple[Floats, str], ...] = ()
+    """rings of lanes with another surface than asphalt, and their colors"""
 
     def record(self) -> dict[str, Any]:
         """For the page: deltas in centimeters."""
@@ -45,16 +49,19 @@ class Outline:
             "lines": [[_flat(line), int(broken)] for line, broken in self.lines],
             "bands": [[_flat(ring), int(raised)] for ring, raised in self.bands],
             "paint": [_flat(ring) for ring in self.paint],
+            "covers": [[_flat(ring), color] for ring, color in self.covers],
         }
 
 
 def outlines(scene: Scene) -> list[Outline]:
     """The roads that are driven, and the junctions of their networks, with what is painted."""
     roads = [outline(road, _crosswalks(scene, road)) for road in _driven(scene)]
-    return roads + [
-        Outline(np.array(junction.area), paint=_painted(junction_paint(scene, [junction])))
-        for junction in _junctions(scene)
-    ]
+    by_name = {road.name: road for road in scene.roads}
+    for junction in _junctions(scene):
+        area, paint = np.array(junction.area), _painted(junction_paint(scene, [junction]))
+        color = FIGURE_COLORS.of_surface(junction_surface(junction, by_name))
+        roads.append(Outline(area, paint=paint, covers=((area, color),) if color else ()))
+    return roads
 
 
 def surfaces(scene: Scene) -> list[Floats]:
@@ -90,13 +97,14 @@ def outline(road: SceneRoad, paint: tuple[Floats, ...] = ()) -> Outline:
     last = len(part.section.lanes)
     # The surface shows where the road ends: a page of many roads stays small.
     inner = [(line, s) for line, s in painted_lines(part, _SCALE) if 0 < s.border < last]
-    beside = [band for band in lane_bands(part) if not band.is_driven]
+    beside = [band for band in lane_bands(part) if band.cover or not band.is_driven]
     bands, lines = bands_and_lines(beside, [line for line, _ in inner])
     return Outline(
         surface(road),
         tuple((line, s.dashes is not None) for line, (_, s) in zip(lines, inner, strict=True)),
-        tuple((band.ring, band.raised) for band in bands),
+        tuple((band.ring, band.raised) for band in bands if band.cover is None),
         paint,
+        tuple((band.ring, band.cover) for band in bands if band.cover is not None),
     )
 
 

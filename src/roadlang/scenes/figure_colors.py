@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..ir.category import BUILDING, GREENERY
+from ..ir.scene_surface import SurfaceName
+
+_SURFACES: Mapping[SurfaceName | None, str] = {
+    "wet": "#56626f",
+    "snow": "#dfe4ea",
+    "ice": "#b7d3e2",
+    "gravel": "#a3937c",
+    "turf": "#a9bd8c",
+}
 
 
 @dataclass(frozen=True)
@@ -33,6 +43,10 @@ class FigureColors:
         if drivable:
             return self.surface
         return self.raised if raised else self.beside
+
+    def of_surface(self, name: SurfaceName | None) -> str | None:
+        """Of what covers a lane; None for asphalt, and where the road says nothing."""
+        return _SURFACES.get(name)
 
 
 FIGURE_COLORS = FigureColors()

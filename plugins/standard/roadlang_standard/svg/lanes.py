@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from roadlang.api import geometry
+from roadlang.api import FIGURE_COLORS, geometry
 
 from . import palette
 from .markup import element, path_data
@@ -44,7 +44,7 @@ def covers(ribbon: Ribbon, inset: float) -> Iterator[str]:
         high = min(stretch.end, float(ribbon.stations[-1]))
         part = ribbon.part(low, high) if high > low else None
         for place, (lane, surface) in enumerate(zip(ribbon.lanes, stretch.surfaces, strict=True)):
-            color = palette.SURFACES.get(surface or "")
+            color = FIGURE_COLORS.of_surface(surface)
             if part is None or color is None or lane.raised:
                 continue
             left = part.borders[:, place] - (inset if place == 0 else 0.0)

@@ -26,14 +26,6 @@ LANES = {
     "median": "#aeb0a4",
     "grass": "#a9bd8c",
 }
-SURFACES = {
-    "wet": "#56626f",
-    "snow": "#dfe4ea",
-    "ice": "#b7d3e2",
-    "gravel": "#a3937c",
-    "turf": "#a9bd8c",
-}
-"""What roads are covered by; asphalt is `SURFACE`."""
 GHOST_FILL = "#9db4cf"
 GHOST_LINE = "#3f6ea5"
 CONTEXT = "#d3d0c6"

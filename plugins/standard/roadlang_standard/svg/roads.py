@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from roadlang.api import junction_surface, shown_junctions
+from roadlang.api import FIGURE_COLORS, junction_surface, shown_junctions
 
 from . import palette
 from .junctions import curbs, heads, paint, surface
@@ -40,7 +40,7 @@ def roads(
     covered = [shape for ribbon in shown for shape in covers(ribbon, _edge(ribbon))]
     by_name = {road.name: road for road in scene.roads}
     for place in places:
-        color = palette.SURFACES.get(junction_surface(place, by_name) or "")
+        color = FIGURE_COLORS.of_surface(junction_surface(place, by_name))
         covered += [surface(place, viewport, color)] if color else []
     casing += [_disc(x, y, radius) for x, y, radius, _ in discs]
     top += [_disc(x, y, radius - edge) for x, y, radius, edge in discs]

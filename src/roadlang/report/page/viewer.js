@@ -7,6 +7,7 @@ const byId = (name) => document.getElementById(name);
 const roadLines = DATA.roads.map((road) => ({
   surface: closed(road.surface),
   bands: road.bands.map(([around, raised]) => [closed(around), raised ? "raised" : "beside"]),
+  covers: road.covers.map(([around, fill]) => ({ d: closed(around), fill })),
   paint: road.paint.map(closed).join(""),
   lines: road.lines.map(([line, broken]) => [ring(points(line)), broken]),
   points: points(road.surface),
@@ -108,6 +109,7 @@ class Viewer {
     const parts = roads.map((road) => draw("path", { d: road.surface, class: "surface" }));
     for (const road of roads) {
       for (const [band, look] of road.bands) parts.push(draw("path", { d: band, class: look }));
+      for (const cover of road.covers) parts.push(draw("path", cover));
       if (road.paint) parts.push(draw("path", { d: road.paint, class: "paint" }));
       for (const [line, broken] of road.lines) parts.push(draw("path", { d: line, class: broken ? "line broken" : "line" }));
     }
