@@ -31,6 +31,7 @@ HABITS = [
         "write `implies`",
         "implies",
     ),
+    (f"{EGO}expect e: always (ego.speed => 9m/s)", "RL234", "at least is written `>=`", ">="),
     (
         f"{EGO}object b is box on main at ego.start + [20m, 60m]",
         "RL025",

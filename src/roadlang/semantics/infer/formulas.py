@@ -29,6 +29,7 @@ from ..types.expression_types import (
     unknown,
 )
 from ..types.number_terms import distinct
+from .turned_signs import turned_at_least
 
 
 def infer_comparison(
@@ -110,7 +111,11 @@ def infer_not(checker: Checker, node: ast.NotExpression, context: Context) -> Ty
 def infer_logic(checker: Checker, node: ast.Logic, context: Context) -> TypedExpression:
     """`and`, `or`, `implies`, `iff`, `xor`."""
     what = f"`{node.word}`"
-    parts = [infer_operand(checker, operand, context, what) for operand in node.operands]
+    typed = [checker.infer(operand, context) for operand in node.operands]
+    turned = turned_at_least(checker, node, typed)
+    if turned is not None:
+        return turned
+    parts = [as_formula(checker, each, what) for each in typed]
     formulas = [part.formula for part in parts if part.formula is not None]
     if len(formulas) < len(parts):
         return unknown(node.span)
