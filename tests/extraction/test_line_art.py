@@ -89,9 +89,18 @@ def test_many_roads_of_uneven_width_are_cracks_and_a_few_are_strokes_of_a_pen() 
     def roads(count: int, widths: list[float]) -> list[FoundRoad]:
         return [_road(2 * k, 2 * k + 1, [(0, 9 * k), (99, 9 * k)], widths) for k in range(count)]
 
-    assert sure_by_widths(roads(12, [4, 4.4])) == 1.0
-    assert sure_by_widths(roads(12, [3, 5])) < 0.1
-    assert sure_by_widths(roads(4, [3, 5])) == 1.0
+    assert sure_by_widths(roads(12, [4, 4.4]), 600) == 1.0
+    assert sure_by_widths(roads(12, [3, 5]), 600) < 0.1
+    assert sure_by_widths(roads(4, [3, 5]), 600) == 1.0
+
+
+def test_no_pen_is_so_broad_that_a_few_broad_lines_may_be_uneven() -> None:
+    def road(*widths: float) -> list[FoundRoad]:
+        return [_road(0, 1, [(0, 9), (99, 9)], list(widths))]
+
+    assert sure_by_widths(road(26, 34), 600) < 0.5
+    assert sure_by_widths(road(29, 31), 600) == 1.0
+    assert sure_by_widths(road(26, 34), 6000) == 1.0
 
 
 def test_streets_whose_color_is_stated_are_sure_however_they_meet() -> None:

@@ -101,7 +101,8 @@ def _sure_as_network(found: FoundNetwork, drawn: bool, colored: bool) -> float:
     by_junctions = sure_by_junctions(found.roads, found.mask.shape)
     if not drawn:
         return min(by_junctions, sure_like_map(found))
-    return min(by_junctions, sure_by_widths(found.roads), sure_by_likeness(found, colored))
+    by_widths = sure_by_widths(found.roads, min(found.mask.shape))
+    return min(by_junctions, by_widths, sure_by_likeness(found, colored))
 
 
 def _rows(parts: list[list[FoundRoad]], inside: list[bool]) -> list[bool]:
