@@ -12,6 +12,7 @@ from .scene_actor import SceneActor as SceneActor
 from .scene_junctions import SceneJunction
 from .scene_road import SceneRoad as SceneRoad
 from .scene_sensor import SceneSensor as SceneSensor
+from .sent_records import sent_by_members
 
 SCENE_SCHEMA = "roadlang.scene/2"
 
@@ -66,6 +67,7 @@ class ViolatedSegment:
     """meters"""
 
 
+@sent_by_members
 @dataclass(frozen=True, slots=True)
 class RoadPlace:
     """A place on a road: arc length of the root road, meters."""
@@ -76,6 +78,7 @@ class RoadPlace:
     """meters"""
 
 
+@sent_by_members
 @dataclass(frozen=True, slots=True)
 class Profile:
     """Values along a road: `stations` is arc length of the root road, as long as `values`."""
@@ -102,6 +105,7 @@ class SceneSignal:
     """its values, for each road"""
 
 
+@sent_by_members
 @dataclass(frozen=True, slots=True)
 class Verdict(Frozen):
     """A `require` or `expect` of this scene. `robustness` is None for what is judged later."""

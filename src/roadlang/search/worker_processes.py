@@ -132,8 +132,8 @@ class _Executor(ProcessPoolExecutor):
 
 @dataclass(frozen=True)
 class _Watched:
-    """A result that nobody waits for in vain. `has_lost_some`: has a process died since its
-    last call?"""
+    """A result that nobody waits for in vain. `future` has it pickled; `has_lost_some`: has a
+    process died since its last call?"""
 
     future: Future[Any]
     has_lost_some: Callable[[], bool]
@@ -143,10 +143,10 @@ class _Watched:
         is_lost = False
         while True:
             try:
-                return self.future.result(_LOOK)
+                return pickle.loads(self.future.result(_LOOK))
             except NotYetDoneError:
                 if self.future.done():  # meanwhile, or by this error
-                    return self.future.result()
+                    return pickle.loads(self.future.result())
             if is_lost:  # the executor had time to tell
                 raise BrokenExecutor("a process was killed while it wrote a result")
             is_lost = self.has_lost_some()
@@ -218,13 +218,14 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _run(work: Callable[[Any, Any], Any], job: Any) -> Any:
-    """What was started for a job, such as the programs of controllers, ends before the process does
+def _run(work: Callable[[Any, Any], Any], job: Any) -> bytes:
+    """The result, pickled here: the executor would look up each object in more places first. What
+    was started for a job, such as the programs of controllers, ends before the process does
     where SIGTERM breaks it off."""
     _is_idle.clear()
     try:
         known = _process_jobs[job.number] if isinstance(job, _Inherited) else job
-        result = worked(work, _process_state[0], known)
+        result = pickle.dumps(worked(work, _process_state[0], known))
     except Terminated:
         pass  # what the job held is freed with it, except for reference cycles
     except BaseException:
