@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from roadlang.cli.compilation import Compilation
-from roadlang.cli.console import holding, report, violations
+from roadlang.cli.console import counted, holding, report, violations
 from roadlang.cli.drive_lines import summary
 from roadlang.diagnostics import Code, Source, diagnose
 from roadlang.search.worker_pool import ALONE
@@ -85,3 +85,10 @@ def test_errors_and_warnings_are_counted_where_they_are_written(
     assert err.endswith("\n3 errors and 2 warnings\n")
     report(errors[:1])
     assert "1 error" not in capsys.readouterr().err
+
+
+def test_one_of_a_kind_is_not_many() -> None:
+    assert [counted(number, "scene") for number in (0, 1, 2_000)] == [
+        "0 scenes", "1 scene", "2,000 scenes"
+    ]  # fmt: skip
+    assert holding(1, 1) == "all expectations hold in 1 of 1 scene"

@@ -102,7 +102,12 @@ def violations(expectations: Iterable[Expectation]) -> Iterator[str]:
 
 def holding(satisfied: int, scenes: int) -> str:
     """In how many scenes all expectations hold."""
-    return f"all expectations hold in {satisfied} of {scenes} scene{'' if scenes == 1 else 's'}"
+    return f"all expectations hold in {satisfied:,} of {counted(scenes, 'scene')}"
+
+
+def counted(number: int, noun: str) -> str:
+    """`1 scene`, `2,000 scenes`."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
 def shown(path: Path) -> str:

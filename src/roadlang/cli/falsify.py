@@ -11,7 +11,7 @@ import click
 
 from ..session.params import parse_overrides
 from . import exit_codes, shared_options
-from .console import echo, note, report, shown, style
+from .console import counted, echo, note, report, shown, style
 from .finite_range import FiniteRange, WholeNumber
 from .quantities import seconds
 
@@ -140,8 +140,9 @@ def _print(search: Falsification, target: Path, as_json: bool) -> None:
             note(f"\n{as_text(rejections, len(search.outcomes))}")
     failing = sum(outcome.is_failure for outcome in search.driven)
     echo(
-        f"{len(search.failures)} distinct of {failing} failures in {len(search.driven):,} scenes"
-        f" of {len(search.outcomes):,} evaluations; in {shown(target)}"
+        f"{len(search.failures)} distinct of {counted(failing, 'failure')} in"
+        f" {counted(len(search.driven), 'scene')} of"
+        f" {counted(len(search.outcomes), 'evaluation')}; in {shown(target)}"
     )
     rate = search.rate
     if rate.scenes:
