@@ -190,6 +190,7 @@ def report_missing(
             for name in missing
         ),
     ]
+    sort += "s" if len(missing) > 1 else ""
     checker.report(Code.MISSING_OPTION, span, owner=owner, names=names, sort=sort, help=help_)
     return False
 
