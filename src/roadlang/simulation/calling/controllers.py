@@ -181,7 +181,9 @@ class GuardedController(Controller):
 
 
 def _have_infinite(one: Floats, other: Floats) -> bool:
-    if math.isfinite(one.dot(other)):  # so is every number of both: one look at most columns
+    with np.errstate(invalid="ignore", over="ignore"):
+        product = one.dot(other)
+    if math.isfinite(product):  # so is every number of both: one look at most columns
         return False
     return bool(np.isinf(one).any() or np.isinf(other).any())
 

@@ -26,7 +26,7 @@ class LazyObservations(ObservationBatch):
     """a `View`, which this file must not import"""
     chosen: Integers
     rows: Any
-    """the same as an index: a slice where they are all agents, as that copies nothing"""
+    """the same as an index: a slice where they are all agents, as that is found faster"""
 
     def __init__(self, view: Any, chosen: Integers) -> None:
         everyone = len(chosen) == len(view.world.present)
@@ -51,6 +51,8 @@ class LazyObservations(ObservationBatch):
             view, column = self.view, _COLUMNS.get(name)
             if column is not None:
                 value: Any = column(view)[self.rows]
+                if self.rows is EVERYONE and isinstance(value, np.ndarray):
+                    value = value.copy()  # a controller may change it, as that of some agents
             elif name in _DERIVED:
                 value = _DERIVED[name](self)
             else:
