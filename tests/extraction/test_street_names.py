@@ -91,11 +91,13 @@ def test_a_name_may_bend_with_its_street() -> None:
 
 
 def test_no_street_is_below_words_that_stand_beside_one_another() -> None:
-    """Two words that touch are no name that turns to both sides."""
+    """Words that touch are no name that turns to both sides: the first of them alone is along the
+    street."""
     letters = name(AT_END)
     letters[94:160, 190:202] = letters[148:160, 200:280] = True
     streets, _ = streets_below_names(street_on_the_left(), letters, WIDTH)
-    assert not streets.any()
+    assert streets[99:102, 160:234].all()
+    assert not streets[106:].any()
 
 
 def test_a_house_that_touches_a_name_hides_no_street() -> None:
@@ -199,3 +201,25 @@ def test_streets_along_what_is_mostly_as_thin_as_they_are_have_no_casings_for_it
     tones = [tone(240, ~casings, 50.0, 300.0), tone(255, street, 3.0, 1200.0)]
     found = road_tones([*tones, tone(225, park, 38.0, float(park.sum()) / 2)], 400)
     assert 255 in {one.color[0] for one in found}
+
+
+def test_the_names_of_two_streets_that_touch_at_a_corner_cover_both() -> None:
+    """The name of a street that comes from above ends on the name of one that crosses."""
+    mask = blank()
+    mask[98:103, 40:126] = mask[98:103, 268:] = mask[:22, 194:199] = True
+    letters = name((slice(94, 106), slice(124, 270)))
+    letters[20:96, 191:203] = True
+    streets, named = streets_below_names(mask, letters, WIDTH)
+    assert streets[99:102, 130:186].all()
+    assert streets[99:102, 208:264].all()
+    assert streets[26:90, 195:198].all()
+    assert named[30, 196]
+
+
+def test_two_names_of_shops_that_touch_are_no_street() -> None:
+    """Together they rise a little, and a street leads up to one of them by chance."""
+    mask = blank()
+    mask[101:106, 10:76] = True
+    letters = name((slice(97, 106), slice(76, 160)))
+    letters[82:103, 150:230] = True
+    assert not streets_below_names(mask, letters, WIDTH)[0].any()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import cv2
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .fast_median import median
+from .joined_names import lines_of_letters
 from .mask_parts import parts_and_boxes
 
 _LOWEST, _TALLEST, _LONG = 9.0, 24.0, 3.0
@@ -38,9 +40,11 @@ side."""
 _ROUNDS, _DEGREE = 3, 4
 """A curved middle line is fitted in `_ROUNDS` rounds by polynomials of degree `_DEGREE` in its
 length."""
-_LEVEL, _EXACTLY = 0.1, 1.5
-"""A name is level if its middle line rises by less than `_LEVEL` pixels per piece. A street that
-continues at only one of its ends must then be within `_EXACTLY` pixels of the middle line."""
+_LEVEL, _LEVEL_JOINED, _EXACTLY = 0.1, 0.2, 1.5
+"""A name is level if its middle line rises by less than `_LEVEL` pixels per piece, or by less than
+`_LEVEL_JOINED` if it is one of several that touch: the names of two shops are not written on one
+line. A street that continues at only one of its ends must then be within `_EXACTLY` pixels of the
+middle line."""
 _INSET = 2
 """Margin around marked letters, in pixels."""
 
@@ -81,17 +85,40 @@ def streets_below_names(
         window = (slice(top, top + tall), slice(left, left + wide))
         y, x = np.nonzero(words[window] == word)
         points = np.stack([x + left, y + top], axis=1).astype(np.float64)
-        for pixels in (points, _without_houses(points)):
-            name = _name(pixels) if len(pixels) else None
-            line = None if name is None else _street(mask, name, width)
-            if name is None or line is None:
-                continue
+        for name, line in _streets(mask, points, width):
             street = np.round(line * 16).astype(np.int32)
             cv2.polylines(drawn, [street], False, 1, max(1, round(width)), cv2.LINE_8, 4)
             if name.height > _HIDES * width:
                 named[tuple(name.points.astype(np.intp).T[::-1])] = True
-            break
     return np.asarray(drawn > 0), named
+
+
+def _streets(
+    mask: Booleans, points: NDArray[np.float64], width: float
+) -> Iterator[tuple[_Name, NDArray[np.float64]]]:
+    """The names among connected letters (n, 2), and the line (m, 2) of the street below each."""
+    rest = points
+    for pixels in (points, _without_houses(points)):
+        name = _name(pixels)
+        line = None if name is None else _street(mask, name, width, _LEVEL)
+        if name is not None and line is not None:
+            yield name, line
+        if name is not None:
+            rest = _others(rest, pixels)
+        if line is not None:
+            break
+    # Where the names of two streets touch at a corner, they are no one line.
+    for pixels in lines_of_letters(rest):
+        name = _name(pixels)
+        line = None if name is None else _street(mask, name, width, _LEVEL_JOINED)
+        if name is not None and line is not None and name.height <= _ONE_LINE:
+            yield name, line
+
+
+def _others(points: NDArray[np.float64], some: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The pixels (n, 2) that are none of some others (m, 2)."""
+    code, other = (pixels.astype(np.int64) @ (1 << 32, 1) for pixels in (points, some))
+    return points[~np.isin(code, other)]
 
 
 def _axes(
@@ -133,6 +160,8 @@ def _bend(places: NDArray[np.intp], middles: NDArray[np.float64]) -> np.polynomi
 
 def _name(points: NDArray[np.float64]) -> _Name | None:
     """The middle line of the pixels (n, 2) of a word; None if it is none, or in several lines."""
+    if not len(points):
+        return None
     middle, along, across = _axes(points)
     u, v = (points - middle) @ along, (points - middle) @ across
     start, end = float(u.min()) + _INSET, float(u.max()) - _INSET
@@ -176,15 +205,16 @@ def _distances(points: NDArray[np.float64], line: NDArray[np.float64]) -> NDArra
     return np.sqrt(x, out=x)
 
 
-def _street(mask: Booleans, name: _Name, width: float) -> NDArray[np.float64] | None:
-    """The line of the street (n, 2) below a name; None if none leads on from it."""
+def _street(mask: Booleans, name: _Name, width: float, most: float) -> NDArray[np.float64] | None:
+    """The line of the street (n, 2) below a name, which is level if it rises by less than `most`
+    pixels per piece; None if none leads on from it."""
     first, last = (_leads_on(mask, line, width) for line in (name.line[::-1], name.line))
     # The first end was looked at backward.
     known = [offset for offset in (first if first is None else -first, last) if offset is not None]
     if not known:
         return None
     # Names of places are level: by chance a street may lead up to one of their ends.
-    level = np.ptp(name.line[:, 1]) < _LEVEL * len(name.line)
+    level = np.ptp(name.line[:, 1]) < most * len(name.line)
     if level and len(known) == 1 and abs(known[0]) > _EXACTLY:
         return None
     steps = np.gradient(name.line, axis=0)
