@@ -8,7 +8,8 @@ import pytest
 
 from roadlang_standard.extraction.exact_colors import has_exact_colors
 from roadlang_standard.extraction.map_contrast import Stretch
-from roadlang_standard.extraction.map_styles import STYLES, style_of
+from roadlang_standard.extraction.map_lines import without_barbs
+from roadlang_standard.extraction.map_styles import STYLES, gray_style_of, style_of
 from roadlang_standard.extraction.map_styles import MapStyle as KnownStyle
 from roadlang_standard.extraction.map_tiles import roads_of_map
 from roadlang_standard.extraction.map_tones import EXACT, LOSSY, flat_colors, map_tone
@@ -87,3 +88,56 @@ def test_a_jpeg_of_a_known_style_has_all_of_its_colors() -> None:
     seen = [style.ground[0], np.array([60.0, 60.0, 60.0])]
     assert len(style.with_its_own(seen, LOSSY)) == 5
     assert len(style.with_its_own(seen, EXACT)) == 4
+
+
+def test_in_a_jpeg_colors_between_a_road_and_land_are_noise() -> None:
+    """So is what is darker than both, as outlines are."""
+    land, road = np.full(3, 195.0), np.full(3, 141.0)
+    style = KnownStyle(np.array([land]), np.array([road]), contrast=3.0)
+    for level, is_road in ((141, True), (147, True), (165, False), (168, False), (132, False)):
+        assert style.is_road(np.full(3, float(level)), LOSSY) is is_road, level
+    assert style.is_road(np.full(3, 143.0), EXACT)
+
+
+@pytest.mark.parametrize(
+    ("grays", "is_known"),
+    [((245, 250, 227), True), ((245, 60, 10), False), ((230, 250, 227), False)],
+)
+def test_a_gray_style_is_known_by_its_land_and_one_more_gray(
+    grays: tuple[int, int, int], is_known: bool
+) -> None:
+    land, street, main = grays
+    image = np.full((200, 200, 3), land, np.uint8)
+    image[90:98], image[:, 40:48] = street, main
+    assert (gray_style_of(image, flat_colors(image)) is not None) is is_known
+
+
+@pytest.mark.parametrize(("land", "street", "outline"), [(12, 23, 27), (245, 250, 238)])
+def test_the_streets_of_a_gray_map_stored_as_jpeg_are_found(
+    land: int, street: int, outline: int
+) -> None:
+    """They differ from the land by a few gray levels, and the noise of JPEG by nearly as many."""
+    image = np.full((480, 480, 3), land, np.uint8)
+    for at in range(60, 480, 120):
+        for line in (((at, 0), (at + 40, 479)), ((0, at + 40), (479, at))):
+            cv2.line(image, *line, (outline,) * 3, 6, cv2.LINE_AA)
+            cv2.line(image, *line, (street,) * 3, 4, cv2.LINE_AA)
+    for x, y in ((x, y) for x in range(84, 440, 40) for y in range(20, 460, 40)):
+        if (image[y : y + 12, x : x + 16] == land).all():
+            cv2.rectangle(image, (x, y), (x + 15, y + 11), (outline,) * 3, 1)
+    found = roads_of_map(as_jpeg(image, 80))
+    assert found is not None
+    length = sum(road.length for road in found.roads)
+    assert length == pytest.approx(8 * 481, rel=0.06)
+    assert len(found.roads) < 60
+
+
+def test_a_narrow_street_of_a_jpeg_has_no_barbs() -> None:
+    street = np.zeros((40, 60), bool)
+    street[18:21] = True
+    frayed = street.copy()
+    frayed[10:18, 30] = frayed[21:30, 40] = True
+    clean = without_barbs(frayed)
+    assert clean[street].all()
+    assert not clean[:17].any()
+    assert not clean[22:].any()

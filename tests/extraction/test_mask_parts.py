@@ -9,6 +9,7 @@ from roadlang_standard.extraction.mask_parts import (
     _may_have_small_parts,
     areas_of,
     boxes_of,
+    opened_by_square,
     parts_and_boxes,
     parts_of,
     small_parts,
@@ -91,3 +92,14 @@ def test_outlines_tell_that_no_part_is_small(connectivity: int) -> None:
     assert found == [False, True, True, False]
     found = [_may_have_small_parts(~mask, 8, connectivity) for mask in masks]
     assert found == [False, False, connectivity == 4, True]
+
+
+def test_what_a_square_opens_stays_where_it_is() -> None:
+    """With squares of an even side, too."""
+    strip = np.zeros((20, 20), bool)
+    strip[:, 4:8] = True
+    barbed = strip.copy()
+    barbed[5, 8:14] = True
+    for size in (2, 3, 4):
+        assert (opened_by_square(barbed, size) == strip).all()
+    assert not opened_by_square(barbed, 5).any()

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roadlang.geometry import Booleans
 
 from .map_tones import EXACT, MapTone, frequent_colors, map_tone
-from .mask_parts import parts_and_boxes, parts_touching, where_parts
+from .mask_parts import opened_by_square, parts_and_boxes, parts_touching, where_parts
 from .mixed_pixels import Labels
 from .tones import Image
 
@@ -30,6 +30,8 @@ _STEADY = 0.45
 _SHORT, _BENT = 16, 1.4
 """A short street has an extent of at least `_SHORT` pixels, and a surface of less than `_BENT`
 times its width times its extent; the outline of a house returns to its start and has more."""
+_BARB = 2
+"""In a JPEG, what is thinner than so many pixels at the rim of a street is noise."""
 _SIDE = 2
 """Distance in pixels from the edges of a line at which its sides are compared."""
 
@@ -154,3 +156,8 @@ def short_parts(tones: list[MapTone], roads: list[MapTone], near: Booleans) -> B
             short = tone.mask & where_parts(street, parts)
             found |= parts_touching(short, near)
     return found
+
+
+def without_barbs(mask: Booleans) -> Booleans:
+    """The narrow streets (h, w) of a JPEG without the noise that stands out from them."""
+    return opened_by_square(mask, _BARB)

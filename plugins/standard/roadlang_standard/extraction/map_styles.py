@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from .colors import bgr
 from .map_contrast import Stretch
-from .map_tones import MapTone, Tolerance, map_tone
+from .map_tones import EXACT, MapTone, Tolerance, map_tone
 from .mask_parts import parts_and_boxes, where_parts
 from .tones import Image, away_from
 
@@ -20,11 +20,17 @@ _ROAD, _ROAD_LOSSY = 1.0, 4.0
 """The color of a land is off that of the style by at most `_EXACTLY` gray levels in a lossless
 file, and by at most `_NEARLY` in a JPEG; that of roads, which are narrow, by `_ROAD` and by
 `_ROAD_LOSSY`."""
+_LIGHTNESS = np.array([0.114, 0.587, 0.299])
+"""Of blue, green and red."""
+_BETWEEN = 2.0
+"""In a JPEG, the color of a road is at least this many times as far off all land as off the color
+that the style has for it."""
 _KNOWN, _KNOWN_LOSSY, _WINDOW = 0.6, 0.45, 640
 """At least `_KNOWN` of a map, in a window of `_WINDOW` pixels a side, has the colors of its style,
 of a JPEG at least `_KNOWN_LOSSY`: names, icons and edges are the rest."""
-_FREQUENT, _MOST = 12, 6
-"""Of a map's `_FREQUENT` most frequent colors, the first `_MOST` include the land of its style."""
+_FREQUENT, _MOST, _GRAYS = 12, 6, 4
+"""Of a map's `_FREQUENT` most frequent colors, the first `_MOST` include the land of its style. The
+first `_GRAYS` of a gray map are all of its style."""
 _SHARED, _SHARED_LOSSY, _TINTED = 2, 3, 6
 _LAND, _ALMOST, _WHITE, _HUED = 0.3, 1.0, 250, 2
 """Least number of colors that a map, or one stored as JPEG, shares with its style. All of them but
@@ -61,7 +67,17 @@ class MapStyle:
     def is_road(self, color: NDArray[np.float64], tolerance: Tolerance) -> bool:
         """Whether a color (3,) is one of its roads."""
         most = _ROAD_LOSSY if tolerance.is_lossy else _ROAD
-        return _is_near(color, self.roads, most * self.contrast)
+        away = np.abs(self.roads - color).max(axis=1)
+        near = away <= most * self.contrast
+        return bool(near.any()) and not (tolerance.is_lossy and self._is_noise(color, away))
+
+    def _is_noise(self, color: NDArray[np.float64], away: NDArray[np.float64]) -> bool:
+        """Whether a color (3,) of a JPEG, so far `away` (n,) from those of roads, is rather noise
+        at an edge. Narrow roads are mixed with land, but no lighter or darker than in the style."""
+        road = self.roads[away.argmin()]
+        from_ground = np.abs(self.ground - color).max(axis=1).min()
+        beyond = (color - road) @ _LIGHTNESS * np.sign((road - self.ground[0]) @ _LIGHTNESS)
+        return bool(from_ground < _BETWEEN * away.min() or beyond > EXACT.flat)
 
     def stretched(self, stretch: Stretch) -> MapStyle:
         """The style with more contrast."""
@@ -111,12 +127,43 @@ STYLES = (
     ),
     # Positron of OpenMapTiles
     MapStyle.of("#f2f3f0 #eaeae5 #dce0dc #c2c8ca #ebebeb", "#ffffff #e2e2e2"),
+    # VersaTiles Neutrino
+    MapStyle.of(
+        "#f4f0ee #f0eeec #eeeae6 #f2eded #e1dfdd #dbe5d4 #d7e4ce #e3e5e1 #e5e6da #d6dcc5 #f3f0e7 "
+        "#d0dde9",
+        "#f9f9f9 #f5ecc4",
+    ),
     # VersaTiles Eclipse
     MapStyle.of(
         "#282725 #2b2826 #312c27 #2e2829 #2c3923 #2b3b1d #31332f #393734 #303322 #383f1f #0c1c2a",
         "#525252 #695d2b #575757",
     ),
 )
+
+GRAY_STYLES = (
+    # Dark Matter of OpenMapTiles
+    MapStyle.of("#0c0c0c #000000 #1b1b1d #232323 #3b3b3b", "#171717 #121212"),
+    # VersaTiles Graybeard
+    MapStyle.of(
+        "#f5f5f5 #f2f2f2 #ebebeb #e9e9e9 #ededed #eeeeee #f0f0f0 #dfdfdf #d7d7d7 #999999",
+        "#fafafa #e3e3e3",
+    ),
+)
+"""Styles of grays alone, each with its land first. Many pictures have a gray or two of these: only
+what is a map otherwise, and stored as JPEG, is taken for one of them."""
+
+
+def gray_style_of(image: Image, colors: Sequence[NDArray[np.float64]]) -> MapStyle | None:
+    """The gray style of a map (h, w, 3) with these `colors` (3,), most frequent first; None if it
+    is none or not known."""
+    if not colors or (away_from(image, colors[0]) == 0).mean() < _LAND:
+        return None
+    for style in GRAY_STYLES:
+        own = np.vstack([style.ground, style.roads])
+        known = all(_is_near(color, own, _ALMOST) for color in colors[:_GRAYS])
+        if known and len(colors) >= _SHARED and _is_near(colors[0], style.ground, _EXACTLY):
+            return style
+    return None
 
 
 def style_of(

@@ -18,10 +18,10 @@ from .map_contrast import stretch_of, without_strong_contrast
 from .map_controls import without_controls
 from .map_halos import are_written_alike, without_halos
 from .map_letters import LARGER, letters_of_map, without_letters
-from .map_lines import THIN, holes, short_parts
+from .map_lines import THIN, holes, short_parts, without_barbs
 from .map_or_drawing import FEW, LETTERED, are_named, is_drawing
 from .map_roads import MapRoads, chosen_roads
-from .map_styles import MapStyle, style_of
+from .map_styles import MapStyle, gray_style_of, style_of
 from .map_tones import (
     LOSSY,
     MapTone,
@@ -32,7 +32,7 @@ from .map_tones import (
     without_jpeg_noise,
 )
 from .map_water import masks_without_water
-from .mask_parts import parts_and_boxes, parts_touching, where_parts
+from .mask_parts import opened_by_square, parts_and_boxes, parts_touching, where_parts
 from .masks import Cover, roads_of_surface, without_holes, without_specks
 from .road_tones import MOST_SPREAD
 from .skeleton import skeleton
@@ -63,6 +63,8 @@ those thinner than `_LETTERS` pixels do not."""
 _OUTLINE = 0.7
 """Parts below the name of a street that are thinner than this share of the usual width are outlines
 of the name."""
+_EDGE = 3
+"""Edges and casings are thinner than so many pixels."""
 _ON_LETTERS = 0.6
 """A tone with at least this share on letters is their outline."""
 
@@ -81,6 +83,9 @@ def roads_of_map(
     names = letters_of_map(plain, LARGER)
     colors = flat_colors(plain, tolerance)
     style = style_of(plain, colors, tolerance)
+    if style is None and tolerance is LOSSY:
+        # In a lossless file, the shapes of the few grays tell more than the grays.
+        style = gray_style_of(plain, colors)
     stretch = stretch_of(plain, tolerance, names, colors)
     clear = plain if stretch is None else stretch.picture(plain)
     if style is not None and stretch is not None:
@@ -140,10 +145,14 @@ def _roads_of_map(
         everything = color_masks(image, shown, tolerance.near, thin)
         dry = masks_without_water(shown, everything)
     mask, others = _masks(dry, chosen, letters, thin)
+    if tolerance is LOSSY and thin:
+        mask = without_barbs(mask)
     water = [one & ~land for one, land in zip(everything, dry, strict=True) if land is not one]
     if water:
         others += water
-        letters = _opened(letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS)
+        letters = opened_by_square(
+            letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS
+        )
     widest = max(_wide(tone) for tone in chosen.roads)
     if not are_written_alike(image, letters, chosen.land.color, chosen.roads[0].color):
         mask = without_halos(mask, letters)
@@ -215,23 +224,17 @@ def _uncovered(
     area = np.zeros(mask.shape, bool)
     for other in others:
         if np.count_nonzero(other & letters) < _ON_LETTERS * np.count_nonzero(other):
-            area |= _opened(other)
+            area |= opened_by_square(other, _EDGE)
     streets, named = streets_below_names(_without_thin(mask, width), letters, width)
-    mask = streets | (mask & ~(named & ~_opened(mask, max(1, int(_OUTLINE * width)))))
+    mask = streets | (mask & ~(named & ~opened_by_square(mask, max(1, int(_OUTLINE * width)))))
     mask = mask | (_closed(mask, _STROKE) & letters & ~area)
     surface = _without_areas(without_specks(_without_thin(mask, width), 0.5 * width**2), widest)
     near = _closed(surface, _GAP * width) | (_closed(surface, _LETTER_GAP * typical) & letters)
     surface = without_holes(surface | (near & ~area), _HOLE * width**2)
     surface = _without_islands(surface, _LONG * width)
-    covered = _grown(surface, width) | _opened(~surface & ~area) | letters
+    covered = _grown(surface, width) | opened_by_square(~surface & ~area, _EDGE) | letters
     hidden = np.where(surface, _ROAD, np.where(area | ~covered, _LAND, _UNKNOWN))
     return surface, hidden.astype(np.float32)
-
-
-def _opened(mask: Booleans, size: int = 3) -> Booleans:
-    """Without what is thinner than so many pixels: edges and casings."""
-    kernel = np.ones((size, size), np.uint8)
-    return np.asarray(cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0)
 
 
 def _grown(mask: Booleans, radius: float) -> Booleans:
@@ -255,7 +258,7 @@ def _without_areas(mask: Booleans, widest: float) -> Booleans:
 def _without_thin(mask: Booleans, width: float) -> Booleans:
     """Without what is not nearly as wide as a road: railways of the same color."""
     size = max(1, int(_THIN * width))
-    core = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, np.ones((size, size), np.uint8))
+    core = opened_by_square(mask, size).view(np.uint8)
     return np.asarray(mask & (cv2.dilate(core, np.ones((3, 3), np.uint8)) > 0))
 
 

@@ -140,6 +140,15 @@ def _may_have_small_parts(mask: Booleans, most: float, connectivity: int) -> boo
     return False
 
 
+def opened_by_square(mask: Booleans, size: int) -> Booleans:
+    """A mask (h, w) without what holds no square of so many pixels a side."""
+    kernel = np.ones((size, size), np.uint8)
+    inner = cv2.erode(mask.view(np.uint8), kernel)
+    # OpenCV moves what is opened by a square of an even side by one pixel.
+    at = size - 1 - size // 2
+    return np.asarray(cv2.dilate(inner, kernel, anchor=(at, at)) > 0)
+
+
 def window_around(mask: Booleans | NDArray[np.uint8], margin: int) -> tuple[slice, slice]:
     """The rows and columns of a picture that hold a mask (h, w) and so many pixels around it.
 
