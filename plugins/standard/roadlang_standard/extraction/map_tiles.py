@@ -137,8 +137,7 @@ def _roads_of_map(
     shown = [tone.color for tone in chosen.tones]
     if is_plan is not None and _is_drawn(chosen, letters, len(shown), is_plan):
         return None
-    is_plain = plain is image and not thin
-    if is_plain:
+    if plain is image and not thin:
         everything = [tone.mask for tone in chosen.all_tones]
         dry = [tone.mask for tone in chosen.tones]
     else:
@@ -148,11 +147,7 @@ def _roads_of_map(
     if tolerance is LOSSY and thin:
         mask = without_barbs(mask)
     water = [one & ~land for one, land in zip(everything, dry, strict=True) if land is not one]
-    if water:
-        others += water
-        letters = opened_by_square(
-            letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS
-        )
+    others, letters = others + water, _beside(water, letters)
     widest = max(_wide(tone) for tone in chosen.roads)
     if not are_written_alike(image, letters, chosen.land.color, chosen.roads[0].color):
         mask = without_halos(mask, letters)
@@ -161,6 +156,13 @@ def _roads_of_map(
     layer = surface.astype(np.float32)
     found = roads_of_surface(layer, "map", width=width, specks=usual**2, cover=cover)
     return replace(found, mask=surface)
+
+
+def _beside(water: list[Booleans], letters: Booleans) -> Booleans:
+    """The letters (h, w) without houses and water of their color (h, w)."""
+    if not water:
+        return letters
+    return opened_by_square(letters & ~_grown(np.logical_or.reduce(water), _BESIDE), _LETTERS)
 
 
 def _is_drawn(
