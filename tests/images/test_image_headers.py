@@ -17,7 +17,7 @@ SHADES = np.linspace(0, 255, 40 * 50 * 3).reshape(40, 50, 3).astype(np.uint8)
 
 def is_whole(content: bytes) -> bool:
     """As `check` looks at a file: at a few bytes of its start, and at its end."""
-    return has_end(content[:512], content[-LAST:], len(content))
+    return has_end(content[:512], content[-LAST:], len(content), lambda: content)
 
 
 def encoded(ending: str, *options: int) -> bytes:
@@ -39,6 +39,26 @@ def test_the_size_is_width_by_height_in_every_format(
     content = encoded(ending, *options)
     assert read_header(content) == ImageHeader(format, 50, 40)
     assert is_whole(content)
+
+
+@pytest.mark.parametrize("ending", [".png", ".jpg", ".webp", ".bmp"])
+def test_what_follows_a_picture_is_not_looked_at(ending: str) -> None:
+    """Phones add a video to a photo, and editors leave the end of a larger file."""
+    assert is_whole(encoded(ending) + bytes(2 * LAST))
+
+
+@pytest.mark.parametrize("ending", [".png", ".jpg", ".webp", ".bmp"])
+def test_a_picture_that_is_cut_off_is_not_whole(ending: str) -> None:
+    content = encoded(ending)
+    assert not any(is_whole(content[: int(len(content) * share)]) for share in (0.2, 0.5, 0.9))
+
+
+def test_a_preview_in_a_photo_that_is_cut_off_is_not_its_end() -> None:
+    photo, preview = encoded(".jpg"), encoded(".jpg")
+    segment = b"\xff\xe1" + (len(preview) + 2).to_bytes(2, "big") + preview
+    whole = photo[:2] + segment + photo[2:]
+    assert is_whole(whole)
+    assert not is_whole(whole[:-40])
 
 
 def webp(chunk: bytes, body: bytes) -> bytes:

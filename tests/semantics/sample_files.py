@@ -7,7 +7,7 @@ from pathlib import Path
 
 SAMPLES = Path(__file__).parents[1] / "syntax" / "samples"
 _FIRST_AND_LAST_BYTES = {
-    "hairpin.jpg": b"\xff\xd8\xff\xe0\xff\xd9",
+    "hairpin.jpg": b"\xff\xd8\xff\xda\x00\x02\xff\xd9",
     "town.png": b"\x89PNG\r\n\x1a\nIEND\xae\x42\x60\x82",
     "town.tif": b"II*\x00",
     "town.xodr": b"<OpenDRIVE/>",

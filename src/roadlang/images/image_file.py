@@ -109,7 +109,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     if header is None:
         raise _refusal(Code.NOT_AN_IMAGE, span, written, help=(other_content(content), READABLE))
     _check_size(header, written, span)
-    if not has_end(content, content[-LAST:], len(content)):
+    if not has_end(content, content[-LAST:], len(content), lambda: content):
         raise _refusal(Code.TRUNCATED_IMAGE, span, written)
     bands = TiffBands.of(content) if header.format == "TIFF" else TiffBands()
     pixels, damage = (None, None) if bands.is_misread else _decoded(content, header)

@@ -9,7 +9,7 @@ from ...diagnostics import Code, Diagnostic, Fix, Span, diagnose, did_you_mean
 from ...files.matching import files_matching
 from ...files.picture_ends import LAST, has_end
 from ...files.picture_formats import NEEDED, READABLE, other_content, picture_format
-from ...files.reading import UnreadableFile, read_ends
+from ...files.reading import UnreadableFile, read_ends, read_file
 
 _MOST_SHOWN = 4
 PICTURE_SUFFIXES = (
@@ -82,16 +82,18 @@ def _missing_tiles(folder: Path, span: Span, written: str) -> Diagnostic:
 def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagnostic | None:
     try:
         head, end, size = read_ends(target, NEEDED, LAST if picture else 0)
+        is_picture = picture and picture_format(head) is not None
+        is_cut = is_picture and not has_end(head, end, size, lambda: read_file(target))
     except UnreadableFile as error:
         if error.is_missing:
             return missing_file(target.parent, target.name, span, written)
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=error.reason)
     if not head:
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason="it is empty")
-    if picture and picture_format(head) is None:
+    if picture and not is_picture:
         reason, help_ = "it is not an image that can be read", (other_content(head), READABLE)
         shown = tuple(filter(None, help_))
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=reason, help=shown)
-    if picture and not has_end(head, end, size):
+    if is_cut:
         return diagnose(Code.TRUNCATED_IMAGE, span, file=written)
     return None
