@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
-from .counted_colors import Codes, color_codes
+from .counted_colors import color_codes
 from .fast_median import median
 from .map_tones import Tolerance, flat_colors, local_spread
 from .mask_parts import parts_and_boxes
@@ -155,28 +155,25 @@ def _level_lines(image: Image) -> list[tuple[int, int, int]]:
     """Row, first and last column of each level run of one color (h, w, 3) that is as long as a
     scale bar and differs from what is above and below it."""
     code = color_codes(image)
+    height, width = code.shape
     gray = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY).astype(np.int16)
+    begins = np.ones(code.shape, bool)
+    np.not_equal(code[:, 1:], code[:, :-1], out=begins[:, 1:])
+    runs = np.flatnonzero(begins)
+    lengths = np.diff(runs, append=code.size)
+    rows, starts = np.divmod(runs, width)
+    ends = starts + lengths
+    long = (lengths >= _SHORTEST) & (lengths <= _LONGEST) & (rows > 0) & (rows < height - 1)
+    long &= (starts < _NEAR_BORDER) | (ends > width - _NEAR_BORDER)
     lines = []
-    # A row of one color is one run.
-    rows = np.arange(len(code)) if code.shape[1] <= _LONGEST else np.flatnonzero(_changes(code))
-    for row in rows[(rows > 0) & (rows < len(code) - 1)].tolist():
-        cuts = np.flatnonzero(np.diff(code[row])) + 1
-        starts, ends = np.append(0, cuts), np.append(cuts, code.shape[1])
-        long = (ends - starts >= _SHORTEST) & (ends - starts <= _LONGEST)
-        long &= (starts < _NEAR_BORDER) | (ends > code.shape[1] - _NEAR_BORDER)
-        for start, end in zip(starts[long].tolist(), ends[long].tolist(), strict=True):
-            above, below = max(0, row - _BAR), min(len(code) - 1, row + _BAR)
-            level = gray[row, start]
-            inner = slice(start + _BAR, end - _BAR)
-            apart = [np.abs(gray[other, inner] - level) for other in (above, below)]
-            if min(median(one) for one in apart) >= _CLEAR:
-                lines.append((row, start, end))
+    for row, start, end in np.column_stack([rows, starts, ends])[long].tolist():
+        above, below = max(0, row - _BAR), min(len(code) - 1, row + _BAR)
+        level = gray[row, start]
+        inner = slice(start + _BAR, end - _BAR)
+        apart = [np.abs(gray[other, inner] - level) for other in (above, below)]
+        if min(median(one) for one in apart) >= _CLEAR:
+            lines.append((row, start, end))
     return lines
-
-
-def _changes(code: Codes) -> Booleans:
-    """Which rows (h,) of colors (h, w) have more than one."""
-    return np.asarray((code[:, 1:] != code[:, :-1]).any(axis=1))
 
 
 def _ticks(image: Image, row: int, ends: Sequence[int]) -> tuple[int, int] | None:
