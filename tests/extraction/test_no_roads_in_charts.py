@@ -6,7 +6,9 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
+import pytest
 
+from roadlang_standard.extraction import drawn_confidence
 from roadlang_standard.extraction.drawn_confidence import with_doubts
 from roadlang_standard.extraction.found_network import EDGE_LINES, FoundNetwork, FoundRoad
 from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
@@ -58,6 +60,13 @@ def test_rows_of_level_lines_are_fields_or_columns() -> None:
     assert _sure(*rows[:2], oblique) == [1.0, 1.0, 1.0]
 
 
+@pytest.fixture
+def like_a_map(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What these few lines are like as a map is not what is tested."""
+    monkeypatch.setattr(drawn_confidence, "sure_like_map", lambda found: 1.0)
+
+
+@pytest.mark.usefixtures("like_a_map")
 def test_what_surrounds_all_that_is_drawn_is_the_ground() -> None:
     mask = np.ones((100, 200), bool)
     mask[20:80, 20:180] = False
@@ -70,6 +79,7 @@ def test_what_surrounds_all_that_is_drawn_is_the_ground() -> None:
         assert [road.confidence > 0.5 for road in found.roads][:2] == expected
 
 
+@pytest.mark.usefixtures("like_a_map")
 def test_a_map_that_hardly_a_road_leaves_is_judged_as_a_drawing() -> None:
     """Walls of a floor plan, in several colors."""
     steps = [(1, 0)] * 120 + [(0, 1)] * 60 + [(-1, 0)] * 120 + [(0, -1)] * 60

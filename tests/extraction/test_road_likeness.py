@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -152,3 +153,12 @@ def test_each_sign_of_a_map_is_what_it_says() -> None:
     assert facts["apart"] == pytest.approx(0.25)
     assert facts["many"] == pytest.approx(np.log(4))
     assert facts["sharp"] == 0.0
+
+
+def test_a_screen_in_colors_that_no_road_leaves_is_no_map_either() -> None:
+    corners = ((200, 100), (600, 100), (600, 500), (200, 500), (200, 100))
+    points = np.concatenate(
+        [np.linspace(a, b, 60, endpoint=False) for a, b in pairwise(corners)] + [[corners[-1]]]
+    )
+    frame = FoundRoad(0, 0, points.astype(float), np.full(len(points), 16.0))
+    assert _most(frame, drawn=False) < 0.5

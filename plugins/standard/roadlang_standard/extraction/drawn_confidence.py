@@ -98,11 +98,13 @@ def _sure_as_network(found: FoundNetwork, drawn: bool, colored: bool) -> float:
     keep their width; what a rendered map shows is wide at its symbols."""
     if not found.roads or found.method in _STATED:
         return 1.0
-    by_junctions = sure_by_junctions(found.roads, found.mask.shape)
+    sure = sure_by_junctions(found.roads, found.mask.shape)
+    if colored:
+        sure = min(sure, sure_like_map(found))
     if not drawn:
-        return min(by_junctions, sure_like_map(found))
+        return sure
     by_widths = sure_by_widths(found.roads, min(found.mask.shape))
-    return min(by_junctions, by_widths, sure_by_likeness(found, colored))
+    return min(sure, by_widths, sure_by_likeness(found, colored))
 
 
 def _rows(parts: list[list[FoundRoad]], inside: list[bool]) -> list[bool]:

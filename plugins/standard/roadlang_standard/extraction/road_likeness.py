@@ -55,7 +55,7 @@ MAP_LIKENESS = {
     "sharp": -1.66,
     "many": -0.24,
 }
-"""The same for maps that roads leave, for each of what `map_facts` gives, fitted to 152 maps and
+"""The same for maps, for each of what `map_facts` gives, fitted to 152 maps and
 119 other pictures in which roads were found by color."""
 _UNLIKE_MAP, _LIKE_MAP = -2.3, -2.0
 """As `_UNLIKELY` and `_LIKELY`. Of places and pictures left out of the fit, none of 149 maps that
