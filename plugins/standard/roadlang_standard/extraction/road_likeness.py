@@ -58,7 +58,7 @@ MAP_LIKENESS = {
 """The same for maps, for each of what `map_facts` gives, fitted to 152 maps and
 119 other pictures in which roads were found by color."""
 _UNLIKE_MAP, _LIKE_MAP = -2.3, -2.0
-"""As `_UNLIKELY` and `_LIKELY`. Of places and pictures left out of the fit, none of 149 maps that
+"""As `_UNLIKELY` and `_LIKELY`. Of places and pictures left out of the fit, none of 144 maps that
 are sure is below the second one (the lowest, a mat for toy cars, has -1.85), and 7 of 13 others
 are: forms, screens, charts, pipes; a table cloth, the vessels of an eye and hands are not."""
 _USUAL, _HAIR = 0.01, 1e-3
