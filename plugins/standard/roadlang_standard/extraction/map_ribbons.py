@@ -23,9 +23,9 @@ _NEAR, _VARIES, _JAGGED = 0.4, 0.35, 2.1
 """Within `_NEAR` of the larger width to each side, the width of a ribbon varies by at most
 `_VARIES` of it, or by `_JAGGED` pixels; the width of land, parks and buildings varies more."""
 _WIDE = 0.95
-"""Quantile of the widths of ribbons that counts as the greatest width."""
+"""This quantile of the widths of ribbons counts as their greatest width."""
 _LONG = 2.5
-"""Least length of a ribbon in widths."""
+"""A ribbon is at least this many times as long as wide."""
 
 
 @dataclass(frozen=True)
@@ -68,8 +68,8 @@ def ribbons_along(size: tuple[int, int], at: Pixels, widths: Layer) -> RibbonLin
 
 
 def _usual(across: Layer, thin: Booleans, at: Pixels) -> Layer:
-    """The mean width about each pixel of a skeleton: that of a strip as wide as the bound between
-    two classes jumps from one to the other."""
+    """The mean width around each pixel of a skeleton. Without the mean, a strip about as wide as
+    the limit between two classes of widths would change class from pixel to pixel."""
     side = (_AROUND, _AROUND)
     total = cv2.boxFilter(across, -1, side, normalize=False, borderType=cv2.BORDER_CONSTANT)
     count = cv2.boxFilter(  # at most 225: a byte holds it

@@ -9,26 +9,29 @@ import numpy as np
 from .map_tones import MapTone
 
 ALL_RIBBONS = 0.95
-"""Least share of its surface in ribbons of what is nearly all ribbons."""
+"""A tone with at least this share of its surface in ribbons is nearly all ribbons."""
 _WATER_HUES, _BLUISH = (165 / 360, 209 / 360), 230 / 360
-"""Water is of these hues where it is also wide, or bluish up to the other one where it differs from
-the land in the other direction than roads do, darker or lighter."""
+"""Wide water has a hue between `_WATER_HUES`. Up to the hue `_BLUISH`, a tone is water if it is
+darker than the land where roads are lighter, or lighter where they are darker."""
 _RIVER_STEADY = 0.75
-"""Or it is bluish and wide, and keeps its width on less of its surface than motorways."""
+"""A wide bluish tone is also water if it keeps its width on less than this share of its surface:
+motorways keep it on more."""
 _TINTED = 250 / 360
-"""Where streets are gray, water of up to this hue may be nearly gray, as main roads are not."""
+"""Where streets are gray, a wide and nearly gray tone up to this hue is water: main roads have
+clear colors."""
 _GREEN_HUES = 75 / 360, 160 / 360
-"""Of parks, woods and meadows."""
+"""Hues of parks, woods and meadows."""
 _WIDE = 1.5
-"""Least width of water over that of the main roads."""
+"""Water is more than this many times as wide as the main roads."""
 _SATURATED, _WARM, _WARM_STEADY = 0.22, (70 / 360, 320 / 360), 0.08
-"""Main roads often have at least this saturation and a hue outside this range; such tones may keep
-their width along less of their surface."""
+"""A tone with at least the saturation `_SATURATED`, and a hue outside the range `_WARM`, is often
+that of main roads: it needs to keep its width on only `_WARM_STEADY` of its surface."""
 
 
 def is_warm(tone: MapTone) -> bool:
-    """Whether a tone is red, orange or yellow as no land is, and nearly all ribbons: main roads,
-    whose carriageways and ramps part and meet, so that their width varies."""
+    """Whether a tone has a clear red, orange or yellow, which land does not have, and is nearly all
+    ribbons. Such tones are main roads, even if their width varies because carriageways and ramps
+    split and merge."""
     blue, green, red = tone.color / 255
     hue, saturation, _ = colorsys.rgb_to_hsv(red, green, blue)
     return (
