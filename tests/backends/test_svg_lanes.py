@@ -9,6 +9,8 @@ from xml.etree import ElementTree
 import pytest
 
 from roadlang.ir.scene import Scene, SceneRoad
+from roadlang.ir.scene_surface import SURFACE_NAMES
+from roadlang.scenes.figure_colors import FIGURE_COLORS
 from roadlang.scenes.sampling import SamplingResult
 from roadlang_standard.emit_svg import Svg
 from roadlang_standard.svg import palette
@@ -93,7 +95,8 @@ def test_a_patch_has_the_color_of_its_surface_where_it_is(sample: Sample) -> Non
     root = ElementTree.fromstring(Svg().files(scene)["svg"])
     drawn = {
         name: [points(path) for path in root.iter(f"{SVG}path") if path.get("fill") == color]
-        for name, color in palette.SURFACES.items()
+        for name in SURFACE_NAMES
+        if (color := FIGURE_COLORS.of_surface(name)) is not None
     }
     assert {name for name, found in drawn.items() if found} == {"gravel", "ice"}
     (ice,) = drawn["ice"]
