@@ -23,7 +23,8 @@ from training.net import PlainNet, RoadNet
 from training.resume import resume
 
 WEIGHTS = (
-    Path(__file__).parents[1] / "plugins/standard/roadlang_standard/extraction/weights/roads.onnx"
+    Path(__file__).parents[1]
+    / "plugins/standard/roadlang_standard/extraction/photos/weights/roads.onnx"
 )
 _VALIDATION_SEED = 77
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.extraction.photos.exposure import even_exposure
 from training.pool import Scene
 
 CROP = 256

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import torch
 
-from roadlang_standard.extraction.exposure import even_exposure
+from roadlang_standard.extraction.photos.exposure import even_exposure
 from training.net import RoadNet, has_half_precision
 from training.pool import load, scenes
 

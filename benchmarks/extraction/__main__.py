@@ -20,11 +20,11 @@ import numpy as np
 
 from benchmarks.extraction.baselines import Lines, best_threshold, classical, paper_chain
 from benchmarks.extraction.scores import COLUMNS, Case, relaxed_f1, score
-from roadlang_standard.extraction.aerial import Request
-from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.road_net import road_net
-from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.photos.aerial import Request
+from roadlang_standard.extraction.photos.crosscheck import checked_roads
+from roadlang_standard.extraction.photos.road_net import road_net
+from roadlang_standard.extraction.picture_kinds.picture_kind import picture_kind
 from training.rendering.aerial import render_aerial
 
 _PLANS = ("curve", "suburb", "grid", "rural", "village", "motorway", "bend", "roundabout")

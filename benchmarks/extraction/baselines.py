@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterable
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.classical import roads_by_ribbons
-from roadlang_standard.extraction.graph_cleanup import prune
-from roadlang_standard.extraction.masks import without_specks
-from roadlang_standard.extraction.skeleton import skeleton
-from roadlang_standard.extraction.tracing import trace
+from roadlang_standard.extraction.graphs.graph_cleanup import prune
+from roadlang_standard.extraction.graphs.tracing import trace
+from roadlang_standard.extraction.masks.mask_parts import without_specks
+from roadlang_standard.extraction.masks.skeleton import skeleton
+from roadlang_standard.extraction.photos.classical import roads_by_ribbons
 
 Lines = list[np.ndarray]
 

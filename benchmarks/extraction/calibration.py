@@ -12,8 +12,8 @@ from scipy.ndimage import distance_transform_edt
 
 from benchmarks.extraction.scores import Case
 from roadlang.geometry import Booleans, Floats
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.photo_confidence import RoadFacts, road_facts
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
+from roadlang_standard.extraction.photos.photo_confidence import RoadFacts, road_facts
 
 NAMES = ("least", "evidence", "wide")
 """The fitted log odds, as in `photo_confidence`."""

@@ -17,12 +17,12 @@ import numpy as np
 
 from benchmarks.extraction.__main__ import _PLANS
 from benchmarks.extraction.scores import Case, score
-from roadlang_standard.extraction.aerial import Request
-from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.paper import roads_on_paper
-from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.road_net import road_net
-from roadlang_standard.extraction.tones import Image, Layer
+from roadlang_standard.extraction.colors.tones import Image, Layer
+from roadlang_standard.extraction.paper.paper import roads_on_paper
+from roadlang_standard.extraction.photos.aerial import Request
+from roadlang_standard.extraction.photos.crosscheck import checked_roads
+from roadlang_standard.extraction.photos.road_net import road_net
+from roadlang_standard.extraction.picture_kinds.picture_kind import picture_kind
 from training.rendering.aerial import render_aerial
 from training.rendering.frame import Rendering
 

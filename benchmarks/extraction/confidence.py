@@ -5,8 +5,8 @@
 The photos and their truth are listed as for `benchmarks.extraction`. Photos with the same
 `source_path`, parts of one picture, are left out together; those with the same `source_repo`, else
 those of one manifest, are one source. The first line are the constants of
-`roadlang_standard.extraction.photo_confidence`; then, of each band of confidence, the share of the
-length of all roads, and stated and right in percent.
+`roadlang_standard.extraction.photos.photo_confidence`; then, of each band of confidence, the share
+of the length of all roads, and stated and right in percent.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from benchmarks.extraction.calibration import (
 )
 from benchmarks.extraction.scores import Case
 from roadlang.geometry import Booleans, Floats
-from roadlang_standard.extraction.aerial import roads_of_photo
+from roadlang_standard.extraction.photos.aerial import roads_of_photo
 
 _DRAWN = "track-drawing"
 _SEEDS = range(6)

@@ -3,10 +3,10 @@
     python -m benchmarks.extraction.likeness --roads FOLDER ... --none FOLDER ...
 
 The folders hold pictures of roads and pictures without any; photos and maps that roads leave are
-passed over. The first lines are the constants of `roadlang_standard.extraction.road_likeness`; then
-how many of the networks are below each of some log odds when they are left out of the fit, an
-eighth of the pictures at a time: of roads, of no roads, and of those which the other rules left
-more than half sure.
+passed over. The first lines are the constants of
+`roadlang_standard.extraction.doubts.road_likeness`; then how many of the networks are below each of
+some log odds when they are left out of the fit, an eighth of the pictures at a time: of roads, of
+no roads, and of those which the other rules left more than half sure.
 """
 
 from __future__ import annotations
@@ -23,12 +23,13 @@ import numpy as np
 
 from benchmarks.extraction.calibration import Samples, fitted, stated_when_left_out
 from roadlang.images.image_file import open_image
-from roadlang.world.pictures import picture_of
+from roadlang.world.sources.pictures import picture_of
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction import drawn_confidence, masks
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.line_art import ends_at_rim
-from roadlang_standard.extraction.road_likeness import LIKENESS, likeness_facts
+from roadlang_standard.extraction.doubts import drawn_confidence
+from roadlang_standard.extraction.doubts.line_art import ends_at_rim
+from roadlang_standard.extraction.doubts.road_likeness import LIKENESS, likeness_facts
+from roadlang_standard.extraction.drawings import surface_roads as masks
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
 
 _HARD, _EASY = 3.0, 0.5
 """What is no road counts so many times if the other rules leave it sure, and if they do not."""

@@ -10,7 +10,7 @@ from scipy import ndimage
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import dijkstra
 
-from roadlang_standard.extraction.skeleton import skeleton
+from roadlang_standard.extraction.masks.skeleton import skeleton
 
 COLUMNS = ("P@3", "R@3", "F1@3", "F1@5", "complete", "correct", "quality", "path", "s/Mpx")
 _BUFFER, _PAIRS = 5.0, 24

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import shapely
 
-from roadlang.geometry.cross_section import CrossSection
-from roadlang.geometry.junctions.model import Arm, Connection, Junction, JunctionPlan
 from roadlang.geometry.junctions.one_way import one_way
-from roadlang.geometry.network import RoadNetwork
+from roadlang.geometry.lanes.cross_section import CrossSection
+from roadlang.geometry.networks.junction_model import Arm, Connection, Junction, JunctionPlan
+from roadlang.geometry.networks.network import RoadNetwork
 
 LIMIT = 0.01
 _TURN = math.radians(150.0)

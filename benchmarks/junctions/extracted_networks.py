@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from benchmarks.junctions.random_networks import RandomNetwork, random_network
 from roadlang.geometry import RoadNetwork
-from roadlang.geometry.cross_section import CrossSection
+from roadlang.geometry.lanes.cross_section import CrossSection
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
 

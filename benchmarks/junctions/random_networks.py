@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from roadlang.geometry import Curve, Edge, Node, RoadNetwork, WidthProfile, chain
-from roadlang.geometry.cross_section import CrossSection
-from roadlang.geometry.segments import Arc, Straight
+from roadlang.geometry.curves.segments import Arc, Straight
+from roadlang.geometry.lanes.cross_section import CrossSection
 
 
 @dataclass(frozen=True)

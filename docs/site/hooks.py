@@ -32,7 +32,7 @@ PAGES = {
     "changelog.md": "CHANGELOG.md",
     "security.md": "SECURITY.md",
     "conduct.md": "CODE_OF_CONDUCT.md",
-    "model_card.md": "plugins/standard/roadlang_standard/extraction/weights/MODEL_CARD.md",
+    "model_card.md": "plugins/standard/roadlang_standard/extraction/photos/weights/MODEL_CARD.md",
 }
 _LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s#]+)(#[^)\s]*)?\)")
 _FENCE = re.compile(r"^(```\w+) +([^\n`]+)$", re.MULTILINE)

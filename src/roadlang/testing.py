@@ -136,8 +136,8 @@ def road_batch(
     import numpy as np
 
     from .geometry import Curve, CurveFrame
-    from .world.root_roads import undisplaced_road
-    from .world.stations import default_stations
+    from .world.perturbing.root_roads import undisplaced_road
+    from .world.perturbing.stations import default_stations
 
     variants = arguments.whole_number("variants", variants, least=1)
     curve = Curve.through(points, closed=closed)

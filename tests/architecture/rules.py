@@ -45,7 +45,9 @@ FACADES = {
         ("src/roadlang/stl/formula/evaluable.py",), r"roadlang\.stl\..*", 26
     ),
     "networks, which know their longest road": Facade(
-        ("src/roadlang/geometry/network.py",), r"roadlang\.geometry\.(network|paths)", 2
+        ("src/roadlang/geometry/networks/network.py",),
+        r"roadlang\.geometry\.networks\.(network|paths)",
+        2,
     ),
     "the front door": Facade(
         (
@@ -95,6 +97,19 @@ def packages_import_downward(sources: SourceTree) -> Iterator[str]:
                 yield _at(file, found.line, f"`{file.top_package}` imports {found.module}")
             if not found.literal and file.path not in COMPUTED_IMPORTS:
                 yield _at(file, found.line, "imports a module whose name is computed")
+
+
+def subpackages_import_downward(sources: SourceTree) -> Iterator[str]:
+    """A subpackage imports what its row of the page allows, also inside functions."""
+    for package, parts in sources.subpackages.items():
+        for file in sources.files.values():
+            part = _part_of(package, file.module)
+            if part not in parts:
+                continue
+            for found in file.imports:
+                target = _part_of(package, sources.target(found) or "")
+                if target and target not in parts[part] | {part}:
+                    yield _at(file, found.line, f"`{part}` imports {found.module}")
 
 
 def the_core_imports_no_kind_and_no_api(sources: SourceTree) -> Iterator[str]:
@@ -246,6 +261,7 @@ def every_file_says_what_it_is_for(sources: SourceTree) -> Iterator[str]:
 TABLES = ("src/roadlang/syntax/tree/nodes.py",)
 RULES: tuple[Rule, ...] = (
     packages_import_downward,
+    subpackages_import_downward,
     the_core_imports_no_kind_and_no_api,
     third_parties_are_those_of_the_table,
     polygons_are_joined_in_one_package,
@@ -264,6 +280,11 @@ _QUALIFIED = re.compile(r"(standard|godot)\.")
 
 def _at(file: SourceFile, line: int, fault: str) -> str:
     return f"{file.path}:{line}: {fault}"
+
+
+def _part_of(package: str, module: str) -> str:
+    """The folder or file of a package that a module is in; "" of one elsewhere."""
+    return module.partition(f"{package}.")[2].partition(".")[0]
 
 
 def _called(node: ast.Call) -> str:

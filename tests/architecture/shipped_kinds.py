@@ -15,7 +15,7 @@ WORDS = {
     "words of the language, its units and its near misses": (
         "ahead_of auto behind beside drive front pixels random road route scale scene signals time"
     ),
-    "functions and modules of the geometry": "clearance crossing frechet margin segments",
+    "functions and modules of the geometry": "clearance crossing frechet margin",
     "users of lanes": "pedestrian",
     "junctions, their rules, turns and conflicts": (
         "all_way_stop junction merge right_first stop straight yield"

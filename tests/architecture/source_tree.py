@@ -18,6 +18,12 @@ SHIPPED_PLUGINS = (
     "plugins/godot/roadlang_godot",
     "plugins/formats/roadlang_formats",
 )
+DIVIDED_PACKAGES = {
+    "geometry": "roadlang.geometry",
+    "world": "roadlang.world",
+    "extraction": "roadlang_standard.extraction",
+}
+"""The packages whose subpackages the page lists, as it names them."""
 PAGE = "docs/architecture.md"
 
 
@@ -58,7 +64,7 @@ class SourceFile:
 
     @property
     def module(self) -> str:
-        """`roadlang.world.roads`; of a package the package itself."""
+        """`roadlang.world.roads.roads`; of a package the package itself."""
         parts = self.path.removesuffix(".py").split("/")
         start = next(i for i, part in enumerate(parts) if part.startswith("roadlang"))
         parts = parts[start:]
@@ -126,6 +132,15 @@ class SourceTree:
                 packages = frozenset(table) if cells[2] == "all" else _words(cells[2])
                 table[name] = Package(packages, _words(cells[3]))
         return table
+
+    @cached_property
+    def subpackages(self) -> dict[str, dict[str, frozenset[str]]]:
+        """By package, what each part may import of the others, from the bottom to the top."""
+        row = re.compile(r"\| `(\w+)/(\w+)` \|[^|\n]*\|([^|\n]*)\|")
+        parts: dict[str, dict[str, frozenset[str]]] = {}
+        for folder, name, cell in row.findall(self.page):
+            parts.setdefault(DIVIDED_PACKAGES[folder], {})[name] = _words(cell)
+        return parts
 
     @cached_property
     def modules(self) -> frozenset[str]:

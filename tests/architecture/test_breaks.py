@@ -10,29 +10,42 @@ from tests.architecture.source_tree import source_tree
 
 SOURCES = source_tree()
 KIND = "plugins/standard/roadlang_standard/perturb_sine.py"
+EXTRACTION = "plugins/standard/roadlang_standard/extraction/"
 BREAKS: tuple[tuple[Rule, str, str], ...] = (
-    (rules.packages_import_downward, "geometry/curve.py", "from ..diagnostics import Code"),
+    (rules.packages_import_downward, "geometry/curves/curve.py", "from ...diagnostics import Code"),
     (
         rules.packages_import_downward,
         "stl/formula/terms.py",
         "def f():\n    from ...world import roads",
     ),
-    (rules.packages_import_downward, "geometry/width.py", "from roadlang import world"),
+    (rules.packages_import_downward, "geometry/curves/width.py", "from roadlang import world"),
     (
         rules.packages_import_downward,
-        "geometry/road.py",
-        "import importlib\nimportlib.import_module('roadlang.world.roads')",
+        "geometry/lanes/road.py",
+        "import importlib\nimportlib.import_module('roadlang.world.roads.roads')",
     ),
     (rules.packages_import_downward, "ir/units.py", "__import__('roadlang.scenes.sampling')"),
     (
         rules.packages_import_downward,
-        "world/roads.py",
-        "from importlib import import_module\nimport_module('..scenes.sampling', __package__)",
+        "world/roads/roads.py",
+        "from importlib import import_module\nimport_module('...scenes.sampling', __package__)",
     ),
     (
         rules.packages_import_downward,
-        "world/roads.py",
+        "world/roads/roads.py",
         "import importlib\nimportlib.import_module('roadlang.' + 'scenes')",
+    ),
+    (rules.subpackages_import_downward, "world/lanes/lane_plan.py", "from ..roads import roads"),
+    (rules.subpackages_import_downward, "geometry/curves/curve.py", "from .. import networks"),
+    (
+        rules.subpackages_import_downward,
+        EXTRACTION + "colors/tones.py",
+        "from ..masks.mask_parts import parts_of",
+    ),
+    (
+        rules.subpackages_import_downward,
+        EXTRACTION + "maps/map_roads.py",
+        "def f():\n    from ..pixels import pixels_of",
     ),
     (rules.the_core_imports_no_kind_and_no_api, "semantics/check.py", "from ..api import option"),
     (rules.the_core_imports_no_kind_and_no_api, "cli/main.py", "from .. import api"),
@@ -46,20 +59,24 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
         "session/loading.py",
         "def f():\n    from roadlang_godot.engines import engine",
     ),
-    (rules.third_parties_are_those_of_the_table, "geometry/curve.py", "import click"),
+    (rules.third_parties_are_those_of_the_table, "geometry/curves/curve.py", "import click"),
     (rules.third_parties_are_those_of_the_table, "semantics/check.py", "import numpy as np"),
-    (rules.third_parties_are_those_of_the_table, "world/roads.py", "import yaml"),
+    (rules.third_parties_are_those_of_the_table, "world/roads/roads.py", "import yaml"),
     (
         rules.polygons_are_joined_in_one_package,
-        "geometry/road.py",
+        "geometry/lanes/road.py",
         "def f():\n    import shapely",
     ),
     (rules.polygons_are_joined_in_one_package, "geometry/junctions/area.py", "import shapely"),
-    (rules.private_names_stay_in_their_file, "world/roads.py", "from .networks import _root"),
+    (
+        rules.private_names_stay_in_their_file,
+        "world/roads/roads.py",
+        "from ..networks.networks import _root",
+    ),
     (
         rules.private_names_stay_in_their_file,
         "scenes/roads.py",
-        "from ..world import networks\nnetworks._root(None, None)",
+        "from ..world.networks import networks\nnetworks._root(None, None)",
     ),
     (rules.private_names_stay_in_their_file, "scenes/roads.py", "from .actors import _CAR"),
     (
@@ -67,8 +84,12 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
         "search/rejection_sampling.py",
         "def f(candidates):\n    return candidates._computed",
     ),
-    (rules.no_circles, "world/stations.py", "def f():\n    from .roads import road_batch"),
-    (rules.no_circles, "geometry/network.py", "def f():\n    from .joints import joined"),
+    (
+        rules.no_circles,
+        "world/perturbing/stations.py",
+        "def f():\n    from ..roads.roads import road_batch",
+    ),
+    (rules.no_circles, "geometry/networks/network.py", "def f():\n    from .joints import joined"),
     (rules.no_circles, "session/scene.py", "def f():\n    from .reports import report"),
     (
         rules.no_circles,
@@ -82,24 +103,32 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
     ),
     (
         rules.no_clock_and_no_global_random_numbers,
-        "world/roads.py",
+        "world/roads/roads.py",
         "from datetime import datetime\ndatetime.now()",
     ),
     (rules.no_clock_and_no_global_random_numbers, "search/guiding.py", "import random"),
-    (rules.no_clock_and_no_global_random_numbers, "world/roads.py", "np.random.normal(3)"),
+    (rules.no_clock_and_no_global_random_numbers, "world/roads/roads.py", "np.random.normal(3)"),
     (
         rules.no_clock_and_no_global_random_numbers,
         "plugins/formats/roadlang_formats/read_geojson.py",
         "np.random.rand(3)",
     ),
-    (rules.no_clock_and_no_global_random_numbers, "world/roads.py", "np.random.default_rng()"),
+    (
+        rules.no_clock_and_no_global_random_numbers,
+        "world/roads/roads.py",
+        "np.random.default_rng()",
+    ),
     (rules.shipped_kinds_use_the_public_api, KIND, "from roadlang.ir.batch import RoadBatch"),
     (
         rules.shipped_kinds_use_the_public_api,
         "plugins/godot/roadlang_godot/engines/engine.py",
-        "def f():\n    import roadlang.world.roads",
+        "def f():\n    import roadlang.world.roads.roads",
     ),
-    (rules.packages_that_compute_read_no_files, "geometry/road.py", "open('road.csv').read()"),
+    (
+        rules.packages_that_compute_read_no_files,
+        "geometry/lanes/road.py",
+        "open('road.csv').read()",
+    ),
     (
         rules.packages_that_compute_read_no_files,
         "evaluate/evaluation.py",
@@ -110,13 +139,17 @@ BREAKS: tuple[tuple[Rule, str, str], ...] = (
         "stl/evaluate/sliding_and_until.py",
         "np.load('kernels.npy')",
     ),
-    (rules.the_core_names_no_shipped_kind, "world/networks.py", "DEFAULT = 'standard.auto'"),
+    (
+        rules.the_core_names_no_shipped_kind,
+        "world/networks/networks.py",
+        "DEFAULT = 'standard.auto'",
+    ),
     (rules.the_core_names_no_shipped_kind, "search/effort.py", "CHEAP = ('sine', 'bump')"),
     (rules.the_core_names_no_shipped_kind, "scenes/emitting.py", "FIRST = 'svg'"),
     (rules.files_and_functions_are_small, "world/new.py", "\n" * rules.MOST_LINES),
     (
         rules.files_and_functions_are_small,
-        "world/roads.py",
+        "world/roads/roads.py",
         "def f():\n" + "    pass\n" * rules.MOST_FUNCTION_LINES,
     ),
     (rules.every_file_says_what_it_is_for, "world/__init__.py", ""),

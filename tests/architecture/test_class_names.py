@@ -33,7 +33,7 @@ def test_a_class_name_stands_for_one_thing() -> None:
 
 
 def test_a_name_that_is_used_again_is_noticed() -> None:
-    path = "src/roadlang/world/roads.py"
+    path = "src/roadlang/world/roads/roads.py"
     text = SOURCES.files[path].text + "\n\nclass JunctionPlan:\n    pass\n"
     sources = replace(SOURCES, files={**SOURCES.files, path: SourceFile(path, text)})
     assert len(modules_of_classes(sources)["JunctionPlan"]) == 2

@@ -9,7 +9,7 @@ import pytest
 
 from tests.architecture.rules import RULES, Rule
 from tests.architecture.shipped_kinds import DEFAULT_KINDS, WORDS, shipped_kinds
-from tests.architecture.source_tree import ROOT, source_tree
+from tests.architecture.source_tree import DIVIDED_PACKAGES, ROOT, source_tree
 
 SOURCES = source_tree()
 
@@ -39,6 +39,21 @@ def test_each_default_kind_is_named_where_it_is_allowed() -> None:
 def test_every_room_is_in_the_table() -> None:
     folders = {path.parent.name for path in (ROOT / "src" / "roadlang").glob("*/__init__.py")}
     assert folders == set(SOURCES.packages)
+
+
+@pytest.mark.parametrize("package", DIVIDED_PACKAGES.values())
+def test_every_subpackage_is_in_the_table(package: str) -> None:
+    modules = {m.removeprefix(f"{package}.") for m in SOURCES.modules if f"{package}." in m}
+    folders = {module.partition(".")[0] for module in modules if "." in module}
+    assert folders <= set(SOURCES.subpackages[package]) <= {m.partition(".")[0] for m in modules}
+
+
+@pytest.mark.parametrize("package", DIVIDED_PACKAGES.values())
+def test_the_subpackages_have_no_circle(package: str) -> None:
+    below: set[str] = set()
+    for name, below_it in SOURCES.subpackages[package].items():
+        assert below_it <= below, f"{name} imports {below_it - below}, which stand above it"
+        below.add(name)
 
 
 def test_the_table_has_no_circle() -> None:

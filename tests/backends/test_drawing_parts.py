@@ -12,7 +12,7 @@ import pytest
 import roadlang
 from roadlang.api import Picture, Scene
 from roadlang.geometry import round_length
-from roadlang.geometry.pixel_map import PixelMap
+from roadlang.geometry.earth.pixel_map import PixelMap
 from roadlang.ir.scene import Profile, RoadPlace, SceneSignal
 from roadlang_standard.svg import palette
 from roadlang_standard.svg.markup import element, group, number, path_data, rho, text

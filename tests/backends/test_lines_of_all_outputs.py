@@ -12,9 +12,9 @@ import pytest
 
 from roadlang import testing
 from roadlang.geometry import LINE_WIDTH, PARKING_SPACE, border_lines
-from roadlang.geometry.dash_pattern import PERIOD
-from roadlang.geometry.lane_paint import DASH, DOUBLE_APART, EDGE_INSET, GAP
-from roadlang.geometry.lanes import MARKINGS, Marking
+from roadlang.geometry.lanes.dash_pattern import PERIOD
+from roadlang.geometry.lanes.lane_paint import DASH, DOUBLE_APART, EDGE_INSET, GAP
+from roadlang.geometry.lanes.lanes import MARKINGS, Marking
 from roadlang.ir.scene import Scene, SceneRoad
 from roadlang_formats.emit_gltf import GltfBackend
 from roadlang_godot.build.lane_strips import LaneStrip, StripLine, lane_strips

@@ -8,8 +8,8 @@ from types import SimpleNamespace
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.map_tones import MapTone
-from roadlang_standard.extraction.tone_shape import Steadiness, ToneShape
+from roadlang_standard.extraction.maps.map_tones import MapTone
+from roadlang_standard.extraction.maps.tone_shape import Steadiness, ToneShape
 from tests.extraction.graph_drawings import dense
 
 Color = tuple[int, int, int]

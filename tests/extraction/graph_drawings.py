@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from roadlang_standard.extraction.graph import Graph, Line
+from roadlang_standard.extraction.graphs.graph import Graph, Line
 
 Point = tuple[float, float]
 

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import Request, roads_of_evidence, roads_of_photo
-from roadlang_standard.extraction.exposure import even_exposure, even_view
-from roadlang_standard.extraction.photo_evidence import Seen
-from roadlang_standard.extraction.road_net import evidence, road_net
+from roadlang_standard.extraction.photos.aerial import Request, roads_of_evidence, roads_of_photo
+from roadlang_standard.extraction.photos.exposure import even_exposure, even_view
+from roadlang_standard.extraction.photos.photo_evidence import Seen
+from roadlang_standard.extraction.photos.road_net import evidence, road_net
 from training.rendering.aerial import render_aerial
 
 
@@ -48,7 +48,7 @@ def test_brightness_and_contrast_do_not_matter() -> None:
 
 
 def test_tiles_leave_no_seam(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("roadlang_standard.extraction.road_net._TILE", 320)
+    monkeypatch.setattr("roadlang_standard.extraction.photos.road_net._TILE", 320)
     scene = render_aerial("suburb", 8, size=460).image
     net = road_net().predict
     whole, part = (

@@ -9,14 +9,19 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import Booleans
-from roadlang_standard.extraction.map_contrast import without_strong_contrast
-from roadlang_standard.extraction.map_letters import LARGER, letters_of_map, without_letters
-from roadlang_standard.extraction.map_lines import without_outlines
-from roadlang_standard.extraction.map_or_drawing import _is_marked, are_named
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import LOSSY, flat_colors, map_tone, without_jpeg_noise
-from roadlang_standard.extraction.map_water import _constant, masks_without_water
-from roadlang_standard.extraction.map_water import without_water as without_water_of
+from roadlang_standard.extraction.maps.map_contrast import without_strong_contrast
+from roadlang_standard.extraction.maps.map_letters import LARGER, letters_of_map, without_letters
+from roadlang_standard.extraction.maps.map_lines import without_outlines
+from roadlang_standard.extraction.maps.map_or_drawing import _is_marked, are_named
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import (
+    LOSSY,
+    flat_colors,
+    map_tone,
+    without_jpeg_noise,
+)
+from roadlang_standard.extraction.maps.map_water import _constant, masks_without_water
+from roadlang_standard.extraction.maps.map_water import without_water as without_water_of
 from tests.extraction.drawn_maps import as_jpeg
 
 _SIDE = 420

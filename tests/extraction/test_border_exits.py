@@ -8,7 +8,7 @@ import pytest
 
 from roadlang.api import Picture
 from roadlang_standard.extract_contour import Contour
-from roadlang_standard.extraction.drawing import likeness
+from roadlang_standard.extraction.drawings.drawing import likeness
 
 HEIGHT, WIDTH = 320, 480
 MIDDLE = np.array([240.0, 160.0])

@@ -19,7 +19,7 @@ from benchmarks.extraction.calibration import (
     stated_when_left_out,
 )
 from benchmarks.extraction.scores import Case
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
 
 TRUE = np.array([0.5, 0.8, -0.6])
 

@@ -9,8 +9,8 @@ import pytest
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.picture_doubts import with_picture_doubts
+from roadlang_standard.extraction.doubts.picture_doubts import with_picture_doubts
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
 
 _LEVEL = 60
 """Row of the line in the pictures."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.counted_colors import color_codes, counted, counted_colors
+from roadlang_standard.extraction.colors.counted_colors import color_codes, counted, counted_colors
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from roadlang_standard.extraction.cubic_spline import splined
+from roadlang_standard.extraction.curves.cubic_spline import splined
 
 
 @pytest.mark.parametrize("closed", [False, True], ids=["open", "closed"])

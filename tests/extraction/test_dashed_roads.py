@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.dashed_roads import with_dashes_joined
-from roadlang_standard.extraction.masks import roads_of_surface
+from roadlang_standard.extraction.drawings.dashed_roads import with_dashes_joined
+from roadlang_standard.extraction.drawings.surface_roads import roads_of_surface
 
 _SHAPE = (300, 400)
 _TURN = np.linspace(0.2, 2.6, 60)

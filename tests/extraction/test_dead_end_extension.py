@@ -7,13 +7,13 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.dead_end_extension import extend_dead_ends
-from roadlang_standard.extraction.dead_ends import dead_ends
-from roadlang_standard.extraction.graph import Graph, Line
-from roadlang_standard.extraction.graph_cleanup import drop_loops, join, prune
-from roadlang_standard.extraction.linking import link
-from roadlang_standard.extraction.skeleton import skeleton
-from roadlang_standard.extraction.tracing import trace
+from roadlang_standard.extraction.graphs.dead_end_extension import extend_dead_ends
+from roadlang_standard.extraction.graphs.dead_ends import dead_ends
+from roadlang_standard.extraction.graphs.graph import Graph, Line
+from roadlang_standard.extraction.graphs.graph_cleanup import drop_loops, join, prune
+from roadlang_standard.extraction.graphs.linking import link
+from roadlang_standard.extraction.graphs.tracing import trace
+from roadlang_standard.extraction.masks.skeleton import skeleton
 
 SIZE = 200
 

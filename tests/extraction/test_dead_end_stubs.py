@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import Floats
-from roadlang_standard.extraction.graph import Graph
-from roadlang_standard.extraction.masks import roads_of_surface
-from roadlang_standard.extraction.square_stubs import add_square_stubs, square_ends
+from roadlang_standard.extraction.drawings.surface_roads import roads_of_surface
+from roadlang_standard.extraction.graphs.graph import Graph
+from roadlang_standard.extraction.graphs.square_stubs import add_square_stubs, square_ends
 
 FRACTION = 4
 """Bits of a pixel in which OpenCV draws."""

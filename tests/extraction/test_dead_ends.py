@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.dead_ends import TRUST_ALIGNED, DeadEnd, facing
+from roadlang_standard.extraction.graphs.dead_ends import TRUST_ALIGNED, DeadEnd, facing
 
 
 def end(node: int, x: float, y: float, degrees: float) -> DeadEnd:

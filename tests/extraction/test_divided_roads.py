@@ -8,13 +8,13 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import Request, roads_of_evidence, roads_of_photo
-from roadlang_standard.extraction.chroma import mean_chroma
-from roadlang_standard.extraction.divided_roads import _median, with_medians
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.photo_confidence import CHROMA
-from roadlang_standard.extraction.photo_evidence import Seen
-from roadlang_standard.extraction.road_net import Net
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
+from roadlang_standard.extraction.photos.aerial import Request, roads_of_evidence, roads_of_photo
+from roadlang_standard.extraction.photos.chroma import mean_chroma
+from roadlang_standard.extraction.photos.divided_roads import _median, with_medians
+from roadlang_standard.extraction.photos.photo_confidence import CHROMA
+from roadlang_standard.extraction.photos.photo_evidence import Seen
+from roadlang_standard.extraction.photos.road_net import Net
 
 SIZE, MIDDLE, WIDTH = 256, 90, 22
 GRASS, ASPHALT = (60, 110, 80), (120, 120, 120)

@@ -10,8 +10,8 @@ import pytest
 
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.picture_kinds.picture_kind import picture_kind
 from training.rendering.drawings import as_jpeg, draw_circuit, draw_filled
 
 

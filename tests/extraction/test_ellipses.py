@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.ellipses import closed_by, grown_by, opened_by
+from roadlang_standard.extraction.masks.ellipses import closed_by, grown_by, opened_by
 
 RNG = np.random.default_rng(3)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from roadlang_standard.extraction.edges import CenterLine, normals, normals_in_a_row
-from roadlang_standard.extraction.even_points import even_points, even_points_of
+from roadlang_standard.extraction.curves.edges import CenterLine, normals, normals_in_a_row
+from roadlang_standard.extraction.curves.even_points import even_points, even_points_of
 
 RNG = np.random.default_rng(8)
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.dead_end_extension import extend_dead_ends
-from roadlang_standard.extraction.evidence_pruning import (
+from roadlang_standard.extraction.graphs.dead_end_extension import extend_dead_ends
+from roadlang_standard.extraction.graphs.evidence_pruning import (
     discounted_length,
     drop_unworthy,
     mean_evidence,
     prune_by_discounted_length,
 )
-from roadlang_standard.extraction.graph import Line
-from roadlang_standard.extraction.linking import link
+from roadlang_standard.extraction.graphs.graph import Line
+from roadlang_standard.extraction.graphs.linking import link
 from tests.extraction.graph_drawings import Point, dense, graph_of, surface
 
 

@@ -12,7 +12,7 @@ from click.testing import CliRunner, Result
 
 from roadlang.cli.extract import command
 from roadlang.diagnostics import DiagnosticError
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from tests.geometry.test_local_projection import kruger
 from tests.images.geotiffs import written_geotiff
 

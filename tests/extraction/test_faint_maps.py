@@ -8,12 +8,12 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_contrast import with_contrast
-from roadlang_standard.extraction.map_letters import LARGER, letters_of_map
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import EXACT, LOSSY, Tolerance
-from roadlang_standard.extraction.road_tones import road_tones
+from roadlang_standard.extraction.maps.map_contrast import with_contrast
+from roadlang_standard.extraction.maps.map_letters import LARGER, letters_of_map
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import EXACT, LOSSY, Tolerance
+from roadlang_standard.extraction.maps.road_tones import road_tones
+from roadlang_standard.extraction.picture_kinds.exact_colors import has_exact_colors
 from tests.extraction.drawn_maps import (
     LIGHT,
     MapStyle,

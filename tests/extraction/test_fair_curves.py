@@ -10,12 +10,12 @@ from benchmarks.drawings.strokes import Pen, drawn, strokes_of
 from roadlang.geometry import Curve
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.even_points import even_points
-from roadlang_standard.extraction.fair_lines import SeenOffsets
-from roadlang_standard.extraction.fairing import Rough, faired
-from roadlang_standard.extraction.junction_points import Passing, meeting_point
-from roadlang_standard.extraction.smoothing import stations
-from roadlang_standard.extraction.tracing import trace
+from roadlang_standard.extraction.curves.even_points import even_points
+from roadlang_standard.extraction.curves.fair_lines import SeenOffsets
+from roadlang_standard.extraction.curves.fairing import Rough, faired
+from roadlang_standard.extraction.curves.junction_points import Passing, meeting_point
+from roadlang_standard.extraction.curves.smoothing import stations
+from roadlang_standard.extraction.graphs.tracing import trace
 from tests.extraction.graph_drawings import dense
 
 PENS = [Pen(1, False), Pen(3, True), Pen(20, False)]

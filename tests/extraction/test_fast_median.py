@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.fast_median import median, quantile
-from roadlang_standard.extraction.smoothing import evenly
+from roadlang_standard.extraction.colors.fast_median import median, quantile
+from roadlang_standard.extraction.curves.smoothing import evenly
 
 RNG = np.random.default_rng(5)
 

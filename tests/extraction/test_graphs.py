@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.chains import chains, direction, heading
-from roadlang_standard.extraction.dead_ends import dead_ends
-from roadlang_standard.extraction.graph import Graph, Line
-from roadlang_standard.extraction.graph_cleanup import (
+from roadlang_standard.extraction.graphs.chains import chains, direction, heading
+from roadlang_standard.extraction.graphs.dead_ends import dead_ends
+from roadlang_standard.extraction.graphs.graph import Graph, Line
+from roadlang_standard.extraction.graphs.graph_cleanup import (
     at_border,
     components,
     contract,
@@ -18,8 +18,8 @@ from roadlang_standard.extraction.graph_cleanup import (
     join,
     prune,
 )
-from roadlang_standard.extraction.linking import attach
-from roadlang_standard.extraction.tracing import trace
+from roadlang_standard.extraction.graphs.linking import attach
+from roadlang_standard.extraction.graphs.tracing import trace
 from tests.extraction.graph_drawings import Point, dense, graph_of, lengths, picture, surface
 
 

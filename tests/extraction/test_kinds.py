@@ -18,13 +18,14 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
 from roadlang_standard.extract_onnx import OnnxExtractor
 from roadlang_standard.extract_pixels import Pixel
-from roadlang_standard.extraction import picture_kind, thresholding
-from roadlang_standard.extraction.drawing import between_lines
+from roadlang_standard.extraction.drawings import thresholding
+from roadlang_standard.extraction.drawings.drawing import between_lines
+from roadlang_standard.extraction.picture_kinds import picture_kind
 from tests.cli.command_lines import roadlang
 from training.rendering.aerial import render_aerial
 from training.rendering.drawings import draw_circuit, draw_filled
 
-WEIGHTS = files("roadlang_standard.extraction") / "weights" / "roads.onnx"
+WEIGHTS = files("roadlang_standard.extraction.photos") / "weights" / "roads.onnx"
 
 
 def test_auto_says_what_it_took_the_picture_for() -> None:
@@ -110,7 +111,7 @@ def test_photos_are_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     picture = Picture(render_aerial("curve", 902, 200).image, 1.0)
     first = Aerial().extract(picture)
     assert len(list(tmp_path.iterdir())) == 1
-    monkeypatch.setattr("roadlang_standard.extraction.cache.checked_roads", None)
+    monkeypatch.setattr("roadlang_standard.extraction.photos.cache.checked_roads", None)
     again = Aerial().extract(picture)
     assert [e.curve.points.tolist() for e in first.network.edges] == [
         e.curve.points.tolist() for e in again.network.edges

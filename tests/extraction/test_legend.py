@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.colors import bgr
-from roadlang_standard.extraction.legend import read_colors, read_text
+from roadlang_standard.extraction.colors.colors import bgr
+from roadlang_standard.extraction.legends.legend import read_colors, read_text
 
 TOWN = ("..###..", "..#.T#.", ".##..#.", "..####.")
 LEGEND = {"#": "road", "T": "tree"}

@@ -4,8 +4,8 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import map_letters
-from roadlang_standard.extraction.map_letters import letters_of_map, without_letters
+from roadlang_standard.extraction.maps import map_letters
+from roadlang_standard.extraction.maps.map_letters import letters_of_map, without_letters
 
 
 @pytest.mark.parametrize("words", [2, 30])

@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drawing import roads_of_drawing
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.line_art import sure_by_junctions, sure_by_widths
-from roadlang_standard.extraction.masks import Cover, roads_of_surface
+from roadlang_standard.extraction.doubts.line_art import sure_by_junctions, sure_by_widths
+from roadlang_standard.extraction.drawings.drawing import roads_of_drawing
+from roadlang_standard.extraction.drawings.surface_roads import Cover, roads_of_surface
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
 
 _Stroke = tuple[tuple[int, int], tuple[int, int]]
 

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drawing import has_edge_lines, roads_of_drawing
+from roadlang_standard.extraction.drawings.drawing import has_edge_lines, roads_of_drawing
 
 CENTER, RADII = np.array([500.0, 400.0]), np.array([350.0, 260.0])
 

@@ -9,12 +9,12 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import map_roads
-from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_halos import without_halos
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import MapTone, map_tone
-from roadlang_standard.extraction.road_tones import road_tones
+from roadlang_standard.extraction.maps import map_roads
+from roadlang_standard.extraction.maps.map_halos import without_halos
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import MapTone, map_tone
+from roadlang_standard.extraction.maps.road_tones import road_tones
+from roadlang_standard.extraction.picture_kinds.exact_colors import has_exact_colors
 from tests.extraction.drawn_maps import shaped
 
 SIDE = 400

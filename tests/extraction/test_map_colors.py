@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_letters import letters_of_map, without_letters
-from roadlang_standard.extraction.map_tones import MapTone
-from roadlang_standard.extraction.road_tones import road_tones
+from roadlang_standard.extraction.maps.map_letters import letters_of_map, without_letters
+from roadlang_standard.extraction.maps.map_tones import MapTone
+from roadlang_standard.extraction.maps.road_tones import road_tones
+from roadlang_standard.extraction.picture_kinds.exact_colors import has_exact_colors
 from tests.extraction.drawn_maps import LIGHT, drawn_map, known_tone
 
 

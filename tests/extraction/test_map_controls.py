@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.map_controls import without_controls
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import EXACT
+from roadlang_standard.extraction.maps.map_controls import without_controls
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import EXACT
 from tests.extraction.drawn_maps import (
     DARK,
     LIGHT,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from roadlang_standard.extraction.tone_shape import ToneSurface
+from roadlang_standard.extraction.maps.tone_shape import ToneSurface
 
 
 def _strip(period: int) -> np.ndarray:

@@ -6,13 +6,13 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.map_contrast import Stretch
-from roadlang_standard.extraction.map_lines import without_barbs
-from roadlang_standard.extraction.map_styles import STYLES, gray_style_of, style_of
-from roadlang_standard.extraction.map_styles import MapStyle as KnownStyle
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import EXACT, LOSSY, flat_colors, map_tone
+from roadlang_standard.extraction.maps.map_contrast import Stretch
+from roadlang_standard.extraction.maps.map_lines import without_barbs
+from roadlang_standard.extraction.maps.map_styles import STYLES, gray_style_of, style_of
+from roadlang_standard.extraction.maps.map_styles import MapStyle as KnownStyle
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import EXACT, LOSSY, flat_colors, map_tone
+from roadlang_standard.extraction.picture_kinds.exact_colors import has_exact_colors
 from tests.extraction.drawn_maps import CARTO, LIGHT, MapStyle, as_jpeg, crowded, drawn_map
 
 SIDE, FINER = 256, 4

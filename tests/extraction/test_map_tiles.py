@@ -10,12 +10,10 @@ import pytest
 
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction import tone_shape
-from roadlang_standard.extraction.exact_colors import has_exact_colors
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.map_letters import letters_of_map
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import (
+from roadlang_standard.extraction.maps import tone_shape
+from roadlang_standard.extraction.maps.map_letters import letters_of_map
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import (
     EXACT,
     LOSSY,
     MapTone,
@@ -24,9 +22,11 @@ from roadlang_standard.extraction.map_tones import (
     map_tones,
     tolerance_of,
 )
-from roadlang_standard.extraction.map_water import without_water
-from roadlang_standard.extraction.road_tones import road_tones
-from roadlang_standard.extraction.tone_shape import _shape
+from roadlang_standard.extraction.maps.map_water import without_water
+from roadlang_standard.extraction.maps.road_tones import road_tones
+from roadlang_standard.extraction.maps.tone_shape import _shape
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
+from roadlang_standard.extraction.picture_kinds.exact_colors import has_exact_colors
 from tests.extraction.drawn_maps import (
     DARK,
     INK,

@@ -5,7 +5,12 @@ import numpy as np
 import pytest
 from scipy.ndimage import label
 
-from roadlang_standard.extraction.mask_parts import (
+from roadlang_standard.extraction.drawings.road_regions import (
+    PaperParts,
+    _may_be_long,
+    road_regions,
+)
+from roadlang_standard.extraction.masks.mask_parts import (
     _may_have_small_parts,
     areas_of,
     boxes_of,
@@ -15,7 +20,6 @@ from roadlang_standard.extraction.mask_parts import (
     small_parts,
     where_parts,
 )
-from roadlang_standard.extraction.road_regions import PaperParts, _may_be_long, road_regions
 
 
 def drawn(share: float) -> np.ndarray:

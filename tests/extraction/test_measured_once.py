@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import map_water
-from roadlang_standard.extraction.map_tones import map_tone
-from roadlang_standard.extraction.map_water import KnownWater, masks_without_water
+from roadlang_standard.extraction.maps import map_water
+from roadlang_standard.extraction.maps.map_tones import map_tone
+from roadlang_standard.extraction.maps.map_water import KnownWater, masks_without_water
 
 _WHITE, _BLACK = np.full(3, 255.0), np.zeros(3)
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.divided_roads import with_medians
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.photo_evidence import Seen
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photos.divided_roads import with_medians
+from roadlang_standard.extraction.photos.photo_evidence import Seen
 
 HIGH, WIDE, MIDDLE = 100, 256, 40
 GRASS, ASPHALT = (60, 110, 80), (120, 120, 120)

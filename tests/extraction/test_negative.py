@@ -10,11 +10,11 @@ import pytest
 
 from benchmarks.extraction.conditions import gray_infrared, snow
 from benchmarks.extraction.scores import Case, relaxed_f1
-from roadlang_standard.extraction.aerial import Request, _worth
-from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.negative import exposures
-from roadlang_standard.extraction.road_net import road_net
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photos.aerial import Request, _worth
+from roadlang_standard.extraction.photos.crosscheck import checked_roads
+from roadlang_standard.extraction.photos.negative import exposures
+from roadlang_standard.extraction.photos.road_net import road_net
 from training.rendering.aerial import render_aerial
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -6,16 +6,16 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import Request
-from roadlang_standard.extraction.classical import roads_by_ribbons
-from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.drawing import has_edge_lines
-from roadlang_standard.extraction.drawn_confidence import with_doubts
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
-from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
-from roadlang_standard.extraction.road_net import road_net
-from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.doubts.drawn_confidence import with_doubts
+from roadlang_standard.extraction.drawings.drawing import has_edge_lines
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.paper.paper import roads_on_paper, sheet_of
+from roadlang_standard.extraction.photos.aerial import Request
+from roadlang_standard.extraction.photos.classical import roads_by_ribbons
+from roadlang_standard.extraction.photos.crosscheck import checked_roads
+from roadlang_standard.extraction.photos.road_net import road_net
+from roadlang_standard.extraction.picture_kinds.picture_kind import PHOTO, picture_kind
 
 from .paper_drawings import drawn, photographed, sheet, wave
 

@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import drawn_confidence
-from roadlang_standard.extraction.drawn_confidence import with_doubts
-from roadlang_standard.extraction.found_network import EDGE_LINES, FoundNetwork, FoundRoad
-from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.doubts import drawn_confidence
+from roadlang_standard.extraction.doubts.drawn_confidence import with_doubts
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.networks.found_network import EDGE_LINES, FoundNetwork, FoundRoad
 
 
 def _page() -> np.ndarray:

@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import roads_of_photo
-from roadlang_standard.extraction.exposure import even_exposure
-from roadlang_standard.extraction.nodata import nodata
-from roadlang_standard.extraction.picture_kind import PHOTO, picture_kind
+from roadlang_standard.extraction.colors.nodata import nodata
+from roadlang_standard.extraction.photos.aerial import roads_of_photo
+from roadlang_standard.extraction.photos.exposure import even_exposure
+from roadlang_standard.extraction.picture_kinds.picture_kind import PHOTO, picture_kind
 from training.rendering.aerial import render_aerial
 from training.rendering.drawings import draw_circuit
 

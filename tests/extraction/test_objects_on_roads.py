@@ -7,8 +7,8 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.drawing import roads_of_drawing
-from roadlang_standard.extraction.objects_on_roads import with_objects
+from roadlang_standard.extraction.drawings.drawing import roads_of_drawing
+from roadlang_standard.extraction.drawings.objects_on_roads import with_objects
 
 GRAY, BLUE, RED, ORANGE = (89, 89, 89), (196, 114, 68), (0, 0, 192), (49, 125, 237)
 AXIS = np.column_stack([np.arange(40, 861.0), 300 - 90 * np.sin((np.arange(821.0)) / 180)])

@@ -12,9 +12,9 @@ from roadlang.api import OptionError, Picture
 from roadlang_standard.extract_aerial import Aerial
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extract_contour import Contour
-from roadlang_standard.extraction.aerial import Cutoffs, Request
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.thresholding import ContourSteps
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
+from roadlang_standard.extraction.photos.aerial import Cutoffs, Request
 
 NOISE = np.random.default_rng(1).integers(0, 255, (90, 120, 3), dtype=np.uint8)
 PHOTO = Picture(NOISE, 0.5)
@@ -32,8 +32,8 @@ def requests(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
         seen.append(request)
         return EMPTY
 
-    monkeypatch.setattr("roadlang_standard.extraction.cache.remembered", read)
-    monkeypatch.setattr("roadlang_standard.extraction.thresholding.roads_by_contour", read)
+    monkeypatch.setattr("roadlang_standard.extraction.photos.cache.remembered", read)
+    monkeypatch.setattr("roadlang_standard.extraction.drawings.thresholding.roads_by_contour", read)
     return seen
 
 

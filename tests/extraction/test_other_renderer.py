@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.aerial import Request
-from roadlang_standard.extraction.crosscheck import checked_roads
-from roadlang_standard.extraction.road_net import road_net
+from roadlang_standard.extraction.photos.aerial import Request
+from roadlang_standard.extraction.photos.crosscheck import checked_roads
+from roadlang_standard.extraction.photos.road_net import road_net
 
 SIZE = 400
 PEN = 1.4  # OpenCV draws an anti-aliased line so much wider than it is told

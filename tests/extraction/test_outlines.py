@@ -8,8 +8,8 @@ import pytest
 
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.found_network import FoundRoad
-from roadlang_standard.extraction.outlines import sure_by_outlines
+from roadlang_standard.extraction.doubts.outlines import sure_by_outlines
+from roadlang_standard.extraction.networks.found_network import FoundRoad
 
 _INNER, _OUTER = (60, 220, 255), (245, 245, 245)
 

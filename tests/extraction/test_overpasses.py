@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import overpasses
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.masks import roads_of_surface
+from roadlang_standard.extraction.drawings.surface_roads import roads_of_surface
+from roadlang_standard.extraction.graphs import overpasses
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
 
 
 def _found(*lines: tuple[tuple[int, int], tuple[int, int]], gap: int = 30) -> FoundNetwork:

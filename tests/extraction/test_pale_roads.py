@@ -8,7 +8,7 @@ import pytest
 
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.pale_roads import pale_surfaces
+from roadlang_standard.extraction.drawings.pale_roads import pale_surfaces
 
 _GROUND, _ROAD, _NAME = (222, 239, 242), (255, 255, 255), (60, 60, 60)
 

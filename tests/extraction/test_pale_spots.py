@@ -9,8 +9,8 @@ import pytest
 from benchmarks.extraction.conditions import snow
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.pale_spots import pale_spots
-from roadlang_standard.extraction.paper import roads_on_paper
+from roadlang_standard.extraction.paper.pale_spots import pale_spots
+from roadlang_standard.extraction.paper.paper import roads_on_paper
 from tests.extraction.paper_drawings import drawn, photographed, ruled, sheet, wave
 from training.rendering.aerial import render_aerial
 

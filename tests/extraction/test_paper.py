@@ -10,13 +10,13 @@ import pytest
 
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.edges import normals
-from roadlang_standard.extraction.even_ground import has_even_ground
-from roadlang_standard.extraction.grain import without_grain
-from roadlang_standard.extraction.open_edges import with_closed_ends
-from roadlang_standard.extraction.paper import roads_on_paper, sheet_of
-from roadlang_standard.extraction.ruling import without_ruling
-from roadlang_standard.extraction.sheet_outline import sheet_outline
+from roadlang_standard.extraction.curves.edges import normals
+from roadlang_standard.extraction.drawings.open_edges import with_closed_ends
+from roadlang_standard.extraction.paper.even_ground import has_even_ground
+from roadlang_standard.extraction.paper.grain import without_grain
+from roadlang_standard.extraction.paper.paper import roads_on_paper, sheet_of
+from roadlang_standard.extraction.paper.ruling import without_ruling
+from roadlang_standard.extraction.paper.sheet_outline import sheet_outline
 from tests.extraction.paper_drawings import drawn, on_desk, photographed, ruled, sheet, wave
 from training.rendering.aerial import render_aerial
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.chroma import mean_chroma
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.photo_confidence import CHROMA, calibrated
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photos.chroma import mean_chroma
+from roadlang_standard.extraction.photos.photo_confidence import CHROMA, calibrated
 
 
 def _seen(

@@ -10,8 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.photo_evidence import Seen, look, share_of_second, typical_width
-from roadlang_standard.extraction.road_net import Net, Predictor, road_net
+from roadlang_standard.extraction.photos.photo_evidence import (
+    Seen,
+    look,
+    share_of_second,
+    typical_width,
+)
+from roadlang_standard.extraction.photos.road_net import Net, Predictor, road_net
 from training.rendering.aerial import render_aerial
 
 SIZE = 128
@@ -85,7 +90,7 @@ def test_a_tiny_picture_is_seen_at_its_size_alone() -> None:
 
 @pytest.mark.parametrize("name", ["roads.onnx", "wide_roads.onnx"])
 def test_the_model_card_is_that_of_the_weights(name: str) -> None:
-    weights = files("roadlang_standard.extraction") / "weights"
+    weights = files("roadlang_standard.extraction.photos") / "weights"
     data = weights.joinpath(name).read_bytes()
     card = weights.joinpath("MODEL_CARD.md").read_text("utf-8")
     assert f"`{name}`" in card

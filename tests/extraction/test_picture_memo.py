@@ -6,7 +6,7 @@ import gc
 
 import numpy as np
 
-from roadlang_standard.extraction.picture_memo import OncePerPicture, measuring_once
+from roadlang_standard.extraction.colors.picture_memo import OncePerPicture, measuring_once
 
 
 def _counted() -> tuple[list[int], OncePerPicture[int]]:

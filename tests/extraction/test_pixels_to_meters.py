@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from roadlang.api import Picture
-from roadlang_standard.extraction.exposure import even_exposure
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
 from roadlang_standard.extraction.free_space import roads_of_free_space
-from roadlang_standard.extraction.legend import LegendObject, read_colors, read_text
+from roadlang_standard.extraction.legends.legend import LegendObject, read_colors, read_text
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photos.exposure import even_exposure
+from roadlang_standard.extraction.photos.scale import resized
 from roadlang_standard.extraction.pixels_to_meters import extraction
-from roadlang_standard.extraction.scale import resized
 from tests.extraction.graph_drawings import dense, surface
 
 EVERYTHING = slice(None)

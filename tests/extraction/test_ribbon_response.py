@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.classical import _LENGTH, _WIDTHS, _response
+from roadlang_standard.extraction.photos.classical import _LENGTH, _WIDTHS, _response
 
 
 @pytest.mark.parametrize("side", [5, 40, 120])

@@ -8,14 +8,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drawn_confidence import _are_stripes, with_doubts
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.road_likeness import (
+from roadlang_standard.extraction.doubts.drawn_confidence import _are_stripes, with_doubts
+from roadlang_standard.extraction.doubts.road_likeness import (
     LIKENESS,
     MAP_LIKENESS,
     likeness_facts,
     map_facts,
 )
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
 
 _SHAPE = (600, 800)
 _STAR = ((400, 300, 799, 300), (400, 300, 400, 0), (400, 300, 0, 300), (400, 300, 400, 599))

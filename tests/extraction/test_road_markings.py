@@ -7,7 +7,7 @@ import pytest
 
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.road_markings import with_markings_filled
+from roadlang_standard.extraction.drawings.road_markings import with_markings_filled
 from tests.extraction.graph_drawings import surface
 from tests.extraction.painted_roads import band, painted
 

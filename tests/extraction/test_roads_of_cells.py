@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roadlang_standard.extraction.grid import roads_of_cells
+from roadlang_standard.extraction.legends.grid import roads_of_cells
 from tests.extraction.graph_drawings import picture
 
 

@@ -8,8 +8,8 @@ import pytest
 
 from roadlang.ir.picture import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.classical import ribbon_evidence
-from roadlang_standard.extraction.sampled import sampled
+from roadlang_standard.extraction.curves.sampled import sampled
+from roadlang_standard.extraction.photos.classical import ribbon_evidence
 
 X = np.array([[0.5, 2.25, -3.0, 99.0]], np.float32)
 Y = np.array([[0.0, 1.5, 0.0, 0.0]], np.float32)

@@ -8,11 +8,11 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction import aerial
-from roadlang_standard.extraction.aerial import Request, roads_of_photo
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.masks import without_holes, without_specks
-from roadlang_standard.extraction.scale import resized, view_scales
+from roadlang_standard.extraction.masks.mask_parts import without_holes, without_specks
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photos import aerial
+from roadlang_standard.extraction.photos.aerial import Request, roads_of_photo
+from roadlang_standard.extraction.photos.scale import resized, view_scales
 from training.rendering.aerial import render_aerial
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction.screen_grid import without_grid
+from roadlang_standard.extraction.drawings.screen_grid import without_grid
 
 
 def _grid(space: int = 20, color: tuple[int, int, int] = (235, 235, 235)) -> np.ndarray:

@@ -8,9 +8,9 @@ import pytest
 
 from roadlang.api import Picture
 from roadlang_standard.extract_auto import Auto
-from roadlang_standard.extraction import picture_doubts
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.share_of_marks import sure_by_share
+from roadlang_standard.extraction.doubts import picture_doubts
+from roadlang_standard.extraction.doubts.share_of_marks import sure_by_share
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
 
 _LINE = np.column_stack([np.linspace(0, 639, 100), 240 + 60 * np.sin(np.linspace(0, 6, 100))])
 

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 
 from roadlang.geometry import Booleans
-from roadlang_standard.extraction.map_tones import map_tone
-from roadlang_standard.extraction.shared_colors import with_streets_alone
+from roadlang_standard.extraction.maps.map_tones import map_tone
+from roadlang_standard.extraction.maps.shared_colors import with_streets_alone
 
 
 def town(river: int) -> tuple[Booleans, Booleans]:

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis.extra.numpy import arrays
 
-from roadlang_standard.extraction.skeleton import skeleton, widths_across
+from roadlang_standard.extraction.masks.skeleton import skeleton, widths_across
 
 
 def test_a_thick_bar_becomes_its_middle_row() -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from roadlang_standard.extraction.smoothing import curvature, resample, smooth
+from roadlang_standard.extraction.curves.smoothing import curvature, resample, smooth
 
 
 def noisy_sine(seed: int = 0) -> Any:

@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.map_contrast import with_contrast
-from roadlang_standard.extraction.map_halos import are_written_alike
-from roadlang_standard.extraction.map_tones import LOSSY, without_jpeg_noise
-from roadlang_standard.extraction.road_tones import road_tones
+from roadlang_standard.extraction.maps.map_contrast import with_contrast
+from roadlang_standard.extraction.maps.map_halos import are_written_alike
+from roadlang_standard.extraction.maps.map_tones import LOSSY, without_jpeg_noise
+from roadlang_standard.extraction.maps.road_tones import road_tones
 from tests.extraction.drawn_maps import LIGHT, as_jpeg, drawn_map, shaped
 from tests.extraction.test_dark_maps import FAINT
 from tests.extraction.test_map_casings import SIDE, STREETS, lines, tones

@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.exact_colors import has_exact_colors, has_exact_land
-from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.still_colors import has_still_land
-from roadlang_standard.extraction.tones import Image, flatness
+from roadlang_standard.extraction.colors.tones import Image, flatness
+from roadlang_standard.extraction.picture_kinds.exact_colors import has_exact_colors, has_exact_land
+from roadlang_standard.extraction.picture_kinds.picture_kind import picture_kind
+from roadlang_standard.extraction.picture_kinds.still_colors import has_still_land
 from tests.extraction.drawn_maps import as_jpeg
 
 SIDE = 480

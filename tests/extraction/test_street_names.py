@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import Booleans
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import MapTone, map_tone
-from roadlang_standard.extraction.road_tones import road_tones
-from roadlang_standard.extraction.street_names import streets_below_names
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import MapTone, map_tone
+from roadlang_standard.extraction.maps.road_tones import road_tones
+from roadlang_standard.extraction.maps.street_names import streets_below_names
 from tests.extraction.drawn_maps import as_jpeg, known_tone
 
 WIDTH = 5.0

@@ -6,8 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drafting import Draft, draft, typical_width_of
-from roadlang_standard.extraction.edges import (
+from roadlang_standard.extraction.curves.edges import (
     CenterLine,
     Sides,
     normals,
@@ -15,16 +14,17 @@ from roadlang_standard.extraction.edges import (
     typical_width,
     widths,
 )
-from roadlang_standard.extraction.hints import leave_out, paint, paths_through
-from roadlang_standard.extraction.hysteresis import hysteresis
-from roadlang_standard.extraction.masks import roads_of_surface
-from roadlang_standard.extraction.smoothing import (
+from roadlang_standard.extraction.curves.smoothing import (
     curvature,
     resample,
     smooth,
     smooth_values,
     stations,
 )
+from roadlang_standard.extraction.drawings.surface_roads import roads_of_surface
+from roadlang_standard.extraction.masks.hysteresis import hysteresis
+from roadlang_standard.extraction.networks.drafting import Draft, draft, typical_width_of
+from roadlang_standard.extraction.photos.hints import leave_out, paint, paths_through
 from tests.extraction.graph_drawings import dense, graph_of
 from tests.extraction.painted_roads import band
 

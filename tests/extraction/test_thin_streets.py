@@ -5,16 +5,16 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.map_lines import (
+from roadlang_standard.extraction.colors.mixed_pixels import slopes, with_thin_lines
+from roadlang_standard.extraction.maps.map_lines import (
     short_parts,
     with_line_colors,
     without_outlines,
 )
-from roadlang_standard.extraction.map_tiles import roads_of_map
-from roadlang_standard.extraction.map_tones import flat_colors, map_tone, map_tones
-from roadlang_standard.extraction.mask_parts import parts_touching
-from roadlang_standard.extraction.mixed_pixels import slopes, with_thin_lines
-from roadlang_standard.extraction.road_tones import road_tones
+from roadlang_standard.extraction.maps.map_tiles import roads_of_map
+from roadlang_standard.extraction.maps.map_tones import flat_colors, map_tone, map_tones
+from roadlang_standard.extraction.maps.road_tones import road_tones
+from roadlang_standard.extraction.masks.mask_parts import parts_touching
 
 _FINER = 8
 LAND, STREET, MAIN, HOUSE = (236, 240, 245), (200, 204, 210), (255, 255, 255), (222, 228, 232)

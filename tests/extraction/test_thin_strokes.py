@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.found_network import FoundNetwork
-from roadlang_standard.extraction.masks import roads_of_surface
+from roadlang_standard.extraction.drawings.surface_roads import roads_of_surface
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
 from tests.extraction.painted_roads import band
 
 _WHITE = 1.0

@@ -8,11 +8,11 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang_standard.extraction.drawing import between_lines, likeness, roads_of_drawing
-from roadlang_standard.extraction.masks import roads_of_surface
-from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
-from roadlang_standard.extraction.tones import away_from, flatness, layers, thinned, tones
+from roadlang_standard.extraction.colors.tones import away_from, flatness, layers, thinned, tones
+from roadlang_standard.extraction.drawings.drawing import between_lines, likeness, roads_of_drawing
+from roadlang_standard.extraction.drawings.surface_roads import roads_of_surface
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.picture_kinds.picture_kind import picture_kind
 from tests.extraction.graph_drawings import surface
 from tests.extraction.painted_roads import band, painted, two_lines
 

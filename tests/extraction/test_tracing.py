@@ -7,10 +7,10 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.graph import Graph, Line
-from roadlang_standard.extraction.graph_cleanup import contract, join, prune
-from roadlang_standard.extraction.skeleton import skeleton
-from roadlang_standard.extraction.tracing import trace
+from roadlang_standard.extraction.graphs.graph import Graph, Line
+from roadlang_standard.extraction.graphs.graph_cleanup import contract, join, prune
+from roadlang_standard.extraction.graphs.tracing import trace
+from roadlang_standard.extraction.masks.skeleton import skeleton
 
 
 def drawn(*strokes: Any, thickness: int = 5, size: int = 120) -> Any:

@@ -18,7 +18,7 @@ import roadlang
 from roadlang.api import OptionError, Picture
 from roadlang.cli.extract import command
 from roadlang.correcting.picture_roads import PictureRoads
-from roadlang.geometry.pixel_map import PixelMap
+from roadlang.geometry.earth.pixel_map import PixelMap
 from roadlang.syntax.correction_edits import WrittenCorrections
 from roadlang_standard.photo_hints import boxes_in_picture, check_hints, roads_in_picture
 

@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from roadlang_standard.extraction.found_network import FoundNetwork, FoundRoad
-from roadlang_standard.extraction.photo_confidence import calibrated
-from roadlang_standard.extraction.upright_patterns import is_upright_pattern
+from roadlang_standard.extraction.doubts.upright_patterns import is_upright_pattern
+from roadlang_standard.extraction.networks.found_network import FoundNetwork, FoundRoad
+from roadlang_standard.extraction.photos.photo_confidence import calibrated
 
 _COURSES, _BRICKS, _HIGH, _LONG = 5, 6, 60.0, 100.0
 

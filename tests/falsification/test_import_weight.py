@@ -41,7 +41,7 @@ def test_parts_of_numpy_that_scipy_names_are_loaded_when_they_are_used() -> None
 
 COMPILING = """
 import sys
-from roadlang.geometry import compiling
+from roadlang.geometry.numbers import compiling
 compiling.loaded()
 print("coverage" in sys.modules)
 import coverage

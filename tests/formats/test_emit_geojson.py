@@ -17,7 +17,7 @@ from roadlang import DiagnosticError, testing
 from roadlang.api import Scene
 from roadlang.cli.main import run
 from roadlang.geometry import Curve, Floats
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang_formats.emit_geojson import GeoJsonBackend
 from roadlang_formats.read_geojson import GeoJson
 from roadlang_formats.road_mask import road_mask

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from roadlang import testing
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang_formats.emit_lanelet2 import Lanelet2Backend
 from roadlang_formats.lanelet2.document import TOLERANCE
 from roadlang_formats.lanelet2.primitives import Primitives

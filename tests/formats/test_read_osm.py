@@ -12,7 +12,7 @@ import roadlang
 from roadlang import testing
 from roadlang.api import Extraction
 from roadlang.geometry import CrossSection, Edge
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang_formats.osm_reading.way_lanes import WayLanes, speed_limit, way_lanes
 from roadlang_formats.read_osm import OpenStreetMap
 

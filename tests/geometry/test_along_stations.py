@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import Curve, CurveBatch, GeometryError, OffsetProfile, WidthProfile
-from roadlang.geometry.distances import quadrature
+from roadlang.geometry.batches.distances import quadrature
 
 STATIONS = [0.0, 10.0, 30.0]
 

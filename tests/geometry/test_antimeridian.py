@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import Floats
-from roadlang.geometry.antimeridian import cut_area, cut_line
+from roadlang.geometry.earth.antimeridian import cut_area, cut_line
 
 
 def ring(*points: tuple[float, float]) -> Floats:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry.bend_speeds import square_before, squares_before, squares_in_bends
+from roadlang.geometry.curves.bend_speeds import square_before, squares_before, squares_in_bends
 
 
 def test_a_bend_is_driven_at_the_lateral_acceleration() -> None:

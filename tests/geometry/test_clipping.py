@@ -22,8 +22,8 @@ from roadlang.geometry import (
     RoadNetwork,
     WidthProfile,
 )
-from roadlang.geometry.clipping import clipped
-from roadlang.geometry.junctions.model import LaneEnd
+from roadlang.geometry.networks.clipping import clipped
+from roadlang.geometry.networks.junction_model import LaneEnd
 from tests.geometry.geometry_shapes import circle
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.cluster.hierarchy import fcluster, linkage
 
-from roadlang.geometry.clusters import GAP, USUAL, clusters
+from roadlang.geometry.numbers.clusters import GAP, USUAL, clusters
 
 
 @pytest.mark.parametrize("seed", range(30))

@@ -7,17 +7,11 @@ import sys
 import numpy as np
 import pytest
 
-from roadlang.geometry import (
-    CurveBatch,
-    MovedBatch,
-    compiled_rows,
-    compiling,
-    displace,
-    pushed_batch,
-    row_loops,
-)
+from roadlang.geometry import CurveBatch, MovedBatch, displace
 from roadlang.geometry.arrays import Floats
-from roadlang.geometry.pushed_batch import PushedBatch
+from roadlang.geometry.batches import compiled_rows, pushed_batch, row_loops
+from roadlang.geometry.batches.pushed_batch import PushedBatch
+from roadlang.geometry.numbers import compiling
 from tests.geometry.geometry_shapes import circle, line
 
 numba = pytest.importorskip("numba")

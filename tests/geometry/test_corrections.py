@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roadlang.geometry import GeometryError, RoadNetwork, network_of_polylines
-from roadlang.geometry.corrections import Corrected, Corrections, corrected
+from roadlang.geometry.networks.corrections import Corrected, Corrections, corrected
 
 Points = Sequence[tuple[float, float]]
 

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from roadlang.geometry import Curve, CurveFrame, GeometryError
-from roadlang.geometry.arclength import ArcLength
+from roadlang.geometry.curves.arclength import ArcLength
 from tests.geometry.geometry_shapes import (
     angles,
     circle,

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.geometry import DashPattern
-from roadlang.geometry.dash_pattern import PERIOD
+from roadlang.geometry.lanes.dash_pattern import PERIOD
 
 
 @given(st.floats(0.1, 500.0), st.floats(-100.0, 100.0))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import GeometryError
-from roadlang.geometry.differences import Differences, derivative
+from roadlang.geometry.numbers.differences import Differences, derivative
 
 EVEN = np.linspace(0.0, 30.0, 101)
 UNEVEN = EVEN + 0.1 * np.sin(EVEN)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from roadlang.geometry.earth_grids import to_degrees
+from roadlang.geometry.earth.earth_grids import to_degrees
 from tests.geometry.test_local_projection import kruger
 
 

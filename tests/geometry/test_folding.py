@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.geometry import Arc, CurveBatch, CurveFrame, Straight, chain, displace, sample
-from roadlang.geometry.folding import LEAST_ADVANCE, turns_too_much
+from roadlang.geometry.batches.folding import LEAST_ADVANCE, turns_too_much
 from tests.geometry.geometry_shapes import circle, curves, line
 
 rates = st.sampled_from([0.0, 0.02, 0.1, 0.5, 1.5]) | st.floats(0.0, 1.5)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 
 _RADIUS, _FLATTENING = 6_378_137.0, 1.0 / 298.257_223_563
 

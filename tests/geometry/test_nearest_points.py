@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry import Curve, nearest_points
-from roadlang.geometry.nearest_points import AlongOneLine, AlongTwoLines
+from roadlang.geometry import Curve
+from roadlang.geometry.batches import nearest_points
+from roadlang.geometry.batches.nearest_points import AlongOneLine, AlongTwoLines
 from tests.geometry.geometry_shapes import curves
 
 ratios = st.sampled_from([0.5, 2.0, 4.0])

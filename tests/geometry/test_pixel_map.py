@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.geometry.pixel_map import PixelMap
+from roadlang.geometry.earth.pixel_map import PixelMap
 from roadlang.ir.picture import Picture
 
 AT = st.floats(-1e4, 1e4)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import GeometryError, network_of_polylines
-from roadlang.geometry.polylines import DEFAULT_WIDTH
+from roadlang.geometry.networks.polylines import DEFAULT_WIDTH
 from roadlang.ir.picture import Picture
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roadlang.geometry.row_interpolation import interpolated_in_rows
+from roadlang.geometry.numbers.row_interpolation import interpolated_in_rows
 
 
 @pytest.mark.parametrize("length", [1, 2, 3, 64, 65])

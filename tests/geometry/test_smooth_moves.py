@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from roadlang.geometry import displace
-from roadlang.geometry.folding import fold_of_points, turns_too_much
-from roadlang.geometry.smooth_moves import surely_smooth
+from roadlang.geometry.batches.folding import fold_of_points, turns_too_much
+from roadlang.geometry.batches.smooth_moves import surely_smooth
 from tests.geometry.geometry_shapes import circle, line
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roadlang.geometry.spline import interpolate
+from roadlang.geometry.curves.spline import interpolate
 
 
 @pytest.mark.parametrize("closed", [False, True])

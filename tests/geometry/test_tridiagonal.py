@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.linalg import solve_banded
 
-from roadlang.geometry.tridiagonal import solve_tridiagonal
+from roadlang.geometry.numbers.tridiagonal import solve_tridiagonal
 
 
 @pytest.mark.parametrize("dominant", [True, False])

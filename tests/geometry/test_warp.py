@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from roadlang.geometry import GeometryError, RoadNetwork
-from roadlang.geometry.polylines import network_of_polylines
-from roadlang.geometry.warp import Warp
+from roadlang.geometry.networks.polylines import network_of_polylines
+from roadlang.geometry.networks.warp import Warp
 
 LINES = [[(0, 0), (100, 0)], [(100, 0), (200, 20)], [(100, 0), (100, 90)]]
 MOVE = st.tuples(st.floats(-25, 25), st.floats(-25, 25))

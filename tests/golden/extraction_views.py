@@ -8,17 +8,17 @@ from typing import Any
 import cv2
 import numpy as np
 
-from roadlang_standard.extraction.aerial import Cutoffs, Request, roads_of_evidence
-from roadlang_standard.extraction.classical import roads_by_ribbons
-from roadlang_standard.extraction.drawing import roads_of_drawing
-from roadlang_standard.extraction.exposure import even_exposure
-from roadlang_standard.extraction.found_network import FoundNetwork
+from roadlang_standard.extraction.colors.nodata import nodata
+from roadlang_standard.extraction.drawings.drawing import roads_of_drawing
+from roadlang_standard.extraction.drawings.thresholding import ContourSteps, roads_by_contour
 from roadlang_standard.extraction.free_space import roads_of_free_space
-from roadlang_standard.extraction.nodata import nodata
-from roadlang_standard.extraction.photo_evidence import Seen
-from roadlang_standard.extraction.picture_kind import picture_kind
-from roadlang_standard.extraction.scale import fine_share, view_scales
-from roadlang_standard.extraction.thresholding import ContourSteps, roads_by_contour
+from roadlang_standard.extraction.networks.found_network import FoundNetwork
+from roadlang_standard.extraction.photos.aerial import Cutoffs, Request, roads_of_evidence
+from roadlang_standard.extraction.photos.classical import roads_by_ribbons
+from roadlang_standard.extraction.photos.exposure import even_exposure
+from roadlang_standard.extraction.photos.photo_evidence import Seen
+from roadlang_standard.extraction.photos.scale import fine_share, view_scales
+from roadlang_standard.extraction.picture_kinds.picture_kind import picture_kind
 from tests.golden.summaries import array
 
 _SIZE = (190, 240)

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from roadlang import geometry as g
-from roadlang.geometry.clearances import clearance
-from roadlang.geometry.displacement import undisplaced
-from roadlang.geometry.distances import lp_norm, pointwise, quadrature
-from roadlang.geometry.folding import fold_of_points, turns_too_much
+from roadlang.geometry.batches.clearances import clearance
+from roadlang.geometry.batches.displacement import undisplaced
+from roadlang.geometry.batches.distances import lp_norm, pointwise, quadrature
+from roadlang.geometry.batches.folding import fold_of_points, turns_too_much
 from tests.golden.road_views import bends
 from tests.golden.summaries import array
 

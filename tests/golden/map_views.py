@@ -17,7 +17,7 @@ import numpy as np
 from roadlang import DiagnosticError
 from roadlang.api import Extraction
 from roadlang.geometry import Edge, RoadNetwork
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang_formats.emit_opendrive import OpenDriveBackend
 from roadlang_formats.read_geojson import GeoJson
 from roadlang_formats.read_opendrive import OpenDriveMap

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from roadlang import geometry as g
-from roadlang.geometry.joining import RoadToJoin, joined_curve, joined_section
+from roadlang.geometry.curves.offsetting import offset
 from roadlang.geometry.junctions.one_way import one_way
 from roadlang.geometry.junctions.plan import plan_junctions
-from roadlang.geometry.offsetting import offset
-from roadlang.geometry.paths import longest_path, nearest_place, shortest_path
+from roadlang.geometry.lanes.joining import RoadToJoin, joined_curve, joined_section
+from roadlang.geometry.networks.paths import longest_path, nearest_place, shortest_path
 from roadlang.geometry.routes.lane_graph import LaneGraph, lane_graph
 from roadlang.geometry.routes.legs import RoutePlace
 from roadlang.geometry.routes.nearest_lanes import near_roads

@@ -12,12 +12,12 @@ import cv2
 import numpy as np
 import pytest
 
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang.images.image_file import OpenedImage, open_image
 from roadlang.images.image_scale import FoundScale
 from roadlang.images.placed_pixels import _to_degrees, placed
 from roadlang.ir.picture import Picture
-from roadlang.world.pictures import picture_of
+from roadlang.world.sources.pictures import picture_of
 from tests.geometry.test_local_projection import kruger
 from tests.images.geotiffs import written_geotiff
 

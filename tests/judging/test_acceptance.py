@@ -8,7 +8,7 @@ import numpy as np
 
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import ACCEPTED, Acceptance
-from roadlang.world.placement import placed, placed_tries
+from roadlang.world.placement.placement import placed, placed_tries
 from tests.straight_road import STRAIGHT
 
 Requirements = Callable[[str], Acceptance]

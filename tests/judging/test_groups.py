@@ -9,8 +9,8 @@ import pytest
 
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.copies import counts
-from roadlang.world.placement import placed_copy
+from roadlang.world.placement.copies import counts
+from roadlang.world.placement.placement import placed_copy
 from tests.straight_road import STRAIGHT
 
 TREES = (

@@ -53,8 +53,8 @@ def test_the_wheel_ships_grammar_catalog_templates_and_the_godot_project(wheel: 
         "roadlang/cli/templates/bend.rl",
         "roadlang/py.typed",
         "roadlang_standard/emit_svg.py",
-        "roadlang_standard/extraction/weights/wide_roads.onnx",
-        "roadlang_standard/extraction/weights/LICENSE-APACHE-2.0.txt",
+        "roadlang_standard/extraction/photos/weights/wide_roads.onnx",
+        "roadlang_standard/extraction/photos/weights/LICENSE-APACHE-2.0.txt",
     } <= names
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from roadlang import testing
-from roadlang.geometry.simplifying import all_simplified, simplified
+from roadlang.geometry.curves.simplifying import all_simplified, simplified
 from roadlang.report.decimation import deltas, samples_of
 from roadlang.report.outlines import outline
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import roadlang
-from roadlang.world.placement_without_overlap import Arrangement
+from roadlang.world.placement.placement_without_overlap import Arrangement
 
 ROAD = "road main { draw with segments { pieces: [straight(60m)] }, lanes: 2 }\n"
 CROWD = ROAD + "agent cars is car on main at 5m..55m { lane: -1, count: 40, drive with traffic }\n"

@@ -15,8 +15,8 @@ from roadlang.ir.scene import Scene
 from roadlang.scenes.instantiate import driven_scenes_or_faults, instantiate
 from roadlang.scenes.sampling import sample_scenes
 from roadlang.testing import scenario
-from roadlang.world import placement_without_overlap
 from roadlang.world.index import index_scenario
+from roadlang.world.placement import placement_without_overlap
 
 BASE = """
 road base {

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roadlang.api import Trace
-from roadlang.geometry.levels import HEADROOM, STEEPEST, are_apart
+from roadlang.geometry.areas.levels import HEADROOM, STEEPEST, are_apart
 from roadlang.session.scene_set import SceneSet
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.surroundings.ray_casts import RayCaster

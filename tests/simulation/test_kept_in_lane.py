@@ -9,7 +9,7 @@ import pytest
 
 from roadlang import testing
 from roadlang.geometry.arrays import Floats
-from roadlang.geometry.bend_room import LONG
+from roadlang.geometry.curves.bend_room import LONG
 from roadlang.ir.scene import SceneRoad
 from roadlang.simulation.bends.kept_in_lane import kept_in_lane
 from roadlang.simulation.lines.line_sources import LineSource

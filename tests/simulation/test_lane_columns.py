@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from roadlang import testing
 from roadlang.drive.trace_files import from_json, to_csv, to_json
-from roadlang.geometry.rings import outside_ring
+from roadlang.geometry.areas.rings import outside_ring
 from roadlang.ir.scene_junctions import SceneControl, SignalPhase
 from roadlang.simulation.building.world_building import world_of
 from roadlang.simulation.lanes.lane_columns import LANE_COLUMNS, OnRoad, corner_offsets

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from roadlang.geometry.bend_room import PASSING_GAP
+from roadlang.geometry.curves.bend_room import PASSING_GAP
 from roadlang.simulation.traffic.narrow_places import COARSE, WIDEST, narrow_places
 from roadlang.simulation.traffic.sampled_ways import SPACING, SampledWays
 from roadlang.simulation.vehicles import compiled

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roadlang.geometry.bend_room import LONG, PASSING_GAP
+from roadlang.geometry.curves.bend_room import LONG, PASSING_GAP
 from roadlang.simulation.traffic import meeting_ways, wide_places
 
 WIDTH, SPARE, LENGTH = 2.0, 0.5, 5.0

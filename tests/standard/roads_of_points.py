@@ -6,7 +6,7 @@ import numpy as np
 
 from roadlang.api import RoadBatch
 from roadlang.geometry import Curve, CurveFrame
-from roadlang.world.root_roads import undisplaced_road
+from roadlang.world.perturbing.root_roads import undisplaced_road
 
 
 def road_of(points: list[tuple[float, float]], closed: bool = False) -> RoadBatch:

@@ -99,7 +99,7 @@ def test_a_bump_ends_where_it_says(straight: RoadBatch, random: BatchRandom) -> 
 
 
 def test_scale_zero_makes_a_bend_straight(random: BatchRandom) -> None:
-    from roadlang.world.perturbation import displaced
+    from roadlang.world.perturbing.perturbation import displaced
     from tests.standard.roads_of_points import road_of
 
     bend = road_of([(0, 0), (40, 4), (80, 5), (120, 4), (160, 0)])
@@ -112,7 +112,7 @@ def test_scale_zero_makes_a_bend_straight(random: BatchRandom) -> None:
 @pytest.mark.parametrize("factor", [0.5, 0.816, 1.0, 1.4])
 def test_scale_keeps_the_shape_of_a_loop(random: BatchRandom, factor: float) -> None:
     """A loop with bends to both sides: along the normals it would get dents."""
-    from roadlang.world.perturbation import displaced
+    from roadlang.world.perturbing.perturbation import displaced
     from tests.standard.roads_of_points import road_of
 
     turn = np.linspace(0, 2 * np.pi, 30, endpoint=False)

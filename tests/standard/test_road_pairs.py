@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roadlang.api import RoadBatch
-from roadlang.world.perturbation import displaced
+from roadlang.world.perturbing.perturbation import displaced
 from roadlang_standard.number_frechet import Frechet
 from roadlang_standard.number_lp_distance import LpDistance
 from roadlang_standard.number_sup_distance import SupDistance

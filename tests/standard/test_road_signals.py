@@ -9,7 +9,7 @@ import pytest
 
 from roadlang.api import BatchRandom, RoadBatch
 from roadlang.geometry import over
-from roadlang.world.perturbation import displaced
+from roadlang.world.perturbing.perturbation import displaced
 from roadlang_standard.perturb_harmonics import Harmonics
 from roadlang_standard.pieces import ClothoidPiece
 from roadlang_standard.signal_clearance import Clearance

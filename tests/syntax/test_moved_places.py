@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import roadlang
-from roadlang.geometry.warp import RADIUS
+from roadlang.geometry.networks.warp import RADIUS
 from roadlang.plugins.options import schema_of
 from roadlang.semantics.infer.statement_options import NetworkOptions
 from roadlang.syntax.moved_places import LENGTH, MovedPlaces, moved_places_of, with_moved_places

@@ -14,7 +14,7 @@ from benchmarks.junctions.perturbed import Faults
 from benchmarks.junctions.random_networks import random_network
 from roadlang.api import Extraction, Extractor, Picture
 from roadlang.testing import sample
-from roadlang.world.beside_arms import kept_beside
+from roadlang.world.perturbing.beside_arms import kept_beside
 
 RAMP = """
 image plan from "town.png" { scale: 0.4m/px }

@@ -13,8 +13,8 @@ from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.evaluate.copies import CopyBatch
 from roadlang.ir.placed_batch import PlacedBatch
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.copies import counts, kinds_of_copies
-from roadlang.world.placement import placed
+from roadlang.world.placement.copies import counts, kinds_of_copies
+from roadlang.world.placement.placement import placed
 from tests.straight_road import STRAIGHT
 
 BENT = (

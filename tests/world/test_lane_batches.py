@@ -7,7 +7,7 @@ import pytest
 
 from roadlang.diagnostics import DiagnosticError
 from roadlang.geometry import CrossSection, Lane, OffsetProfile, WidthProfile
-from roadlang.world.cross_sections import LaneBatch
+from roadlang.world.lanes.cross_sections import LaneBatch
 
 STATIONS = np.array([0.0, 50.0, 100.0])
 WIDTH = WidthProfile(STATIONS, np.array([3.0, 3.0, 3.0]))

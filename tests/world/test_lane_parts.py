@@ -9,7 +9,7 @@ import pytest
 
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.road_lanes import lane_parts, lanes_of
+from roadlang.world.roads.road_lanes import lane_parts, lanes_of
 from tests.straight_road import STRAIGHT
 
 COUNT = 30

@@ -12,7 +12,7 @@ import pytest
 
 from roadlang.api import Reader
 from roadlang.geometry import CrossSection, Curve, Edge, Lane, Node, RoadNetwork, WidthProfile
-from roadlang.geometry.path_sections import section_of_path
+from roadlang.geometry.networks.path_sections import section_of_path
 from roadlang.ir.encoding import scene_from_json, to_json
 from roadlang.scenes.sampling import SamplingResult
 

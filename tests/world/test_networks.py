@@ -19,7 +19,7 @@ from roadlang.diagnostics import DiagnosticError
 from roadlang.geometry import RoadNetwork
 from roadlang.ir.scenario import FileSource
 from roadlang.scenes.sampling import SamplingResult
-from roadlang.world.roadless_sources import advice_without_roads
+from roadlang.world.sources.roadless_sources import advice_without_roads
 
 Sample = Callable[..., SamplingResult]
 TOWN = '''

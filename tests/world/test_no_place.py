@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roadlang import NoSceneError, testing
-from roadlang.world.spots import NoPlace, shortfall
+from roadlang.world.placement.spots import NoPlace, shortfall
 
 TOWN = '''
 image plan from """

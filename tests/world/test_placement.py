@@ -15,9 +15,9 @@ from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.ir.scene import SceneActor
 from roadlang.plugins.discovery import load_registry
 from roadlang.scenes.sampling import SamplingResult
-from roadlang.world.copies import kinds_of
 from roadlang.world.index import index_scenario
-from roadlang.world.placement import least_spacing
+from roadlang.world.placement.copies import kinds_of
+from roadlang.world.placement.placement import least_spacing
 from roadlang.world.placement_faults import DEFAULT_APART
 from tests.straight_road import STRAIGHT
 

@@ -10,7 +10,7 @@ import pytest
 from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.geometry import Footprints
 from roadlang.judging.acceptance import Acceptance
-from roadlang.world.road_strips import RoadStrips, depth_in_lanes, road_strips
+from roadlang.world.placement.road_strips import RoadStrips, depth_in_lanes, road_strips
 from tests.straight_road import STRAIGHT
 
 RING = """

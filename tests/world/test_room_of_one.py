@@ -10,7 +10,7 @@ from roadlang.evaluate.candidates import CandidateBatch
 from roadlang.evaluate.draw_record import DrawRecord
 from roadlang.evaluate.indexed_scenario import IndexedScenario
 from roadlang.world.index import index_scenario
-from roadlang.world.placement import room_among_others
+from roadlang.world.placement.placement import room_among_others
 from tests.straight_road import STRAIGHT
 
 ONE = "agent ego is car on main at 20m { drive with stanley { speed: 10m/s } }\n"

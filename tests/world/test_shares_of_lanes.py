@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roadlang.world.shares_of_lanes import at_share
+from roadlang.world.placement.shares_of_lanes import at_share
 
 lanes = st.lists(
     st.tuples(st.sampled_from([0.0, 5.0, 11.0, 12.0, 40.0]), st.booleans()), min_size=1, max_size=5

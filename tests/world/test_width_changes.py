@@ -7,7 +7,7 @@ from shapely import LineString, distance, points
 
 from roadlang.geometry import CrossSection, Lane, WidthProfile
 from roadlang.geometry.arrays import Floats
-from roadlang.world.width_changes import with_width_changes
+from roadlang.world.networks.width_changes import with_width_changes
 
 EVEN = np.linspace(0.0, 100.0, 101)
 

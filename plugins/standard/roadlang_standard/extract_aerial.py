@@ -19,7 +19,7 @@ from .photo_hints import (
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
-    from .extraction.road_net import Net
+    from .extraction.photos.road_net import Net
 
 
 @dataclass(frozen=True)
@@ -63,9 +63,9 @@ class Aerial(Extractor):
 
     def read(self, picture: Picture, net: Net | None = None) -> Extraction:
         """Extract with a net, by default the shipped one."""
-        from .extraction.aerial import Request
-        from .extraction.cache import remembered
-        from .extraction.classical import roads_by_ribbons
+        from .extraction.photos.aerial import Request
+        from .extraction.photos.cache import remembered
+        from .extraction.photos.classical import roads_by_ribbons
         from .extraction.pixels import pixels_of
         from .extraction.pixels_to_meters import extraction
 

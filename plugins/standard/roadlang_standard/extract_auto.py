@@ -53,7 +53,7 @@ class Auto(Extractor):
 
         from .extract_contour import road_width
         from .extract_pixels import Pixel
-        from .extraction.picture_memo import measuring_once
+        from .extraction.colors.picture_memo import measuring_once
 
         check_hints(self.through, self.leave_out, picture)
         if picture.characters is not None or picture.legend:
@@ -72,14 +72,14 @@ class Auto(Extractor):
 
         from .extract_aerial import Aerial
         from .extract_contour import Contour, road_width
-        from .extraction.drawing import roads_of_drawing
-        from .extraction.found_network import EDGE_LINES
-        from .extraction.map_tiles import roads_of_map
-        from .extraction.paper import roads_on_paper
-        from .extraction.picture_doubts import with_picture_doubts
-        from .extraction.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
+        from .extraction.doubts.picture_doubts import with_picture_doubts
+        from .extraction.drawings.drawing import roads_of_drawing
+        from .extraction.drawings.screen_grid import without_grid
+        from .extraction.maps.map_tiles import roads_of_map
+        from .extraction.networks.found_network import EDGE_LINES
+        from .extraction.paper.paper import roads_on_paper
+        from .extraction.picture_kinds.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
-        from .extraction.screen_grid import without_grid
 
         assert picture.pixels is not None
         picture = replace(picture, pixels=without_grid(picture.pixels))
@@ -125,7 +125,7 @@ def with_legend_proposed(picture: Picture, found: Extraction) -> Extraction:
     """With a remark on colors of a drawing that may be objects."""
     from dataclasses import replace
 
-    from .extraction.legend_proposal import legend_proposal
+    from .extraction.legends.legend_proposal import legend_proposal
 
     if found.mask is None or picture.pixels is None:
         return found

@@ -10,7 +10,7 @@ from roadlang.api import Extractor, Flag, Length, Number, OptionError, Pixels, W
 if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
-    from .extraction.found_network import FoundNetwork
+    from .extraction.networks.found_network import FoundNetwork
 
 
 @dataclass(frozen=True)
@@ -50,9 +50,9 @@ class Contour(Extractor):
 
     def found(self, picture: Picture) -> FoundNetwork:
         """The roads in pixels; `method` tells whether they lie between edge lines."""
-        from .extraction.picture_doubts import with_picture_doubts
+        from .extraction.doubts.picture_doubts import with_picture_doubts
+        from .extraction.drawings.thresholding import ContourSteps, roads_by_contour
         from .extraction.pixels import pixels_of
-        from .extraction.thresholding import ContourSteps, roads_by_contour
 
         chain = ContourSteps(
             blur=self.blur,

@@ -24,6 +24,6 @@ class OnnxExtractor(Aerial):
     )
 
     def extract(self, picture: Picture) -> Extraction:
-        from .extraction.road_net import checked_net
+        from .extraction.photos.road_net import checked_net
 
         return self.read(picture, checked_net(self.model))

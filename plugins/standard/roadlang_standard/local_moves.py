@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from roadlang.geometry.clusters import clusters, distances
+from roadlang.geometry.numbers.clusters import clusters, distances
 
 from .unit_cube import BELOW_ONE
 

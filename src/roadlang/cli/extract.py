@@ -137,7 +137,7 @@ def command(
     read = [*images, *([] if settings["model"] is None else [settings["model"]])]
     keep_inputs([name for name in (output, overlay, mask) if name is not None], read)
 
-    from ..world.pictures import picture_of
+    from ..world.sources.pictures import picture_of
     from .chosen_extractor import extracted
     from .extraction_files import as_json, as_mask, as_overlay
     from .extraction_geojson import as_geojson

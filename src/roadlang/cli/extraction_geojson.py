@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry.geojson_geometry import line_geometry
-from ..geometry.local_projection import LocalProjection
+from ..geometry.earth.geojson_geometry import line_geometry
+from ..geometry.earth.local_projection import LocalProjection
 from ..ir.picture import Extraction, Picture
 from .extraction_files import in_meters
 

@@ -13,7 +13,7 @@ from ..evaluate.candidates import fixed_candidate
 from ..files.writing import replace_file
 from ..geometry import GeometryError
 from ..geometry.arrays import Floats
-from ..geometry.corrections import Corrections, corrected
+from ..geometry.networks.corrections import Corrections, corrected
 from ..ir.picture import Picture
 from ..ir.scenario import FileSource, ScenarioImage, ScenarioNetwork
 from ..session.loading import LoadedScenario, load
@@ -25,7 +25,7 @@ from ..syntax.correction_edits import (
     with_corrections,
 )
 from ..world.index import index_scenario
-from ..world.networks import found_in_picture
+from ..world.networks.networks import found_in_picture
 
 _STEP = 2.0
 """Pixels between the points of a road on the page."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from ..geometry.arrays import Floats
-from ..geometry.strokes_of_lanes import LaneStroke
+from ..geometry.lanes.strokes_of_lanes import LaneStroke
 from ..ir.scene import Scene, SceneRoad
 from ..ir.scene_junctions import SceneJunction
 from ..scenes.figure_colors import FIGURE_COLORS

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from html import escape
 
-from ..geometry.round_lengths import round_length
+from ..geometry.numbers.round_lengths import round_length
 from ..scenes.figure_colors import FIGURE_COLORS
 from .robustness_colors import OTHER, robustness_color
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..geometry.cross_section import drivable_borders
+from ..geometry.lanes.cross_section import drivable_borders
 from ..scenes.figure_colors import FIGURE_COLORS
 from .lane_lines import TOLERANCE, ShownPart, with_few_points
 

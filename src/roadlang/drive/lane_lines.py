@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..geometry.cross_section import CrossSection
-from ..geometry.simplifying import all_simplified
-from ..geometry.strokes_of_lanes import LaneStroke, lane_strokes
-from ..geometry.unfolding import SEEN_FROM, unfolded_lines
+from ..geometry.curves.simplifying import all_simplified
+from ..geometry.curves.unfolding import SEEN_FROM, unfolded_lines
+from ..geometry.lanes.cross_section import CrossSection
+from ..geometry.lanes.strokes_of_lanes import LaneStroke, lane_strokes
 from ..ir.scene import SceneRoad
 from ..ir.surface_stretches import SurfaceStretch, surface_stretches
 

@@ -12,7 +12,7 @@ import numpy as np
 from ..drive.controllers import python_controllers
 from ..drive.simulators import engine_settings
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..geometry.bend_room import LONG
+from ..geometry.curves.bend_room import LONG
 from ..simulation.building.world_building import world_of
 from ..simulation.calling.controllers import UNDRIVEN_BRAKING
 from ..simulation.calling.decision import Decision

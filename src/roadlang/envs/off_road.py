@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..geometry.arrays import Booleans, Floats, Integers
-from ..geometry.cross_section import drivable_borders
+from ..geometry.lanes.cross_section import drivable_borders
 from ..ir.scene import SceneRoad
 from ..simulation.lanes.lane_columns import LaneSection
 from ..simulation.signals.lane_reader import on_own_roads

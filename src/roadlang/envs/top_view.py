@@ -13,7 +13,7 @@ from ..drive.lane_lines import painted_lines, shown_part
 from ..drive.road_areas import road_areas
 from ..drive.robustness_colors import OTHER
 from ..geometry.arrays import Booleans, Floats
-from ..geometry.strokes_of_lanes import LaneStroke
+from ..geometry.lanes.strokes_of_lanes import LaneStroke
 from ..ir.category import GREENERY
 from ..ir.scene import Scene, SceneActor
 from ..scenes.figure_colors import FIGURE_COLORS, object_color

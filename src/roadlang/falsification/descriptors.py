@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..geometry.areas.rings import outside_ring
 from ..geometry.arrays import Floats
-from ..geometry.rings import outside_ring
 from ..ir.scene import Scene, SceneActor, SceneRoad, Verdict
 from ..ir.scene_road import numbers_of
 from ..ir.trace import AgentTrace, Trace

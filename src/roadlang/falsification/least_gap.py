@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from ..geometry.areas.footprints import Footprints, distance_between
 from ..geometry.arrays import Booleans, Floats
-from ..geometry.footprints import Footprints, distance_between
 from ..ir.trace import AgentTrace
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..geometry.arrays import Floats
 from ..geometry.errors import GeometryError
-from ..geometry.warp import Warp
+from ..geometry.networks.warp import Warp
 from ..ir.scene import Scene, SceneNetwork, SceneRoad
 from ..syntax.network_edits import (
     NetworkMoves,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry.pixel_map import PixelMap
+from ..geometry.earth.pixel_map import PixelMap
 
 
 def mapped(

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..geometry.arrays import Floats
-from ..geometry.earth_grids import ToDegrees, to_degrees
-from ..geometry.local_projection import LocalProjection
-from ..geometry.pixel_map import PixelMap
+from ..geometry.earth.earth_grids import ToDegrees, to_degrees
+from ..geometry.earth.local_projection import LocalProjection
+from ..geometry.earth.pixel_map import PixelMap
 from .georeference import Georeference
 from .image_scale import FoundScale
 

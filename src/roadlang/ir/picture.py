@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ..geometry import RoadNetwork
-    from ..geometry.pixel_map import PixelMap
+    from ..geometry.earth.pixel_map import PixelMap
 
 
 @dataclass(frozen=True)

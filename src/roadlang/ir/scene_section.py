@@ -11,7 +11,7 @@ from ..geometry.arrays import Floats
 from .scene_lane import SceneLane
 
 if TYPE_CHECKING:
-    from ..geometry.lanes import Marking
+    from ..geometry.lanes.lanes import Marking
 
 
 def equal_lanes(

@@ -15,8 +15,10 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Floats
 from ..ir.scenario import ScenarioActor, ScenarioNetwork, ScenarioRoad
 from ..ir.values import PassCall, RandomValue
-from ..world.networks import edge_batch, network_root
-from ..world.placement import (
+from ..world.networks.networks import edge_batch, network_root
+from ..world.perturbing.shortest_features import features_of_candidates
+from ..world.perturbing.stations import STATIONS_PER_FEATURE, unknown_features
+from ..world.placement.placement import (
     blocker_of,
     lacking_road,
     least_spacing,
@@ -24,13 +26,11 @@ from ..world.placement import (
     room_among_others,
     room_on_road,
 )
-from ..world.placement_causes import beyond_road, cause_of_place, lane_fault
+from ..world.placement.placement_causes import beyond_road, cause_of_place, lane_fault
+from ..world.placement.placement_order import draws_of
+from ..world.placement.route_faults import route_fault
 from ..world.placement_faults import beyond_the_end
-from ..world.placement_order import draws_of
-from ..world.roads import road_batch, road_root
-from ..world.route_faults import route_fault
-from ..world.shortest_features import features_of_candidates
-from ..world.stations import STATIONS_PER_FEATURE, unknown_features
+from ..world.roads.roads import road_batch, road_root
 from .influences import influences_on_place, influences_on_start, is_geometry_random
 from .requirement import Requirement
 

@@ -9,7 +9,7 @@ from functools import partial
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioActor
 from ..ir.values import Condition, PassCall
-from ..world.placement_order import placement_order
+from ..world.placement.placement_order import placement_order
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..geometry import CurveFrame
-from ..geometry.differences import station_gaps
+from ..geometry.numbers.differences import station_gaps
 from ..ir.road_bounds import RoadBounds
 from ..ir.scenario import ScenarioRoad
 from ..ir.values import Condition, Entity, PassCall
@@ -23,7 +23,7 @@ from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Perturber, Signal, implements
 from ..plugins.stated_bounds import OptionRange, corners
 from ..stl.evaluate.static_truth import fails_at_one_sample
-from ..world.roads import road_root
+from ..world.roads.roads import road_root
 from .variable_bounds import ROUNDING, ScenarioBounds
 
 

@@ -15,8 +15,8 @@ from ..geometry.arrays import Booleans, Floats
 from ..ir.batch import RoadBatch
 from ..ir.values import Condition, Entity, PassCall
 from ..stl.evaluate.measured_robustness import measured_rho, satisfied_by
-from ..world.closed_road_faults import closed_road_fault
-from ..world.copies import is_absent, most_copies
+from ..world.placement.copies import is_absent, most_copies
+from ..world.roads.closed_road_faults import closed_road_fault
 from ..world.signals import EvaluatedRoad, axes_of, signal
 
 

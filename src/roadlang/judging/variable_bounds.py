@@ -21,7 +21,7 @@ from ..plugins.options import schema_of
 from ..plugins.stated_bounds import corners
 from ..plugins.value_bounds import ValueBounds
 from ..stl.evaluate.interval_arithmetic import UNKNOWN, Bounds, hull
-from ..world.displacement_bound import displacement_bound
+from ..world.perturbing.displacement_bound import displacement_bound
 from ..world.signals import call_key
 
 ROUNDING = 1e-9

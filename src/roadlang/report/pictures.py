@@ -9,7 +9,7 @@ import numpy as np
 
 from ..drive.robustness_colors import color_shares, robustness_color
 from ..geometry.arrays import Floats
-from ..geometry.simplifying import simplified
+from ..geometry.curves.simplifying import simplified
 from ..ir.trace import AgentTrace
 from .decimation import samples_of
 from .drive_records import DriveView

@@ -25,10 +25,10 @@ from ..plugins.finding import find_entry
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import ObjectKind
 from ..plugins.options import schema_of
-from ..world.copies import counts, element_of, is_group, kinds_of, most_copies
-from ..world.named_roads import name_of_road
-from ..world.networks import network_root
-from ..world.placement import placed
+from ..world.networks.networks import network_root
+from ..world.placement.copies import counts, element_of, is_group, kinds_of, most_copies
+from ..world.placement.placement import placed
+from ..world.roads.named_roads import name_of_road
 from .own_copies import Drives, of_own_copies
 from .routes import may_be_on_network, on_network, scene_routes
 from .scene_rows import SceneRows

@@ -14,7 +14,7 @@ from ..ir.scenario import ScenarioActor
 from ..ir.scene import Scene
 from ..ir.scene_actor import SceneActor
 from ..ir.scene_road import SceneRoad
-from ..world.turning import sharpest_turn
+from ..world.placement.turning import sharpest_turn
 
 _SIZES = ("length", "width", "wheelbase", "max_steering")
 _SPACING = 0.5

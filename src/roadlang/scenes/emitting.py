@@ -23,7 +23,7 @@ from ..plugins.guard import wrong_result
 from ..plugins.kinds import implements
 from ..plugins.registry import Registry
 from ..world.index import index_scenario
-from ..world.pictures import load_picture
+from ..world.sources.pictures import load_picture
 
 _FILE_NAME = re.compile(r"[\w][\w.-]*\Z")
 

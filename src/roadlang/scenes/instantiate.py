@@ -26,10 +26,10 @@ from ..judging.profiles import scene_signals, with_profiles
 from ..judging.verdicts import verdict, verdicts
 from ..judging.window_warnings import road_window_warnings
 from ..version import __version__
-from ..world.aliasing import aliasing_remarks, has_silent_passes
-from ..world.copies import is_group
-from ..world.networks import network_root
-from ..world.roads import road_root
+from ..world.networks.networks import network_root
+from ..world.placement.copies import is_group
+from ..world.roads.aliasing import aliasing_remarks, has_silent_passes
+from ..world.roads.roads import road_root
 from .actors import legend_objects, objects_and_markings, scene_actors
 from .bend_warnings import bend_warnings
 from .network_warnings import joined_road_warnings, network_warnings

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..geometry import CrossSection
 from ..geometry.arrays import Floats
-from ..geometry.lane_paint import EDGE_INSET
+from ..geometry.lanes.lane_paint import EDGE_INSET
 from ..ir.scene_junctions import SceneArm, SceneJunction
 from ..ir.scene_road import SceneRoad
 

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from ..geometry.arrays import Floats
-from ..geometry.lane_paint import LINE_WIDTH
+from ..geometry.lanes.lane_paint import LINE_WIDTH
 from ..ir.scene import Scene
 from ..ir.scene_junctions import SceneConnection, SceneJunction
 from ..ir.scene_road import SceneRoad

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..geometry.junctions.model import Conflict, Connection, Junction, JunctionPlan, LaneEnd
 from ..geometry.junctions.priority import yields
+from ..geometry.networks.junction_model import Conflict, Connection, Junction, JunctionPlan, LaneEnd
 from ..ir.scene_junctions import (
     SceneArm,
     SceneConflict,

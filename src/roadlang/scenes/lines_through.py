@@ -10,10 +10,10 @@ import numpy as np
 
 from ..geometry import CrossSection, CurveFrame
 from ..geometry.arrays import Floats
-from ..geometry.lane_paint import DASH, EDGE_INSET, border_lines
+from ..geometry.lanes.lane_paint import DASH, EDGE_INSET, border_lines
 from ..ir.scene_junctions import SceneConnection, SceneJunction, SceneLaneEnd
 from ..ir.scene_road import SceneRoad
-from ..world.connection_roads import connection_curve
+from ..world.networks.connection_roads import connection_curve
 
 EDGE_DASH = 1.5
 """Meters, of edge lines along the mouth of a minor road."""

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
-from ..geometry.junctions.model import NO_JUNCTION, JunctionPlan, Problem
+from ..geometry.networks.junction_model import NO_JUNCTION, JunctionPlan, Problem
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
-from ..world.networks import network_root
-from ..world.roads import road_root
+from ..world.networks.networks import network_root
+from ..world.roads.roads import road_root
 from .origin_warnings import origin_warnings
 
 _MOST = 6

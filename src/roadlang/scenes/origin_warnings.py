@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 
 from ..diagnostics import Code, Diagnostic, diagnose
 from ..evaluate.candidates import CandidateBatch
-from ..geometry.local_projection import LocalProjection
+from ..geometry.earth.local_projection import LocalProjection
 from ..ir.scenario import ScenarioImage, ScenarioNetwork
-from ..world.networks import network_root
+from ..world.networks.networks import network_root
 
 _SAME = 1.0
 """Meters between two origins that count as one."""

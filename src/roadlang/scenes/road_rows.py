@@ -15,7 +15,7 @@ from ..ir.batch import RoadBatch
 from ..ir.read_only import Floats as FloatNumbers
 from ..ir.scene_lane import SceneLane
 from ..ir.scene_road import SceneRoad, with_rows
-from ..world.cross_sections import LaneBatch
+from ..world.lanes.cross_sections import LaneBatch
 from ..world.station_numbers import station_numbers
 
 Numbers = tuple[float, ...]

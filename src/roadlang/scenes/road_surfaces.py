@@ -17,8 +17,8 @@ from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.scene_road import SceneRoad
 from ..ir.scene_surface import SurfaceName, SurfacePatch
 from ..ir.values import Value
-from ..world.interval_faults import interval_off_road
-from ..world.roads import road_root
+from ..world.perturbing.interval_faults import interval_off_road
+from ..world.roads.roads import road_root
 from ..world.surface_faults import PATCHES, patch_span, unknown_patch_lane, unknown_patch_road
 from .scene_rows import SceneRows
 

@@ -19,13 +19,13 @@ from ..ir.scenario import LANE_OPTIONS, ScenarioNetwork, ScenarioRoad
 from ..ir.scene import SceneNetwork, SceneNode, SceneRoad
 from ..ir.scene_road import SpeedZone
 from ..ir.values import ConstantValue
-from ..world.junction_control import controls_of, right_of_way_rules
-from ..world.lane_plan import lane_plan, traffic_side
-from ..world.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
-from ..world.road_lanes import lane_parts, lanes_of
-from ..world.road_strips import has_descendants, has_perturbed_descendants
-from ..world.roads import road_batch, road_root
-from ..world.selected_roads import parts_of_network, steps_in_network
+from ..world.lanes.lane_plan import lane_plan, traffic_side
+from ..world.networks.junction_control import controls_of, right_of_way_rules
+from ..world.networks.networks import NetworkRoot, edge_batch, lanes_of_edge, network_root
+from ..world.placement.road_strips import has_descendants, has_perturbed_descendants
+from ..world.roads.road_lanes import lane_parts, lanes_of
+from ..world.roads.roads import road_batch, road_root
+from ..world.roads.selected_roads import parts_of_network, steps_in_network
 from .junctions import scene_junctions
 from .road_rows import road_rows
 from .road_surfaces import covered, covered_edges

@@ -9,18 +9,18 @@ import numpy as np
 
 from ..evaluate.candidates import CandidateBatch
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry.junctions.model import NO_JUNCTION
+from ..geometry.networks.junction_model import NO_JUNCTION
 from ..geometry.routes.lane_graph import LaneGraph
 from ..geometry.routes.legs import Leg, PlannedRoute
 from ..ir.scenario import ScenarioActor, ScenarioNetwork
 from ..ir.scene_actor import SceneActor
 from ..ir.scene_route import RouteStep, RouteTurn, SceneRoute
-from ..world.lane_graphs import lanes_of_network
-from ..world.placement import placed_routes
-from ..world.road_places import from_root
-from ..world.routes import has_route
-from ..world.selected_roads import has_lanes_of_network
-from ..world.selected_routes import route_on_selected
+from ..world.networks.lane_graphs import lanes_of_network
+from ..world.placement.placement import placed_routes
+from ..world.placement.routes import has_route
+from ..world.placement.selected_routes import route_on_selected
+from ..world.roads.road_places import from_root
+from ..world.roads.selected_roads import has_lanes_of_network
 from .scene_rows import SceneRows
 
 _FIRST = np.zeros(2, np.intp)

@@ -10,7 +10,7 @@ from itertools import combinations
 
 import numpy as np
 
-from ..geometry.bend_room import BRAKING, LONG, PASSING_GAP, STRAIGHT
+from ..geometry.curves.bend_room import BRAKING, LONG, PASSING_GAP, STRAIGHT
 from ..ir.scene import SceneRoad
 from ..ir.scene_actor import SceneActor
 from ..plugins.kinds import STANDING_GAP

@@ -13,7 +13,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.copies import CopyBatch
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..geometry.arrays import Booleans, Floats
-from ..geometry.bend_speeds import square_before, squares_in_bends
+from ..geometry.curves.bend_speeds import square_before, squares_in_bends
 from ..ir.batch import RoadBatch
 from ..ir.placed_batch import PlacedBatch
 from ..ir.scenario import ScenarioActor
@@ -26,14 +26,14 @@ from ..plugins.kinds import STANDING_GAP, Controller, InitialSpeed
 from ..plugins.options import schema_of
 from ..plugins.registry import KindEntry, Registry
 from ..plugins.results import real_numbers
-from ..world.actor_numbers import number_of_copies
-from ..world.bends import bends_of_route
-from ..world.copies import counts, most_copies
-from ..world.named_roads import name_of_road, named_lanes, named_road
-from ..world.placement import placed_routes
-from ..world.road_places import to_root
-from ..world.roads import road_root
-from ..world.routes import has_route
+from ..world.placement.actor_numbers import number_of_copies
+from ..world.placement.copies import counts, most_copies
+from ..world.placement.placement import placed_routes
+from ..world.placement.routes import has_route
+from ..world.roads.bends import bends_of_route
+from ..world.roads.named_roads import name_of_road, named_lanes, named_road
+from ..world.roads.road_places import to_root
+from ..world.roads.roads import road_root
 from .scene_rows import SceneRows
 from .start_gaps import most_behind
 

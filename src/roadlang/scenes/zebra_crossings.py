@@ -8,9 +8,9 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from ..geometry.areas.footprints import Footprints, separation
+from ..geometry.areas.rings import outside_ring
 from ..geometry.arrays import Floats
-from ..geometry.footprints import Footprints, separation
-from ..geometry.rings import outside_ring
 from ..ir.scene_actor import SceneActor
 from ..ir.scene_junctions import SceneArm, SceneJunction
 from ..ir.scene_road import SceneRoad

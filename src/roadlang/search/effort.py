@@ -15,8 +15,8 @@ from ..evaluate.indexed_scenario import IndexedScenario
 from ..evaluate.kind_instance import KindInstance
 from ..ir.scenario import ScenarioImage
 from ..judging.acceptance import Acceptance
-from ..world.networks import network_root
-from ..world.roads import road_root
+from ..world.networks.networks import network_root
+from ..world.roads.roads import road_root
 
 BATCH = 512
 """Candidates judged at once: a signal of 500 stations then fits the second cache."""

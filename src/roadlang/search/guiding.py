@@ -22,7 +22,7 @@ from ..evaluate.candidates import CandidateBatch
 from ..evaluate.draw_record import DrawRecord
 from ..evaluate.kind_instance import KindInstance
 from ..geometry.arrays import Floats, read_only
-from ..geometry.clusters import FEWEST, clusters, distances
+from ..geometry.numbers.clusters import FEWEST, clusters, distances
 from ..ir.batch import BatchRandom
 from ..judging.acceptance import Acceptance, Measurements
 from ..plugins.guard import wrong_result

@@ -8,7 +8,7 @@ from ..diagnostics import Diagnostic
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.scenario import ScenarioRoad
 from ..ir.values import Condition, Flag
-from ..world.closed_road_faults import closed_road_fault
+from ..world.roads.closed_road_faults import closed_road_fault
 
 
 def fixed_closed_roads(scenario: IndexedScenario) -> Iterator[Diagnostic]:

@@ -22,9 +22,9 @@ from ..ir.scenario import (
 from ..ir.values import PassCall, TextValue, Value
 from ..plugins.kinds import Controller
 from ..plugins.registry import Registry
-from ..world.lane_plan import default_lane_kind
+from ..world.lanes.lane_plan import default_lane_kind
+from ..world.lanes.planned_lanes import PlannedLane, planned_lanes
 from ..world.placement_faults import missing_scale, unknown_lane
-from ..world.planned_lanes import PlannedLane, planned_lanes
 from .fixed_closed_roads import fixed_closed_roads
 from .fixed_lane_changes import lanes_not_beside
 from .fixed_overlaps import fixed_overlaps

@@ -10,8 +10,8 @@ from ..ir.scenario import ScenarioActor
 from ..ir.values import PassCall, TextValue
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Controller
-from ..world.lane_plan import is_left
-from ..world.planned_lanes import PlannedLane
+from ..world.lanes.lane_plan import is_left
+from ..world.lanes.planned_lanes import PlannedLane
 from .constant_kinds import constant_kind
 
 _SIDES = ("left", "right")

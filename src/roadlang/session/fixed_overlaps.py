@@ -62,8 +62,8 @@ def _missing(first: _OccupiedRange, second: _OccupiedRange, scenario: IndexedSce
         is_same = _LONGEST_LANE * (second.at - first.at) < first.inner + second.inner
         return math.inf if is_same else 0.0
     from ..evaluate.candidates import fixed_candidate
-    from ..world.distances_to_keep import missing_between
     from ..world.index import index_scenario
+    from ..world.placement.distances_to_keep import missing_between
 
     candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
     try:

@@ -14,7 +14,7 @@ from ..ir.values import Flag, PassCall, Value
 from ..plugins.guard import plugin_guard
 from ..plugins.kinds import Drawer
 from ..plugins.stated_bounds import OptionRange
-from ..world.interval_faults import interval_off_road
+from ..world.perturbing.interval_faults import interval_off_road
 from .constant_kinds import constant_kind
 
 _ROUNDING = 1e-9
@@ -117,7 +117,7 @@ def _length(road: ScenarioRoad, scenario: IndexedScenario) -> float | None:
         return None
     from ..evaluate.candidates import fixed_candidate
     from ..world.index import index_scenario
-    from ..world.roads import road_root
+    from ..world.roads.roads import road_root
 
     indexed = index_scenario(scenario.source, scenario.registry)
     try:

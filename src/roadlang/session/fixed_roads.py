@@ -90,7 +90,7 @@ def _selects(road: ScenarioRoad, network: ScenarioNetwork, scenario: IndexedScen
 def _make(roads: list[ScenarioRoad], scenario: IndexedScenario) -> None:
     from ..evaluate.candidates import fixed_candidate
     from ..world.index import index_scenario
-    from ..world.roads import road_root
+    from ..world.roads.roads import road_root
 
     candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
     for road in roads:
@@ -100,7 +100,7 @@ def _make(roads: list[ScenarioRoad], scenario: IndexedScenario) -> None:
 def _patched_roads(network: ScenarioNetwork, scenario: IndexedScenario) -> None:
     from ..evaluate.candidates import fixed_candidate
     from ..world.index import index_scenario
-    from ..world.networks import network_root
+    from ..world.networks.networks import network_root
 
     candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
     ids = [edge.id for edge in network_root(network, candidate).edges]
@@ -112,8 +112,8 @@ def _patched_roads(network: ScenarioNetwork, scenario: IndexedScenario) -> None:
 def _look_up(network: ScenarioNetwork, calls: list[PassCall], scenario: IndexedScenario) -> None:
     from ..evaluate.candidates import fixed_candidate
     from ..world.index import index_scenario
-    from ..world.junction_control import right_of_way_rules
-    from ..world.networks import chosen_edges, network_root
+    from ..world.networks.junction_control import right_of_way_rules
+    from ..world.networks.networks import chosen_edges, network_root
 
     candidate = fixed_candidate(index_scenario(scenario.source, scenario.registry))
     root = network_root(network, candidate)

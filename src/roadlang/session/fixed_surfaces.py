@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from ..diagnostics import Diagnostic, Span
 from ..evaluate.indexed_scenario import IndexedScenario
-from ..geometry.lanes import DEFAULT_LANES
+from ..geometry.lanes.lanes import DEFAULT_LANES
 from ..ir.scenario import ScenarioNetwork, ScenarioRoad
 from ..ir.values import ConstantValue, Entries, Items, Options, Value
-from ..world.lane_plan import LanePlan, known_ids, lane_plan
+from ..world.lanes.lane_plan import LanePlan, known_ids, lane_plan
 from ..world.surface_faults import PATCHES, patch_span, unknown_patch_lane, unknown_patch_road
 from .fixed_positions import drawer_of, interval_fault
 

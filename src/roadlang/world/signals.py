@@ -18,11 +18,11 @@ from ..ir.scenario import ScenarioNetwork
 from ..ir.values import Condition, Entity, PassCall, Value
 from ..plugins.guard import wrong_result
 from ..plugins.results import real_numbers
-from .connection_roads import connection_batch
-from .copies import is_group
-from .networks import NetworkRoot, edge_batch, network_root
-from .placement import placed, placed_copy
-from .roads import road_batch
+from .networks.connection_roads import connection_batch
+from .networks.networks import NetworkRoot, edge_batch, network_root
+from .placement.copies import is_group
+from .placement.placement import placed, placed_copy
+from .roads.roads import road_batch
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from roadlang.geometry import RoadNetwork, network_of_polylines
-from roadlang.geometry.cross_section import CrossSection
-from roadlang.geometry.junctions.model import Junction, JunctionPlan
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
+from roadlang.geometry.lanes.cross_section import CrossSection
+from roadlang.geometry.networks.junction_model import Junction, JunctionPlan
 
 
 def sections_of(

@@ -12,8 +12,8 @@ import pytest
 
 from roadlang import testing
 from roadlang.geometry import RoadNetwork, network_of_polylines
-from roadlang.geometry.cross_section import CrossSection
 from roadlang.geometry.junctions.overlaps import overlaps, passing_above
+from roadlang.geometry.lanes.cross_section import CrossSection
 from tests.geometry.junctions.crossings_of_roads import sections_of
 
 CROSSING = [[(-60.0, 0.0), (60.0, 0.0)], [(0.0, -60.0), (0.0, 60.0)]]

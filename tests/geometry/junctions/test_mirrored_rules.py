@@ -10,10 +10,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from roadlang.geometry.junctions.model import Junction
 from roadlang.geometry.junctions.phases import signal_phases
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
 from roadlang.geometry.junctions.priority import minor_roads, yields
+from roadlang.geometry.networks.junction_model import Junction
 from tests.geometry.junctions.crossings_of_roads import only, sections_of, star
 
 Mirror = Callable[[float], float]

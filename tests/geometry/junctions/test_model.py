@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from roadlang.geometry.junctions.model import Connection, LaneEnd
+from roadlang.geometry.networks.junction_model import Connection, LaneEnd
 
 
 def connection(*pieces: tuple[float, float]) -> Connection:

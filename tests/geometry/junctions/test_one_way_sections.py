@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from roadlang.geometry.cross_section import CrossSection
+from roadlang.geometry.curves.width import WidthProfile
 from roadlang.geometry.junctions.one_way import one_way
-from roadlang.geometry.width import WidthProfile
+from roadlang.geometry.lanes.cross_section import CrossSection
 
 
 @pytest.mark.parametrize("forward", [True, False])

@@ -10,9 +10,9 @@ import pytest
 from benchmarks.junctions.checks import check_junction, connection_points, effective_sections
 from benchmarks.junctions.random_networks import KINDS, random_network
 from roadlang.geometry import network_of_polylines
-from roadlang.geometry.junctions.model import Connection, JunctionPlan
 from roadlang.geometry.junctions.one_way import one_way as one_way_section
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
+from roadlang.geometry.networks.junction_model import Connection, JunctionPlan
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of, star
 
 

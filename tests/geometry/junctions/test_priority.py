@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from roadlang.geometry.junctions.model import Junction
 from roadlang.geometry.junctions.priority import minor_roads, yields
+from roadlang.geometry.networks.junction_model import Junction
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, star
 
 

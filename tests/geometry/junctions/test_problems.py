@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from roadlang.geometry import network_of_polylines
-from roadlang.geometry.junctions.model import JunctionPlan, Problem
 from roadlang.geometry.junctions.plan import PlanOptions
+from roadlang.geometry.networks.junction_model import JunctionPlan, Problem
 from tests.geometry.junctions.crossings_of_roads import plan_of, star
 
 LENGTHS = {"overlap", "vanished", "outside"}

@@ -11,8 +11,8 @@ import shapely
 from benchmarks.junctions.checks import check_junction
 from roadlang.geometry import Curve, Edge, Node, RoadNetwork, filleted, network_of_polylines
 from roadlang.geometry.junctions.folds import folded_spans, past
-from roadlang.geometry.junctions.model import Arm, Junction, JunctionPlan
 from roadlang.geometry.junctions.overlaps import junction_overlaps
+from roadlang.geometry.networks.junction_model import Arm, Junction, JunctionPlan
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of, star
 
 

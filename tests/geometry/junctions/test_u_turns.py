@@ -10,8 +10,8 @@ import shapely
 
 from benchmarks.junctions.checks import check_junction, effective_sections
 from roadlang.geometry import RoadNetwork
-from roadlang.geometry.junctions.model import Connection, Junction
 from roadlang.geometry.junctions.plan import PlanOptions, plan_junctions
+from roadlang.geometry.networks.junction_model import Connection, Junction
 from tests.geometry.junctions.crossings_of_roads import only, plan_of, sections_of, star
 
 WITH = PlanOptions(u_turns=True)

@@ -6,8 +6,8 @@ import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from roadlang.geometry.geojson_geometry import area_geometry, line_geometry
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.geojson_geometry import area_geometry, line_geometry
+from roadlang.geometry.earth.local_projection import LocalProjection
 
 from .features import Feature, junction_features, lane_features, road_features, standing_features
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from roadlang.geometry import Lane
-from roadlang_standard.extraction.colors import bgr
+from roadlang_standard.extraction.colors.colors import bgr
 from roadlang_standard.lane_looks import PAINT, LaneLook, lane_look
 
 

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import indent, tostring
 
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang_formats.lanelets.model import Lanelet, LaneletMap
 from roadlang_formats.lanelets.network import lanelet_map
 from roadlang_formats.place_on_earth import map_origin

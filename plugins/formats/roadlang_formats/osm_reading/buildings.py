@@ -6,7 +6,7 @@ import numpy as np
 
 from roadlang.api import FoundObject
 from roadlang.geometry import Floats
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.earth.local_projection import LocalProjection
 from roadlang_formats.rectangles import smallest_rectangle
 
 from .records import OsmExtract

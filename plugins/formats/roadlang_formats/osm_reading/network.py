@@ -17,9 +17,9 @@ from roadlang.geometry import (
     RoadNetwork,
     WidthProfile,
 )
-from roadlang.geometry.filleting import filleted
-from roadlang.geometry.lanes import Marking
-from roadlang.geometry.local_projection import LocalProjection
+from roadlang.geometry.curves.filleting import filleted
+from roadlang.geometry.earth.local_projection import LocalProjection
+from roadlang.geometry.lanes.lanes import Marking
 from roadlang_formats.map_xml import MapFile, left_out_at
 
 from .buildings import buildings_of

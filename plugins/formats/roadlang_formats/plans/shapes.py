@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from roadlang.geometry import Floats
-from roadlang.geometry.footprints import Footprints
+from roadlang.geometry.areas.footprints import Footprints
 
 from ..map_xml import MapElement, MapFile
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from roadlang_standard.extraction.colors import bgr
+from roadlang_standard.extraction.colors.colors import bgr
 
 from ..target_speed import target_speed
 from .checks import on_lanes, touching

@@ -7,7 +7,7 @@ import struct
 import numpy as np
 from numpy.typing import NDArray
 
-from roadlang_standard.extraction.cell_links import joined_at_corners
+from roadlang_standard.extraction.legends.cell_links import joined_at_corners
 
 from ..net.protocol import Message
 from ..net.scene_part import BULK_BODY, ScenePart

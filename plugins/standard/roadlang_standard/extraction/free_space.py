@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .masks import roads_of_surface
+from .drawings.surface_roads import roads_of_surface
 from .pixels_to_meters import extraction
 
 if TYPE_CHECKING:

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from roadlang.api import Code
 
-from .colors import NAMES, bgr
-from .found_network import FoundNetwork
-from .legend import ROAD, ROADS, LegendObject, read_colors, read_text
-from .tones import Image
+from .colors.colors import NAMES, bgr
+from .colors.tones import Image
+from .legends.legend import ROAD, ROADS, LegendObject, read_colors, read_text
+from .networks.found_network import FoundNetwork
 
 if TYPE_CHECKING:
     from roadlang.api import Picture
@@ -53,7 +53,7 @@ def read_legend(
 
 def _missing_entry(picture: Picture) -> str:
     """What to add to a legend without a road: an entry for what looks like road."""
-    from .legend_proposal import road_color
+    from .legends.legend_proposal import road_color
 
     if picture.characters is not None:
         return 'add `"#": road` to the legend, with the character that you draw roads with'

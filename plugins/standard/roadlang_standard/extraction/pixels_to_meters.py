@@ -10,12 +10,12 @@ import numpy as np
 
 from roadlang.geometry import Floats
 
-from .cell_links import is_square, joined_places
-from .directions import runs_forward
-from .doubtful_roads import doubts
-from .even_points import even_points_of
-from .found_network import FoundNetwork, FoundRoad
-from .legend import LegendObject
+from .curves.even_points import even_points_of
+from .legends.cell_links import is_square, joined_places
+from .legends.legend import LegendObject
+from .networks.directions import runs_forward
+from .networks.doubtful_roads import doubts
+from .networks.found_network import FoundNetwork, FoundRoad
 
 if TYPE_CHECKING:
     from roadlang.api import Extraction, FoundObject, Picture

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Floats
+from ..networks.junction_model import Arm, Point
 from .arms import ArmKey, ArmLine, Face
 from .connecting import Connected
 from .corners import NOSE
-from .model import Arm, Point
 from .places import JunctionSite
 from .sweeping import road_beyond, strip, stub
 

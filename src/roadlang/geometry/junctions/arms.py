@@ -10,10 +10,10 @@ from typing import TypeAlias
 import numpy as np
 
 from ..arrays import Floats
-from ..cross_section import CrossSection
-from ..network import Edge
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import End
+from ..networks.network import Edge
 from .folds import Span, folded_spans, past
-from .model import End
 
 ArmKey: TypeAlias = tuple[int, End]
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from .model import Arm, Junction
+from ..networks.junction_model import Arm, Junction
 
 Axis = tuple[float, float]
 

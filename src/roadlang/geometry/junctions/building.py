@@ -10,13 +10,13 @@ from itertools import combinations
 import numpy as np
 
 from ..arrays import Floats
+from ..networks.junction_model import Connection, Junction, LaneEnd, Point, Problem, Refusal
 from .area import ring_with_faces, surface
 from .arms import ArmKey, ArmLane, ArmLine
 from .conflicts import conflicts_of, line_shares
 from .connecting import SHARPEST, Connected, pair_widths
 from .connection_curves import TIGHTEST, sampled
 from .lane_pairs import LanePair
-from .model import Connection, Junction, LaneEnd, Point, Problem, Refusal
 from .places import JunctionSite
 from .priority import yields
 from .sweeping import TOLERANCE, road_beyond, strip

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from ..arrays import Floats, Integers
-from .model import Conflict, Connection
+from ..networks.junction_model import Conflict, Connection
 
 VEHICLE_GAP = 2.3
 """Meters between the middles of two vehicles of 2 m that pass each other with 0.3 m to spare."""

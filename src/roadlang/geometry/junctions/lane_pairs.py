@@ -6,8 +6,8 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from ..networks.junction_model import Turn
 from .arms import ArmLane
-from .model import Turn
 
 STRAIGHT, U_TURN = math.radians(35.0), math.radians(165.0)
 _OFF = math.radians(75.0)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..cross_section import CrossSection
-from ..network import Edge, RoadNetwork
+from ..lanes.cross_section import CrossSection
+from ..networks.network import Edge, RoadNetwork
 from .arms import ArmKey
 from .connecting import Connected, connected
 from .places import SHORTEST_ROAD, JunctionSite, PlaceFinder, all_trims

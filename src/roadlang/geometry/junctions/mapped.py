@@ -9,17 +9,17 @@ from dataclasses import replace
 import numpy as np
 
 from ..arrays import Floats, wrapped_angle
-from ..cross_section import CrossSection
-from ..curve import Curve
-from ..map_junctions import MapJunction, MapTurn
-from ..network import RoadNetwork
+from ..curves.curve import Curve
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import Junction, JunctionPlan
+from ..networks.map_junctions import MapJunction, MapTurn
+from ..networks.network import RoadNetwork
 from .arc_splines import Pieces, arc_spline
 from .arms import ArmKey, ArmLine, Face
 from .building import junction_of
 from .connecting import Connected
 from .connection_curves import ConnectionEnds, Fits, fitted
 from .lane_pairs import ArmLanes, LanePair, turn_of
-from .model import Junction, JunctionPlan
 from .overlaps import passing_above
 from .places import JunctionSite
 from .trims import Trimmed, counter_clockwise

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .model import Arm, Connection, Junction, JunctionPlan, LaneEnd, Point, Refusal, Turn
+from ..networks.junction_model import (
+    Arm,
+    Connection,
+    Junction,
+    JunctionPlan,
+    LaneEnd,
+    Point,
+    Refusal,
+    Turn,
+)
 
 _TURNS: dict[Turn, Turn] = {"left": "right", "right": "left", "straight": "straight", "u": "u"}
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Literal
 
-from ..cross_section import CrossSection
+from ..lanes.cross_section import CrossSection
 
 
 def sections_with_rings(

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from ..cross_section import CrossSection
-from ..levels import are_apart
-from ..network import Edge, RoadNetwork
-from .model import NO_JUNCTION, Junction, Problem
+from ..areas.levels import are_apart
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import NO_JUNCTION, Junction, Problem
+from ..networks.network import Edge, RoadNetwork
 from .sweeping import TOLERANCE, valid
 
 _SPACING = 2.0

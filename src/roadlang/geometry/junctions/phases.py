@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import combinations
 
 from ..arrays import wrapped_angle
+from ..networks.junction_model import End, Junction
 from .axes import OPPOSITE, axis_order, heading_of
-from .model import End, Junction
 
 _Key = tuple[int, End]
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..cross_section import CrossSection
-from ..network import Edge, RoadNetwork
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import Problem
+from ..networks.network import Edge, RoadNetwork
 from .arms import ArmKey, ArmLine
 from .corners import CurbSize
-from .model import Problem
 from .trims import Trimmed, trimmed
 
 SHORTEST_ROAD = 2.0

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..cross_section import CrossSection
-from ..network import RoadNetwork
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import Junction, JunctionPlan
+from ..networks.network import RoadNetwork
 from .arms import ArmKey
 from .building import junction_of
 from .layout import laid_out
 from .mapped import plan_of_map
 from .mirroring import mirrored
-from .model import Junction, JunctionPlan
 from .one_way import sections_with_rings
 from .overlaps import junction_overlaps, overlaps
 from .roundabouts import ring_directions

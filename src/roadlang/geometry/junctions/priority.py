@@ -7,8 +7,8 @@ from collections.abc import Collection, Sequence
 from itertools import combinations
 
 from ..arrays import wrapped_angle
+from ..networks.junction_model import Arm, Conflict, Connection, Junction, LaneEnd
 from .axes import OPPOSITE, axis_order, heading_of
-from .model import Arm, Conflict, Connection, Junction, LaneEnd
 
 _CLEARLY = 1.25
 

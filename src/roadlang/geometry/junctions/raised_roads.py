@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Floats
-from ..network import Edge, RoadNetwork
+from ..networks.network import Edge, RoadNetwork
 
 LEVEL_HEIGHT = 6.0
 """Meters from one level to the next, where no map says it."""

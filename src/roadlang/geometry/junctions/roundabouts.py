@@ -9,9 +9,9 @@ from typing import TypeAlias
 import numpy as np
 
 from ..arrays import Floats, cross
-from ..cross_section import CrossSection
-from ..network import RoadNetwork
-from .model import End
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import End
+from ..networks.network import RoadNetwork
 from .one_way import direction_of
 
 HalfEdge: TypeAlias = tuple[int, End]

@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ..cross_section import CrossSection
-from ..junctions.model import NO_JUNCTION, JunctionPlan, LaneEnd
-from ..network import Edge
+from ..lanes.cross_section import CrossSection
+from ..networks.junction_model import NO_JUNCTION, JunctionPlan, LaneEnd
+from ..networks.network import Edge
 
 T = TypeVar("T")
 BEND = 3.0

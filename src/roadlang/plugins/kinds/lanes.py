@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar, Literal, TypeAlias
 
-from ...geometry.lanes import Marking
+from ...geometry.lanes.lanes import Marking
 from .base import Kind
 
 LaneDirection: TypeAlias = Literal["side", "both", "none"]

@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats
-from ...geometry.bend_room import LONG
+from ...geometry.curves.bend_room import LONG
 from ...ir.scene_actor import SceneActor
 from ..lines.route_lines import RouteLine
 from ..vehicles.bodies import vehicle_parameters

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...geometry.arrays import Floats
-from ...geometry.bend_room import LONG
+from ...geometry.curves.bend_room import LONG
 from ...ir.scene_actor import SceneActor
 from ..lines.line_sources import LineSource
 from ..lines.route_lines import LineLeg, RouteLine

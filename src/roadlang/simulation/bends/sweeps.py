@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.bend_room import STRAIGHT
+from ...geometry.curves.bend_room import STRAIGHT
 from ..lines.lines import Lines
 from ..vehicles.bodies import Bodies
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...geometry.arrays import Floats
-from ...geometry.bend_room import LONG
+from ...geometry.curves.bend_room import LONG
 from ...ir.scene_actor import SceneActor
 from ..bends.leaning import least_radius, moved_line
 from ..bends.sweeps import swept_beside

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...geometry import CrossSection
 from ...geometry.arrays import Booleans, Floats
-from ...geometry.cross_section import drivable_borders
+from ...geometry.lanes.cross_section import drivable_borders
 from ...ir.scene import SceneRoad
 from .speed_zones import SpeedZones
 

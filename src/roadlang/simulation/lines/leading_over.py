@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats
-from ...geometry.cross_section import CrossSection
+from ...geometry.lanes.cross_section import CrossSection
 from ..lanes.road_lanes import NARROW
 
 FULL = 3.5

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ...geometry.arrays import Floats, Integers
-from ...geometry.bend_speeds import squares_before, squares_in_bends
+from ...geometry.curves.bend_speeds import squares_before, squares_in_bends
 from ..lines.lines import Lines
 from ..state.world import World
 from ..tapes.traced import TracedColumn

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry.areas.footprints import Footprints
+from ...geometry.areas.rings import outside_ring
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.footprints import Footprints
-from ...geometry.rings import outside_ring
 from ...ir.scene import Scene, SceneRoad
 from ...ir.scene_junctions import SceneJunction
 from ..lanes.lane_columns import LANE_COLUMNS, LaneSection, OnRoad, on_road

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry.areas.levels import are_apart
 from ...geometry.arrays import Floats, Integers, inverse_index
-from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.motion import Motion, Track
 from ..vehicles.poses import Poses, poses_of

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ...geometry.areas.levels import are_apart
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.levels import are_apart
 from ...ir.road_heights import object_heights
 from ...ir.scene import Scene, SceneActor
 from ..state.world import World

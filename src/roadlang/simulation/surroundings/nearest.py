@@ -7,8 +7,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from ...geometry.areas.levels import are_apart
 from ...geometry.arrays import Floats, Integers
-from ...geometry.levels import are_apart
 from ..state.world import World
 from ..vehicles.poses import Poses
 from .levels import ground_heights

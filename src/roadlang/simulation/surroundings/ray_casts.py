@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...geometry.areas.levels import are_apart
 from ...geometry.arrays import Floats, Integers
-from ...geometry.levels import are_apart
 from ...ir.sensed_batch import CastRays, SolidThings
 from ..state.world import World
 from ..vehicles.poses import Poses

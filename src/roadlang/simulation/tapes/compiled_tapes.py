@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from ...geometry import compiling
+from ...geometry.numbers import compiling
 from ..vehicles import compiled
 from . import interpreting, operations
 

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry import bend_room
 from ...geometry.arrays import Floats, Integers
-from ...geometry.bend_room import LONG, PASSING_GAP
+from ...geometry.curves import bend_room
+from ...geometry.curves.bend_room import LONG, PASSING_GAP
 from ..lines import lines
 from ..state.world import World
 from ..vehicles import compiled, kernels

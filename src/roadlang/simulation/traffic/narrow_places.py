@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry import bend_room
+from ...geometry.areas.levels import are_apart
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.bend_room import PASSING_GAP
-from ...geometry.levels import are_apart
+from ...geometry.curves import bend_room
+from ...geometry.curves.bend_room import PASSING_GAP
 from ..vehicles import compiled
 from . import sampled_ways
 from .sampled_ways import SPACING, SampledWays

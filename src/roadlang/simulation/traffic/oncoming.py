@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.bend_room import BRAKING
+from ...geometry.curves.bend_room import BRAKING
 from ..state.world import World
 from ..surroundings.leaders import Leaders
 from ..vehicles.poses import Poses

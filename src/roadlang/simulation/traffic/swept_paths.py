@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.bend_room import LONG
+from ...geometry.curves.bend_room import LONG
 from ...ir.scene_junctions import SceneConnection
 from ..bends.leaning import leaned_source
 from ..lines.line_sources import LineSource

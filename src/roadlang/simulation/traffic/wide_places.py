@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.arrays import Booleans, Floats, Integers
-from ...geometry.bend_room import LONG, PASSING_GAP
+from ...geometry.curves.bend_room import LONG, PASSING_GAP
 from ..bends.sweeps import Sweeps
 from ..state.world import World
 

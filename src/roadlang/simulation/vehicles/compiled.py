@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from ...geometry import compiling
 from ...geometry.arrays import Floats, Integers
-from ...geometry.bend_speeds import STRAIGHT
-from ...geometry.compiling import OPTIONS as OPTIONS
-from ...geometry.compiling import is_installed as is_installed
+from ...geometry.curves.bend_speeds import STRAIGHT
+from ...geometry.numbers import compiling
+from ...geometry.numbers.compiling import OPTIONS as OPTIONS
+from ...geometry.numbers.compiling import is_installed as is_installed
 from ..lines import line_loops, lines
 from ..lines.line_nodes import Spacing
 from ..lines.line_sources import LineSource

@@ -1,0 +1,1 @@
+"""The colors of a picture: which, where, how even, how mixed."""

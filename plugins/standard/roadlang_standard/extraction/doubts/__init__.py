@@ -1,0 +1,1 @@
+"""How sure it is that the lines of a drawing are roads."""

@@ -1,0 +1,1 @@
+"""Roads of drawings, plans and masks."""

@@ -1,0 +1,1 @@
+"""Skeletons as graphs: traced, tidied, dead ends extended and linked."""

@@ -1,0 +1,1 @@
+"""Pictures and texts with a legend: cells, colors, objects."""

@@ -1,0 +1,1 @@
+"""Masks: connected parts, growing, thinning, two thresholds."""

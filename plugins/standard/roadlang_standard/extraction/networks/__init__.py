@@ -1,0 +1,1 @@
+"""What extractors find: roads between nodes, drawn from a graph."""

@@ -1,0 +1,1 @@
+"""Roads drawn on paper and photographed."""

@@ -1,0 +1,163 @@
+"""The printed lines of ruled and squared paper: many straight ones of one direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans, Floats
+
+from ..colors.tones import Layer
+
+_TILTS = np.deg2rad(np.arange(-10.0, 10.01, 0.25))
+"""Angles by which a sheet may be rotated."""
+_COVERED, _FEWEST = 0.5, 5
+"""A printed line is visible on at least `_COVERED` of its length; ruled paper has at least
+`_FEWEST`."""
+_HALF, _DARKER = 2.5, 1.25
+"""Pixels within `_HALF` of a printed line belong to it unless they are at least `_DARKER` times as
+dark: ink that crosses it."""
+_EVERY = 4
+"""The rotation is estimated from every fourth pixel along the lines."""
+_TOP, _AS_DARK = 0.02, 0.8
+"""The darkest ink is the `_TOP` quantile; lines at least `_AS_DARK` as dark as it may have been
+drawn, ..."""
+_MANY, _ACROSS, _UNEVEN = 12, 0.93, 0.12
+"""and were if two of these hold: there are fewer than `_MANY`; they usually extend over less than
+`_ACROSS` of the sheet; they deviate from even spacing by more than `_UNEVEN` of the spacing."""
+
+_MARGIN, _PEN = 4.0, 0.5
+"""Fewer lines across the printed ones are margins if they take less than `_PEN` of the light, and
+less than `_MARGIN` times what the printed ones take."""
+
+
+def without_ruling(ink: Layer, level: float) -> Layer:
+    """The ink (h, w) without printed lines, of which most is above `level`."""
+    marked = ink > level
+    seen = ink[marked]
+    darkest = float(np.quantile(seen, 1 - _TOP)) if len(seen) else 0.0
+    cleaned, tones = ink, [0.0, 0.0]
+    few: list[_Lines | None] = [None, None]
+    for upright in (False, True):
+        slope, lines = _straight(marked, upright)
+        if not len(lines):
+            continue
+        near = _near(marked, upright, slope, lines)
+        if len(lines) < _FEWEST:
+            few[upright] = near
+        elif not near.are_drawn(ink, darkest):
+            cleaned = np.where(near.printed(ink), 0, cleaned)
+            tones[upright] = float(np.median(near.darkness(ink)))
+    for margin, tone in zip(few, reversed(tones), strict=True):
+        if margin is not None and margin.are_margins(ink, tone):
+            cleaned = np.where(margin.printed(ink), 0, cleaned)
+    return np.asarray(cleaned, np.float32)
+
+
+def _straight(marked: Booleans, upright: bool) -> tuple[float, NDArray[np.intp]]:
+    """The slope of straight lines, and where they are in the middle of the sheet, pixels."""
+    thick = cv2.dilate(marked.astype(np.uint8), np.ones((3, 3), np.uint8))
+    across, along = np.nonzero(thick.T if upright else thick)
+    count, length = thick.shape[::-1] if upright else thick.shape
+    every = along % _EVERY == 0
+    places = along[every], across[every]
+    sums = [
+        float((_counts(*places, tilt, length, count).astype(float) ** 2).sum()) for tilt in _TILTS
+    ]
+    best = int(np.argmax(sums))
+    found = _counts(along, across, _TILTS[best], length, count)
+    highest = cv2.dilate(found.astype(np.float32)[:, None], np.ones((9, 1), np.uint8))[:, 0]
+    peaks = (found == highest) & (found > _COVERED * length)
+    steps = np.diff(peaks.astype(np.int8), prepend=0, append=0)
+    middles = (np.flatnonzero(steps > 0) + np.flatnonzero(steps < 0) - 1) // 2
+    return float(np.tan(_TILTS[best])), middles
+
+
+def _counts(
+    along: NDArray[np.intp], across: NDArray[np.intp], tilt: float, length: int, count: int
+) -> NDArray[np.intp]:
+    """How many places lines of a tilt (radians) go through, by where they are in the middle."""
+    return np.bincount(_shifted(along, across, np.tan(tilt), length, count), minlength=count)
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """Straight lines (n,) by where they are in the middle of the sheet; the `pixels` (m,) of a
+    picture (h, w) about them, the `line` of each and where it is `along` it; which are `marked`."""
+
+    lines: NDArray[np.intp]
+    length: int
+    shape: tuple[int, ...]
+    pixels: NDArray[np.intp]
+    line: NDArray[np.intp]
+    along: NDArray[np.intp]
+    marked: Booleans
+
+    def darkness(self, ink: Layer) -> Floats:
+        """Of the marked pixels of each line, above their usual one (n,)."""
+        seen, line = ink.ravel()[self.pixels], self.line
+        return np.array(
+            [np.quantile(seen[self.marked & (line == i)], 0.75) for i in range(len(self.lines))]
+        )
+
+    def are_drawn(self, ink: Layer, darkest: float) -> bool:
+        """Whether they are streets that somebody drew."""
+        if np.median(self.darkness(ink)) < _AS_DARK * darkest:
+            return False
+        across = self._across()
+        apart = np.diff(self.lines) / np.median(np.diff(self.lines))
+        uneven = float(np.abs(apart - np.maximum(1, np.round(apart))).max())
+        signs = (len(self.lines) < _MANY, across < _ACROSS, uneven > _UNEVEN)
+        return sum(signs) >= 2
+
+    def _across(self) -> float:
+        """The share of the sheet over which they usually extend."""
+        ends = [self.along[self.marked & (self.line == i)] for i in range(len(self.lines))]
+        return float(np.median([np.ptp(end) for end in ends])) / self.length
+
+    def are_margins(self, ink: Layer, tone: float) -> bool:
+        """Whether they are margins of a sheet with ruling of this darkness across them, 0 if it has
+        none."""
+        darkest = float(self.darkness(ink).max())
+        return darkest < min(_MARGIN * tone, _PEN) and self._across() >= _ACROSS
+
+    def printed(self, ink: Layer) -> Booleans:
+        """Where the lines are (h, w), and no darker ink upon them."""
+        tones = self.darkness(ink)  # of what is drawn along one of them, where that is darker
+        least = _DARKER * np.minimum(tones, np.median(tones))
+        result = np.zeros(self.shape, bool)
+        result.ravel()[self.pixels] = ink.ravel()[self.pixels] < least[self.line]
+        return result
+
+
+def _near(marked: Booleans, upright: bool, slope: float, lines: NDArray[np.intp]) -> _Lines:
+    """The lines with what is near them in a picture."""
+    rows, columns = np.ogrid[: marked.shape[0], : marked.shape[1]]
+    across, along = (columns, rows) if upright else (rows, columns)
+    count, length = marked.shape[::-1] if upright else marked.shape
+    which = np.full(count, -1, np.intp)
+    for index, line in enumerate(lines.tolist()):
+        which[max(0, line - int(_HALF)) : line + int(_HALF) + 1] = index
+    owner = which[_shifted(along, across, slope, length, count)].ravel()
+    pixels = np.flatnonzero(owner >= 0)
+    row, column = np.divmod(pixels, marked.shape[1])
+    return _Lines(
+        lines,
+        length,
+        marked.shape,
+        pixels,
+        owner[pixels],
+        row if upright else column,
+        marked.ravel()[pixels],
+    )
+
+
+def _shifted(
+    along: NDArray[np.intp], across: NDArray[np.intp], slope: float, length: int, count: int
+) -> NDArray[np.intp]:
+    """Where lines of a slope through these places cross the middle of the sheet, pixels."""
+    aside = np.round((length / 2 - np.arange(length)) * slope).astype(np.intp)
+    return np.asarray(np.clip(across + aside[along], 0, count - 1), np.intp)

@@ -1,0 +1,1 @@
+"""Roads of photos from above, by neural networks and by ribbons."""

@@ -1,0 +1,1 @@
+"""What kind of picture it is: a photo, a map, a drawing, a mask."""

@@ -1,0 +1,1 @@
+"""Areas in the plane: rectangles, rings, triangles, levels."""

@@ -1,0 +1,1 @@
+"""Curves by arc length, and what is made of single lines."""

@@ -1,0 +1,1 @@
+"""Cross-sections of roads: lanes, their borders and paint."""

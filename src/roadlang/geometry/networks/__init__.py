@@ -1,0 +1,1 @@
+"""Road networks: paths through them, cutting, clipping, correcting."""

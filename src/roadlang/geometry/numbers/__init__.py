@@ -1,0 +1,1 @@
+"""Arrays of numbers: rows in blocks, equations, derivatives, compiled loops."""

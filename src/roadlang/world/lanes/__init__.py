@@ -1,0 +1,1 @@
+"""The lanes that statements and files give a road."""

@@ -1,0 +1,1 @@
+"""Networks edge by edge in many candidates: junctions, control, how lanes lead on."""

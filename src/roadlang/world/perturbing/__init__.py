@@ -1,0 +1,1 @@
+"""Stations along roads, and the passes that move them."""

@@ -1,0 +1,1 @@
+"""Where agents and objects stand, and the routes of agents."""
