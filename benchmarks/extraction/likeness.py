@@ -28,7 +28,7 @@ from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.doubts import drawn_confidence
 from roadlang_standard.extraction.doubts.line_art import ends_at_rim
 from roadlang_standard.extraction.doubts.road_likeness import LIKENESS, likeness_facts
-from roadlang_standard.extraction.drawings import surface_roads as masks
+from roadlang_standard.extraction.drawings import surface_roads
 from roadlang_standard.extraction.networks.found_network import FoundNetwork
 
 _HARD, _EASY = 3.0, 0.5
@@ -129,7 +129,7 @@ def _networks() -> Iterator[list[tuple[FoundNetwork, bool]]]:
         seen.append((found, drawn))
         return judge(found, drawn, measured)
 
-    with patch.object(masks, "with_doubts", noted):
+    with patch.object(surface_roads, "with_doubts", noted):
         yield seen
 
 
