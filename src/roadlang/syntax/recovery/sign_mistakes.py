@@ -114,41 +114,30 @@ def power_of_python(place: ErrorPosition) -> Mistake | None:
     """`**`, which is written `^` here."""
     if place.kind() != "TIMES" or place.kind(-1) != "TIMES" or not place.glued(0):
         return None
-    span = place.span(-1, 0)
-    found = diagnose(
-        Code.UNEXPECTED_CHARACTER,
-        span,
-        what="**",
-        help="a power is written with `^`",
-        fixes=[Fix(span, "^")],
-    )
-    meant = ("POWER", "^", span.start, span.end)
-    return Mistake(found, Edit(place.index - 1, place.index + 1, (meant,)))
+    return _two_signs(place, -1, "**", ("POWER", "^"), "a power is written with `^`")
 
 
 def turned_comparison(place: ErrorPosition) -> Mistake | None:
     """`=<` for `<=`."""
     if place.kind() != "EQUAL" or place.word(1) != "<" or not place.glued(1):
         return None
-    span = place.span(0, 1)
-    found = diagnose(
-        Code.UNEXPECTED_CHARACTER, span, what="=<", help="write `<=`", fixes=[Fix(span, "<=")]
-    )
-    meant = ("COMPARISON", "<=", span.start, span.end)
-    return Mistake(found, Edit(place.index, place.index + 2, (meant,)))
+    return _two_signs(place, 0, "=<", ("COMPARISON", "<="), "write `<=`")
 
 
 def long_arrow(place: ErrorPosition) -> Mistake | None:
     """`p ==> q`, where `implies` is meant."""
     if place.word() != ">" or place.word(-1) != "==" or not place.glued(0):
         return None
-    span = place.span(-1, 0)
+    return _two_signs(place, -1, "==>", ("IMPLIES", "implies"), "write `implies`")
+
+
+def _two_signs(
+    place: ErrorPosition, first: int, written: str, meant: tuple[str, str], help: str
+) -> Mistake:
+    """Two tokens, the first of them `first` after the place, in place of one: its kind and text."""
+    span, (kind, text) = place.span(first, first + 1), meant
     found = diagnose(
-        Code.UNEXPECTED_CHARACTER,
-        span,
-        what="==>",
-        help="write `implies`",
-        fixes=[Fix(span, "implies")],
+        Code.UNEXPECTED_CHARACTER, span, what=written, help=help, fixes=[Fix(span, text)]
     )
-    meant = ("IMPLIES", "implies", span.start, span.end)
-    return Mistake(found, Edit(place.index - 1, place.index + 1, (meant,)))
+    start = place.index + first
+    return Mistake(found, Edit(start, start + 2, ((kind, text, span.start, span.end),)))
