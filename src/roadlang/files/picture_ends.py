@@ -1,6 +1,6 @@
-"""Whether the end of a picture file is there, as far as its first and last bytes tell.
+"""Whether the end of a picture file is there, told without decoding it.
 
-What is damaged between them is found when the picture is decoded.
+What is damaged before its end is found when the picture is decoded.
 """
 
 from __future__ import annotations
@@ -9,13 +9,14 @@ import re
 import struct
 from collections.abc import Callable
 
+from .jpeg_segments import START_OF_SCAN, jpeg_segments
 from .picture_formats import picture_format
 
 LAST = 65536
 """Bytes of the end of a file that are looked at first."""
 _SIGNATURE, _CHUNK, _LAST_CHUNK = 8, 12, 8
 """Bytes of PNG's signature, of a chunk beside its data, and of the last one from its name on."""
-_END_OF_JPEG, _START_OF_SCAN, _FILL = b"\xff\xd9", 0xDA, 0xFF
+_END_OF_JPEG = b"\xff\xd9"
 _GAP = rb"(?:[ \t\r\n]|#[^\n]*\n)+"
 PNM_HEADER = re.compile(rb"P[2356]" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)" + _GAP + rb"(\d+)\s")
 """of PGM and PPM files: width, height and the greatest value"""
@@ -40,7 +41,7 @@ def has_end(start: bytes, end: bytes, size: int, content: Callable[[], bytes]) -
             return size >= int(struct.unpack("<I", start[2:6])[0]) * 0.99
         if format == "WebP":
             return size >= int(struct.unpack("<I", start[4:8])[0]) + 8
-    except struct.error:
+    except (struct.error, ValueError):
         return False
     return format != "PNM" or _has_all_values(start, size)
 
@@ -65,10 +66,5 @@ def _png_ends(content: bytes) -> bool:
 
 def _jpeg_ends(content: bytes) -> bool:
     """By the marker after the first scan: a preview in front of it has one, too."""
-    at = 2
-    while at + 4 <= len(content) and content[at] == _FILL:
-        marker = content[at + 1]
-        if marker == _START_OF_SCAN:
-            return content.find(_END_OF_JPEG, at) >= 0
-        at += 1 if marker == _FILL else 2 + int.from_bytes(content[at + 2 : at + 4], "big")
-    return False
+    found = dict(jpeg_segments(content))
+    return START_OF_SCAN in found and content.find(_END_OF_JPEG, found[START_OF_SCAN]) >= 0

@@ -7,10 +7,13 @@ import struct
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ..files.jpeg_segments import jpeg_segments
 from ..files.picture_ends import PNM_HEADER
 from ..files.picture_formats import picture_format
 from .tiff import TiffTags
 
+_FRAMES = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}
+"""the markers of segments of JPEG that tell its size"""
 _CODESTREAM = b"\xff\x4f\xff\x51"
 """the first bytes of JPEG 2000's data"""
 _Size = tuple[int, int]
@@ -54,18 +57,13 @@ def _bmp(content: bytes) -> _Size:
 
 
 def _jpeg(content: bytes) -> _Size | None:
-    at = 2
-    while at + 9 < len(content):
-        if content[at] != 0xFF:
-            return None
-        marker = content[at + 1]
-        if marker == 0xFF:
-            at += 1
-        elif 0xC0 <= marker <= 0xCF and marker not in (0xC4, 0xC8, 0xCC):
-            height, width = struct.unpack(">HH", content[at + 5 : at + 9])
-            return width, height
-        else:
-            at += 2 + int(struct.unpack(">H", content[at + 2 : at + 4])[0])
+    try:
+        for marker, at in jpeg_segments(content):
+            if marker in _FRAMES and at + 9 <= len(content):
+                height, width = struct.unpack(">HH", content[at + 5 : at + 9])
+                return width, height
+    except ValueError:
+        return None
     # Cut off before its size is told: a picture all the same.
     return 8, 8
 

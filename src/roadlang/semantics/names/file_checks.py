@@ -51,7 +51,7 @@ def _files_in(folder: Path, span: Span, written: str) -> list[str] | Diagnostic:
 
 
 def file_fault(folder: Path, written: str, span: Span, *, picture: bool) -> Diagnostic | None:
-    """What is wrong with a file that the scene names, as far as its first and last bytes tell.
+    """What is wrong with a file that the scene names, as far as can be told without decoding it.
 
     A picture may be named with `*` and `?`, which stand for all its tiles.
     """

@@ -41,7 +41,8 @@ class OncePerPicture(Generic[_Measure]):
         key = (self, id(image), *values)
         seen = known.get(key)
         if seen is not None and seen[0]() is image:
-            return seen[1]  # type: ignore[no-any-return]
+            remembered: _Measure = seen[1]
+            return remembered
         found = self._measure(image, *values)
         known[key] = (weakref.ref(image, lambda _: known.pop(key, None)), found)
         return found
