@@ -183,7 +183,7 @@ def test_a_journal_cannot_name_files_elsewhere(name: str, tmp_path: Path) -> Non
 
 
 def test_another_file_in_the_place_of_the_marker_is_not_replaced(tmp_path: Path) -> None:
-    from roadlang.session.manifest import files_named_in
+    from roadlang.session.manifest_files import files_named_in
 
     for text in ('{"name": "my web page"}', "[]", '{"schema": "roadlang.scene/2", "files": []}'):
         (tmp_path / "manifest.json").write_text(text)

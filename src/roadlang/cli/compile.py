@@ -89,10 +89,12 @@ def _runs(
 ) -> tuple[list[Compilation], bool]:
     """What is to be compiled, and whether each set has a separate folder."""
     from ..session.loading import load
+    from ..session.result_folders import refuse_results_of_others
     from ..session.runs import run_folders, variants
     from .compilation import Compilation
 
     variant, is_list = variants(load(file), params)
+    refuse_results_of_others(target, "compile", is_list)
     outputs = None if emit is None else parse_outputs(emit)
     loaded = [each.with_params(overrides) for each in variant]
     if outputs is not None:

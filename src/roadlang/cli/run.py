@@ -132,10 +132,12 @@ class RunBatch:
         from ..drive.written_places import UNKNOWN
         from ..session.drive_outputs import named_backends
         from ..session.finished_drives import DriveFinishing
+        from ..session.result_folders import refuse_results_of_others
         from ..session.results_record import record_of_scene
         from ..session.scene import Scene
         from ..session.scene_files import read_scene_file
 
+        refuse_results_of_others(self._target, "run")
         text = read_scene_file(file)
         scene, digest = Scene.from_json(text, file), sha256(text.encode()).hexdigest()
         outputs, registry = self._outputs, scene.registry
@@ -154,15 +156,20 @@ class RunBatch:
     ) -> None:
         """Sample and drive scenes, for each map of params in a folder of its own."""
         from ..session.loading import load
-        from ..session.runs import variants
+        from ..session.result_folders import refuse_results_of_others
+        from ..session.run_files import remove_run
+        from ..session.runs import remove_later_runs, variants
 
         each, is_list = variants(load(file), params)
         if self._outputs is not None:
             each = [variant.with_outputs(self._outputs) for variant in each]
         each = [variant.with_params(overrides) for variant in each]
         _check_all(each)
+        refuse_results_of_others(self._target, "run", is_list)
         for number, loaded in enumerate(each):
             self._add(loaded, {"run": run_name(number)} if is_list else {}, count, seed)
+        if is_list and not self._resume:
+            remove_later_runs(self._target, len(each), remove_run)
 
     def _add(
         self, loaded: LoadedScenario, run: dict[str, str], count: int | None, seed: int
@@ -210,15 +217,12 @@ class RunBatch:
         stands for all that the drives depend on, and the text of `provenance.json`."""
         from ..session.drives_in_parts import drive_in_parts
         from ..session.run_files import RunFolder
-        from ..session.search_folders import refuse_folder_of_search
         from .drive_lines import print_drive
         from .progress import ProgressBar
 
         outputs = [] if self._outputs is None else self._outputs
         key = _digest([origin[0], *outputs], finishing.task)
         target = self._folder(run)
-        if not self._resume:
-            refuse_folder_of_search(target)
         folder = RunFolder(target, key, origin[1], self._resume)
         report(folder.diagnostics)
         open_ = [scene for scene in scenes if scene.index not in folder.finished]

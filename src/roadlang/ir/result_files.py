@@ -14,6 +14,10 @@ SCENARIO = ".rl"
 """What the name of a scene file ends in: of scenarios, from which scenes are sampled."""
 SHRUNK, SHRUNK_FIGURE, EXPLANATION = ".shrunk.json", ".shrunk.svg", ".explanation.json"
 """What `roadlang shrink` and `roadlang explain` find, in place of the `.json` of the failure."""
+REPORT = "report.html"
+"""The page that `roadlang report` makes in a folder of results."""
+REPORT_GENERATOR = "roadlang report"
+"""What such a page says that it was made by."""
 _RUN = "run-"
 
 

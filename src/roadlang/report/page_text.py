@@ -9,6 +9,7 @@ from string import Template
 from typing import Any
 
 from ..drive.robustness_colors import COLOR_STEPS, robustness_color
+from ..ir.result_files import REPORT_GENERATOR
 from ..plugins.registry import Registry
 from .drive_records import DriveView, drive_record, samples_per_drive, view
 from .elements import text
@@ -46,6 +47,7 @@ def page_text(results: Results, registry: Registry) -> str:
         "version": text(record.roadlang),
         "style": _file("page.css"),
         "script": "\n".join(map(_file, _SCRIPTS)),
+        "generator": REPORT_GENERATOR,
         "data": embedded(_data(results, views)),
     }
     return Template(_file("page.html")).substitute(parts)

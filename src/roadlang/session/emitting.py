@@ -19,7 +19,9 @@ from ..scenes.emitting import (
     outputs_of_scene,
     send,
 )
-from .manifest import files_named_in, manifest_of
+from .manifest import manifest_of
+from .manifest_files import files_named_in
+from .result_folders import refuse_results_of_others
 
 if TYPE_CHECKING:
     from ..ir.manifest import Manifest
@@ -61,10 +63,13 @@ def emit(
 
 
 class SetWriting:
-    """The files of a scenario, written one after the other; they are in the folder at the end."""
+    """The files of a scenario, written one after the other; they are in the folder at the end.
+
+    Raises `DiagnosticError` RL460 for a folder with results of another command."""
 
     def __init__(self, loaded: LoadedScenario, folder: Path) -> None:
         scenario, registry = loaded.scenario, loaded.registry
+        refuse_results_of_others(folder, "compile")
         calls = scenario.emits or _default_emits(registry)
         self.backends = backends_of(scenario, registry, calls)
         self._loaded = loaded

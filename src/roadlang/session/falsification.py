@@ -16,7 +16,7 @@ from ..falsification.axes import axes_of
 from ..falsification.deadline import deadline
 from ..falsification.evaluator import Evaluator, Proposal, Task
 from ..falsification.grading import Grading
-from ..falsification.journal import Journal, NoJournal, SearchJournal
+from ..falsification.journal import Journal, NoJournal
 from ..falsification.outcome import Outcome
 from ..falsification.outcome_rows import places_of, row_of
 from ..falsification.plan import Plan
@@ -25,12 +25,12 @@ from ..falsification.search_loop import SearchResult, search_failures
 from ..falsification.settings import plan_of
 from ..falsification.shrinking import Influence, influences, shrunk
 from ..falsification.statistics import Coverage, FailureRate, best_so_far, coverage, failure_rate
-from ..files.journal import JOURNAL_FILE
 from ..judging.impossible import impossible_requirements
 from ..search.rejection_report import RejectionRow, rows_of_outcomes
 from ..search.worker_pool import WorkerPool, Workers
 from ..simulation.vehicles import compiled
 from ..world.index import index_scenario
+from .result_folders import journal_of_search
 from .scene import Scene
 from .tables import columns_of, frame_of
 
@@ -292,7 +292,7 @@ def falsified(
         refuse_impossible(loaded, seed)
     journal: Journal = NoJournal()
     if folder is not None:
-        journal = SearchJournal(folder / JOURNAL_FILE, search_key(task, plan), resume)
+        journal = journal_of_search(folder, search_key(task, plan), resume)
     compiled.expect(plan.evaluations / plan.batch)
     with journal.removed_if_nothing_is_finished(), WorkerPool(evaluator, workers) as pool:
         expired = deadline(plan.seconds)

@@ -38,6 +38,7 @@ from ..ir.result_files import (
 )
 from ..ir.results_record import RESULTS_FILE
 from ..version import __version__
+from .result_folders import refuse_results_of_others, remove_report
 from .results_record import record_of_search
 from .tables import columns_of, to_csv
 
@@ -60,6 +61,8 @@ def write_falsification(search: Falsification, folder: Path, figures: int | None
     if figures is not None:
         drawn = arguments.whole_number("figures", figures, least=0)
     folder = folder.absolute()
+    refuse_results_of_others(folder, "falsify")
+    remove_report(folder)
     _write_failures(search, folder / FAILURES, drawn)
     _write_safe(search, folder / SAFE)
     failing = [outcome for outcome in search.driven if outcome.is_failure]

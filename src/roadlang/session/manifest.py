@@ -1,18 +1,16 @@
-"""The manifest of a compilation: made, and read again for the files that it names."""
+"""The manifest of a compilation."""
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..diagnostics import Code, DiagnosticError, diagnose
 from ..evaluate.kind_instance import KindInstance
 from ..files.reading import UnreadableFile, read_file
-from ..ir.manifest import MANIFEST_SCHEMA, Manifest, OutputFile, RequirementRecord
+from ..ir.manifest import Manifest, OutputFile, RequirementRecord
 from ..ir.recorded_names import recorded_name
 from ..ir.scenario import Scenario
 from ..version import __version__
@@ -72,25 +70,3 @@ def scene_file_digests(scenario: Scenario) -> dict[str, str]:
             with contextlib.suppress(UnreadableFile):
                 digests[recorded_name(source.path)] = hashlib.sha256(read_file(path)).hexdigest()
     return digests
-
-
-def files_named_in(path: Path) -> list[str]:
-    """The files that an earlier manifest names. Raises `DiagnosticError` RL460 for another file
-    of this name: what roadlang has not written, it does not replace."""
-    try:
-        record = json.loads(read_file(path))
-        schema = str(record["schema"])
-        if not schema.startswith(MANIFEST_SCHEMA.rpartition("/")[0]):
-            raise ValueError(schema)
-        return [str(file["path"]) for file in record["files"]]
-    except (UnreadableFile, ValueError, KeyError, TypeError, RecursionError):
-        reason = "it already exists and was not written by roadlang"
-        raise DiagnosticError(
-            diagnose(
-                Code.OUTPUT_NOT_WRITTEN,
-                path=str(path),
-                file=str(path),
-                reason=reason,
-                help="move it away, or write into another folder with `-o`",
-            )
-        ) from None

@@ -6,11 +6,10 @@ from pathlib import Path
 
 from ..diagnostics import arguments
 from ..files.writing import write_file
+from ..ir.result_files import REPORT
 from ..plugins.registry import Registry
 from ..report.report import report
 from .scene import installed
-
-REPORT = "report.html"
 
 
 def write_report(

@@ -10,18 +10,17 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..diagnostics import Diagnostic, DiagnosticError
+from ..diagnostics import Diagnostic
 from ..files.journal import JOURNAL_FILE, UNUSABLE, JournalFile, read_lines
 from ..files.staging import staging_folder
 from ..files.transaction import is_plain
-from ..files.writing import write_all, write_file
-from ..ir.manifest import MANIFEST_FILE
+from ..files.writing import reported, write_all, write_file
 from ..ir.results_record import RESULTS_FILE
 from ..ir.scene import file_stem
 from ..scenes.emitted import Stager, held
 from .falsification_files import FINDINGS
 from .finished_drives import ENDINGS, FinishedDrive
-from .manifest import files_named_in
+from .result_folders import remove_report
 
 if TYPE_CHECKING:
     from ..search.worker_pool import Workers
@@ -44,10 +43,11 @@ class RunFolder:
         resume: bool,
     ) -> None:
         self._folder = folder
-        earlier = [] if resume else _files_of_earlier_run(folder)
+        earlier = [] if resume else _files_of_drives(folder)
         self._journal = JournalFile(folder / JOURNAL_FILE, key, resume, _entry)
         for path in earlier:
             path.unlink(missing_ok=True)
+        remove_report(folder)
         write_file(folder / RESULTS_FILE, provenance)
         self._findings = {name for name in os.listdir(folder) if name.endswith(FINDINGS)}
         """of earlier drives: nobody else writes here while the journal is locked"""
@@ -104,9 +104,19 @@ class RunFolder:
         return all((self._folder / path).is_file() for path in paths)
 
 
-def _files_of_earlier_run(folder: Path) -> list[Path]:
-    """The files of the scenes that the journal in a folder names, but for those that `compile` has
-    written there."""
+def remove_run(folder: Path) -> None:
+    """Remove what a run wrote into a folder, and the folder where nothing else is in it."""
+    found = [*_files_of_drives(folder), folder / RESULTS_FILE, folder / JOURNAL_FILE]
+    with reported(folder):
+        for path in found:
+            path.unlink(missing_ok=True)
+    remove_report(folder)
+    with contextlib.suppress(OSError):
+        folder.rmdir()
+
+
+def _files_of_drives(folder: Path) -> list[Path]:
+    """The files of the scenes that the journal in a folder names."""
     found: list[str] = []
     with contextlib.suppress(OSError, *UNUSABLE):
         for _, line in read_lines(folder / JOURNAL_FILE):
@@ -114,10 +124,7 @@ def _files_of_earlier_run(folder: Path) -> list[Path]:
             stem = file_stem(entry["row"]["scene"])
             found += [stem + ending for ending in (*ENDINGS, *FINDINGS)]
             found += map(str, entry.get("files", ()))
-    kept: set[str] = set()
-    with contextlib.suppress(DiagnosticError):
-        kept.update(files_named_in(folder / MANIFEST_FILE))
-    return [folder / name for name in found if is_plain(name) and name not in kept]
+    return [folder / name for name in found if is_plain(name)]
 
 
 def _entry(line: bytes) -> Mapping[str, Any]:
