@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import csv
+import json
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from roadlang.cli.main import run
@@ -83,3 +86,34 @@ expect slow: always (late.speed < 3m/s)"""
     assert re.match(rf"scene 0: violated slow -\S+, {both} \(5", told)
     told, *_ = lines_of(tmp_path, capsys, "expect slow: always (rear.speed < 5m/s)", 2)
     assert re.match(r"scene 0: violated slow -7 at 0\.0 s, s = 40 m \(5", told)
+
+
+BENT = """
+road main { draw with waypoints { points: [(0m, 0m), (60m, 0m), (90m, 25m), (90m, 80m)] }, width: 7m }
+road bent from main { perturb with sine { amplitude: 1m..3m, wavelength: 40m..90m } }
+agent ego is car on bent at 5m { drive with pure_pursuit { speed: 6m/s } }
+expect flat: always (abs(curvature(bent)) < 0.03/m)
+simulate with builtin { duration: 1s }
+"""  # noqa: E501
+
+
+def test_an_expectation_over_a_road_is_placed_on_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "bent.rl"
+    path.write_text(BENT)
+    assert run(["run", str(path), "-n", "3", "-o", str(tmp_path / "out")]) == 4
+    *lines, last = capsys.readouterr().out.splitlines()
+    with (tmp_path / "out" / "results.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    for line, row in zip(lines, rows, strict=True):
+        number = int(row["scene"])
+        scene = json.loads((tmp_path / "out" / f"scene-{number:04d}.json").read_text())
+        road = next(road for road in scene["roads"] if road["name"] == "bent")
+        at = int(np.argmax(np.abs(road["curvature"])))
+        assert float(row["worst station"]) == pytest.approx(road["reference_stations"][at], abs=1)
+        place = float(row["worst x"]), float(row["worst y"])
+        assert place == pytest.approx((road["x"][at], road["y"][at]), abs=1)
+        assert (row["worst"], row["worst road"]) == ("flat", "bent")
+        assert f" on bent, s = {float(row['worst station']):.0f} m (1.0 s driven)" in line
+    assert " on bent, s = " in last

@@ -67,7 +67,8 @@ def summary(rows: Sequence[Mapping[str, Any]], satisfied: Sequence[bool], contac
         return f"{text}; "
     run = f"{worst['run']}, " if "run" in worst else ""
     name = worst["worst"] if rho is None else f"{worst['worst']} {rho:.3g}"
-    place = _place(worst.get("worst time"), worst.get("worst station"))
+    at = (worst.get(f"worst {name}") for name in ("time", "station", "road"))
+    place = _place(*at)
     return f"{text}; worst: {run}scene {worst['scene']}, {name}{place}; "
 
 
@@ -86,18 +87,18 @@ def _outcome(drive: DriveLine) -> str:
     if not says_how_near(worst.satisfied, worst.robustness):
         return _word(worst.satisfied)
     rho = "" if worst.robustness is None else f" {worst.robustness:.3g}"
-    place = _place(drive.worst_time, drive.worst_station)
+    place = _place(drive.worst_time, drive.worst_station, drive.worst_road)
     if drive.worst_time is not None and drive.first_time is not None:
         place = f", first at {drive.first_time:.1f} s, worst{place}"
     between = ", worst: " if worst.satisfied else " "
     return f"{_word(worst.satisfied)}{between}{worst.name}{rho}{place}"
 
 
-def _place(time: float | None, station: float | None) -> str:
-    if time is None:
-        return ""
+def _place(time: float | None, station: float | None, road: str | None) -> str:
     along = "" if station is None or math.isnan(station) else f", s = {station:.0f} m"
-    return f" at {time:.1f} s{along}"
+    if road:
+        return f" on {road}{along}"
+    return "" if time is None else f" at {time:.1f} s{along}"
 
 
 def _word(satisfied: bool | None, width: int = 0) -> str:

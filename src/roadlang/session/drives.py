@@ -9,6 +9,8 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
+import numpy as np
+
 from ..diagnostics import arguments
 from ..drive.figure import drive_figure
 from ..drive.simulators import Driven, drive_scenes
@@ -29,7 +31,7 @@ if TYPE_CHECKING:
     from ..diagnostics import Diagnostic
     from ..geometry.arrays import Floats
     from ..ir.readings import SensorRecord
-    from ..ir.scene import Verdict
+    from ..ir.scene import RoadPlace, Verdict
     from ..ir.trace import Trace
     from ..plugins.registry import Registry
     from .scene import Scene
@@ -240,8 +242,9 @@ class DriveSet(Sequence[Drive]):
     def rows(self) -> list[dict[str, Any]]:
         """Of each drive: `scene`, params and draws, then for each expectation its robustness and,
         as `NAME satisfied`, how it came out; `verdict` of all; which is the worst, and when and
-        where (`worst`, `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`); where
-        a controller failed during the drive, `controller failure time`, `... agent`, `... reason`.
+        where (`worst`, `worst time`, `worst agent`, `worst x`, `worst y`, `worst station`; `worst
+        road` in place of time and agent where it is about roads alone); where a controller failed
+        during the drive, `controller failure time`, `... agent`, `... reason`.
         """
         rows = []
         for drive in self:
@@ -267,11 +270,24 @@ class DriveSet(Sequence[Drive]):
 def _worst_columns(drive: Drive) -> dict[str, Any]:
     worst, moment = drive.worst, drive.worst_moment
     columns: dict[str, Any] = {"worst": None if worst is None else worst.name}
-    shows = worst is not None and says_how_near(worst.satisfied, worst.robustness)
-    if shows and moment is not None and moment.actors:
+    if worst is None or not says_how_near(worst.satisfied, worst.robustness):
+        return columns
+    if worst.tightest is not None:
+        columns |= {f"worst {name}": found for name, found in _on_road(drive, worst.tightest)}
+    elif moment is not None and moment.actors:
         agent, at = moment.actors[0], moment.sample
         columns |= {"worst time": float(drive.trace.time[at]), "worst agent": agent.name}
         for name in ("x", "y", "station"):
             value = float(getattr(agent, name)[at])
             columns[f"worst {name}"] = value if math.isfinite(value) else None
     return columns
+
+
+def _on_road(drive: Drive, place: RoadPlace) -> Iterator[tuple[str, Any]]:
+    """Which road, where it is there, and the station: that of the requirements."""
+    yield "road", place.road
+    roads = drive.scene.record.roads
+    for road in [road for road in roads if road.name == place.road][:1]:
+        for name, values in (("x", road.x), ("y", road.y)):
+            yield name, float(np.interp(place.station, road.reference_stations, values))
+    yield "station", place.station

@@ -57,6 +57,8 @@ class DriveLine:
     worst_time: float | None
     """seconds; None where no moment decides the worst expectation"""
     worst_station: float | None
+    worst_road: str
+    """where that is decided on a road, whatever drives; else empty"""
     first_time: float | None
     """when the worst expectation first went wrong, where that is another moment"""
     contacts: tuple[FirstContact, ...]
@@ -161,7 +163,10 @@ def line_of(drive: Drive) -> DriveLine:
     """What is told of a drive."""
     worst, moment, first = drive.worst, drive.worst_moment, drive.first_violation
     times, time, station = drive.trace.time, None, None
-    if moment is not None and moment.actors:
+    tightest = None if worst is None else worst.tightest
+    if tightest is not None:
+        station = tightest.station
+    elif moment is not None and moment.actors:
         time = float(times[moment.sample])
         station = float(moment.actors[0].station[moment.sample])
     is_other = first is not None and moment is not None and first.sample != moment.sample
@@ -173,6 +178,7 @@ def line_of(drive: Drive) -> DriveLine:
         None if worst is None else outcome_of(worst),
         time,
         station,
+        "" if tightest is None else tightest.road,
         float(times[first.sample]) if is_other and first is not None else None,
         _contacts(drive) if drive.has_unjudged_contacts else (),
         drive.trace.controller_failures,
