@@ -135,3 +135,6 @@ def test_check_finds_a_picture_whose_end_is_missing(
     assert told.count("error[") == 1
     assert "error[RL403]: `cut.jpg` is truncated" in told
     assert "a.rl:1:18" in told
+    assert "help: copy or download it again" in told
+    assert run(["extract", str(tmp_path / "cut.jpg"), "-o", str(tmp_path / "a.json")]) == 1
+    assert "help: copy or download it again" in capsys.readouterr().err

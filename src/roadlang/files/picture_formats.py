@@ -6,6 +6,9 @@ NEEDED = 512
 """Bytes of the start of a file that are looked at."""
 READABLE = "PNG, JPEG, TIFF, BMP, PNM, WebP and JPEG 2000 can be read"
 
+WHOLE_AGAIN = "copy or download it again, or open it in another program and save what there is"
+"""What to do where the end of a picture is missing."""
+
 _READ = {
     "PNG": (b"\x89PNG\r\n\x1a\n",),
     "JPEG": (b"\xff\xd8\xff",),

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..diagnostics import Code, Diagnostic, DiagnosticError, Span, diagnose
 from ..files.matching import files_matching
 from ..files.picture_ends import LAST, has_end
-from ..files.picture_formats import READABLE, other_content
+from ..files.picture_formats import READABLE, WHOLE_AGAIN, other_content
 from ..files.reading import LARGEST_INPUT, UnreadableFile, read_file
 from .codec_output import codec_output
 from .image_header import ImageHeader, read_header
@@ -110,7 +110,7 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
         raise _refusal(Code.NOT_AN_IMAGE, span, written, help=(other_content(content), READABLE))
     _check_size(header, written, span)
     if not has_end(content, content[-LAST:], len(content), lambda: content):
-        raise _refusal(Code.TRUNCATED_IMAGE, span, written)
+        raise _refusal(Code.TRUNCATED_IMAGE, span, written, help=(WHOLE_AGAIN,))
     bands = TiffBands.of(content) if header.format == "TIFF" else TiffBands()
     pixels, damage = (None, None) if bands.is_misread else _decoded(content, header)
     if pixels is None or pixels.size == 0:

@@ -8,7 +8,7 @@ from pathlib import Path
 from ...diagnostics import Code, Diagnostic, Fix, Span, diagnose, did_you_mean
 from ...files.matching import files_matching
 from ...files.picture_ends import LAST, has_end
-from ...files.picture_formats import NEEDED, READABLE, other_content, picture_format
+from ...files.picture_formats import NEEDED, READABLE, WHOLE_AGAIN, other_content, picture_format
 from ...files.reading import UnreadableFile, read_ends, read_file
 
 _MOST_SHOWN = 4
@@ -95,5 +95,5 @@ def _first_fault(target: Path, written: str, span: Span, picture: bool) -> Diagn
         shown = tuple(filter(None, help_))
         return diagnose(Code.UNUSABLE_FILE, span, file=written, reason=reason, help=shown)
     if is_cut:
-        return diagnose(Code.TRUNCATED_IMAGE, span, file=written)
+        return diagnose(Code.TRUNCATED_IMAGE, span, file=written, help=WHOLE_AGAIN)
     return None
