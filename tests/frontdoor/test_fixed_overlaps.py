@@ -8,6 +8,7 @@ import roadlang
 from roadlang import testing
 
 ROAD = "road main { draw with waypoints { points: [(0m, 0m), (80m, 0m), (160m, 0m)] }, lanes: 2 }\n"
+WIDE = "road main { draw with segments { pieces: [straight(100m)] }, lanes: 4 }\n"
 
 
 def overlaps(first: str, second: str, *, road: str = ROAD) -> list[str]:
@@ -128,3 +129,30 @@ def test_copies_in_one_place_are_told_the_spacing_that_they_need(
     assert found.help == (f"{row}, or anywhere with `at random`",)
     spaced = text.replace("count: 2", f"count: 2, spacing: {spacing}")
     assert len(testing.sample(spaced)[0].agents) == 2
+
+
+@pytest.mark.parametrize(
+    ("group", "is_found"),
+    [
+        ("at 50m { count: 2 }", True),
+        ("at 50m { count: integer(1, 3) }", True),
+        ("at 50m { count: integer(0, 2), lane: -1 }", True),
+        ("at 50m { count: integer(0, 1) }", False),
+        ("at 50m { count: 2, overlap: true }", False),
+        ("at 30m { count: integer(1, 3), spacing: 8m }", False),
+        ("at 10m..90m { count: integer(1, 3) }", False),
+        ("at 50m { count: integer(1, 2), lane: choice(-1, -2) }", False),
+        ("at 50m { count: integer(1, 2), facing: choice(forward, back) }", False),
+    ],
+)
+def test_copies_in_one_place_are_found_before_only_single_ones_are_left(
+    group: str, is_found: bool
+) -> None:
+    """A drawn count would lose all its values above 1, and no requirement says so."""
+    text = f"{WIDE}agent crowd is car on main {group}\n"
+    found = [each for each in roadlang.loads(text).check() if each.code == "RL616"]
+    assert [each.help[-1] for each in found] == is_found * [
+        "put its copies in a row with `spacing: 5m`, or anywhere with `at random`"
+    ]
+    if not is_found:
+        assert len(roadlang.loads(text).sample(4)) == 4

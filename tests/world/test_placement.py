@@ -227,7 +227,7 @@ def test_a_lane_that_is_not_there_is_refused(sample: Sample) -> None:
 def test_the_least_spacing_is_that_of_the_longest_copies_of_all_candidates() -> None:
     text = STRAIGHT + (
         "agent row is car on main at 20m { count: 2, length: 3m..9m, lane: -1 }\n"
-        "agent kept is car on main at 200m { count: 2, length: 4m, apart: 3m, lane: -1 }\n"
+        "agent kept is car on main at 190m..200m { count: 2, length: 4m, apart: 3m, lane: -1 }\n"
     )
     scenario = index_scenario(roadlang.loads(text).scenario, load_registry())
     candidates = CandidateBatch(scenario, 0, np.zeros(20, np.int64), np.arange(20))

@@ -3,7 +3,6 @@ perturbation is too short for the stations."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from functools import partial
 
@@ -29,7 +28,7 @@ from ..world.placement.placement import (
 from ..world.placement.placement_causes import beyond_road, cause_of_place, lane_fault
 from ..world.placement.placement_order import draws_of
 from ..world.placement.route_faults import route_fault
-from ..world.placement_faults import beyond_the_end
+from ..world.placement_faults import beyond_the_end, row_or_anywhere
 from ..world.roads.roads import road_batch, road_root
 from .influences import influences_on_place, influences_on_start, is_geometry_random
 from .requirement import Requirement
@@ -129,8 +128,7 @@ def _places_apart(actor: ScenarioActor, candidates: CandidateBatch, more: str = 
     between scenes."""
     if actor.on is None:
         return "give each copy a place of its own: `at (10m..40m, 20m)` draws one for each"
-    row = f"`spacing: {math.ceil(least_spacing(actor, candidates))}m`{more}"
-    return f"put its copies in a row with {row}, or anywhere with `at random`"
+    return row_or_anywhere(least_spacing(actor, candidates), more)
 
 
 def _runs_back(actor: ScenarioActor, scenario: IndexedScenario) -> bool:

@@ -17,8 +17,8 @@ from ..diagnostics import Code, Diagnostic, DiagnosticError, diagnose
 from ..evaluate.indexed_scenario import IndexedScenario
 from ..ir.category import PEDESTRIAN
 from ..ir.scenario import ScenarioActor
-from ..ir.values import Flag, PassCall
-from ..world.placement_faults import DEFAULT_APART
+from ..ir.values import Flag, PassCall, RandomValue
+from ..world.placement_faults import DEFAULT_APART, row_or_anywhere
 from .constant_kinds import constant_kind
 
 _LONGEST_LANE = 4.0
@@ -38,12 +38,17 @@ class _OccupiedRange:
 
 
 def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
-    """RL616 for each agent or object that stands in the one before it in its lane."""
+    """RL616 for each agent or object that stands in the one before it in its lane, and for copies
+    that all stand in one place."""
     lanes: dict[tuple[object, ...], list[_OccupiedRange]] = {}
     for actor in scenario.actors.values():
         standing = _standing(actor, scenario)
-        if standing is not None:
+        if standing is None:
+            continue
+        if "count" not in actor.options:
             lanes.setdefault(_lane(actor, scenario), []).append(standing)
+        else:
+            yield from _copies_in_one_place(standing, scenario)
     for group in lanes.values():
         ordered = sorted(group, key=lambda item: item.at)
         for first, second in pairwise(ordered):
@@ -54,6 +59,21 @@ def fixed_overlaps(scenario: IndexedScenario) -> Iterator[Diagnostic]:
             if missing > 0.0:
                 gap = apart - missing
                 yield _fault(first, second, group, gap if gap > 0.0 else min(room, gap))
+
+
+def _copies_in_one_place(item: _OccupiedRange, scenario: IndexedScenario) -> Iterator[Diagnostic]:
+    """RL616 for a group of several copies, or of a drawn number that may be more than one: of its
+    scenes those alone would be left that have a single copy."""
+    options = item.actor.options
+    count, lane, facing = (options.get(name) for name in ("count", "lane", "facing"))
+    if isinstance(facing, RandomValue) or (lane is not None and _constant(lane, scenario) is None):
+        return  # each copy may have another
+    low, high = scenario.value_bounds.of(count)
+    if low > 1 or (high > 1 and isinstance(count, RandomValue)):
+        apart = DEFAULT_APART if item.apart is None else item.apart
+        drawn = () if low > 1 else ("with the `count` that is drawn, only one copy fits",)
+        name, help_ = item.actor.name, (*drawn, row_or_anywhere(2.0 * item.half + apart))
+        yield diagnose(Code.NO_ROOM, item.actor.span, name=name, other=name, help=help_)
 
 
 def _missing(first: _OccupiedRange, second: _OccupiedRange, scenario: IndexedScenario) -> float:
@@ -86,7 +106,7 @@ def _fault(
 def _standing(actor: ScenarioActor, scenario: IndexedScenario) -> _OccupiedRange | None:
     """Where it stands, if that is the same in every scene."""
     options = actor.options
-    free = {"count", "offset", "side", "heading", "spacing"} & options.keys()
+    free = {"offset", "side", "heading", "spacing"} & options.keys()
     if (
         actor.on not in scenario.roads
         or actor.at_fraction

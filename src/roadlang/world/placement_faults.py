@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ..diagnostics import Code, Diagnostic, Span, diagnose
 from ..ir.scenario import ScenarioActor, ScenarioImage
 
@@ -27,6 +29,13 @@ def unknown_lane(
     place = span or actor.span_of("lane" if "lane" in actor.options else "at")
     help_ = f"its lanes are {', '.join(map(str, known))}"
     return diagnose(Code.UNKNOWN_LANE, place, road=actor.on, lane=lane, help=help_)
+
+
+def row_or_anywhere(spacing: float, more: str = "") -> str:
+    """What to do with copies on a road that all stand in one place. `spacing`: meters that they
+    need in a row; `more`: of those that differ in length between scenes."""
+    row = f"`spacing: {math.ceil(spacing)}m`{more}"
+    return f"put its copies in a row with {row}, or anywhere with `at random`"
 
 
 def beyond_the_end(name: str, meters: float, road: str) -> str:
