@@ -51,3 +51,14 @@ def test_spots_are_broad_paler_than_ink_and_away_from_it() -> None:
         ink[70:80, x : x + 10] = 0.3
     assert pale_spots(ink, 0.1, 0.01) == 3
     assert pale_spots(ink, 0.1, 0.2) == 0
+
+
+def test_broad_printed_lines_and_shadows_are_no_spots() -> None:
+    """In a photo of many pixels printed lines are broad, and a pen cuts each in two."""
+    ink = np.zeros((1200, 1000), np.float32)
+    for y in range(20, 1200, 40):
+        ink[y : y + 7] = 0.2
+    cv2.line(ink, (500, 0), (560, 1199), 0.8, 5)
+    assert pale_spots(ink, 0.1, 0.01) == 0
+    cv2.line(ink, (0, 600), (300, 480), 0.1, 60)
+    assert pale_spots(ink, 0.05, 0.01) <= 1

@@ -1,11 +1,17 @@
-"""Spots on a sheet that are paler than its ink: a pen draws few, trees and houses in snow many."""
+"""Spots on a sheet that are paler than its ink: a pen draws few, trees and houses in snow many.
+
+The printed lines of squared paper and the shadow of a hand are pale as well, but not many spots.
+"""
 
 from __future__ import annotations
 
 import cv2
 import numpy as np
 
+from roadlang.geometry import Booleans
+
 from ..colors.tones import Layer
+from ..masks.mask_parts import opened_by_square, parts_and_boxes
 
 _TOP, _DARK, _BESIDE = 0.02, 0.6, 3
 """The darkest ink is the `_TOP` quantile. What is darker than `_DARK` of it was drawn, and ink
@@ -13,7 +19,9 @@ fades within `_BESIDE` pixels of that."""
 _NOISE, _FAINTEST = 3.0, 0.05
 """A spot absorbs at least `_NOISE` times the noise, and at least `_FAINTEST` of the light."""
 _BROAD = 5
-"""Least width of a spot in pixels: lines of ruled paper are thinner."""
+"""Least width of a spot in pixels: lines of ruled paper are thinner, but in large photos."""
+_LONG = 4.0
+"""What is pale and at least `_LONG` times as long as it is wide is a line or a shadow, no spot."""
 _LEAST = 0.003
 """Least share of the picture that spots cover."""
 
@@ -26,8 +34,17 @@ def pale_spots(ink: Layer, least: float, noise: float) -> int:
     drawn = (ink > _DARK * float(np.quantile(seen, 1 - _TOP))).astype(np.uint8)
     beside = cv2.dilate(drawn, np.ones((2 * _BESIDE + 1,) * 2, np.uint8)) > 0
     pale = (ink > max(_NOISE * noise, _FAINTEST)) & ~beside
-    broad = cv2.morphologyEx(pale.view(np.uint8), cv2.MORPH_OPEN, np.ones((_BROAD,) * 2, np.uint8))
-    if broad.mean() < _LEAST:
-        return 0
-    count, _ = cv2.connectedComponents(broad)
-    return int(count) - 1
+    broad = opened_by_square(pale, _BROAD)
+    return _spots(pale, broad) if broad.mean() >= _LEAST else 0
+
+
+def _spots(pale: Booleans, broad: Booleans) -> int:
+    """How many connected parts of what is pale (h, w) are not long, of those that are broad
+    somewhere. Whatever hangs together counts once, or the squares between printed lines would
+    count one by one."""
+    count, parts, boxes = parts_and_boxes(pale)
+    deep = np.zeros(count, np.float32)
+    inner = cv2.distanceTransform(pale.view(np.uint8), cv2.DIST_L2, 3)
+    np.maximum.at(deep, parts[broad], inner[broad])
+    extent = boxes[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+    return int(np.count_nonzero((deep > 0) & (extent < _LONG * 2 * deep)))

@@ -56,7 +56,7 @@ _MOST_INK = 0.2
 _TOP, _STRONG, _WEAK = 0.02, 0.7, 0.45
 """The darkest strokes are the `_TOP` quantile. Ink is at least `_STRONG` as dark, and continues
 down to `_WEAK`: ruled lines are lighter."""
-_SNOW, _FEW_SPOTS, _DOUBTED = 40, 12, 0.5
+_SNOW, _FEW_SPOTS, _DOUBTED = 20, 12, 0.5
 """More than `_SNOW` pale spots are trees and houses in snow; so are more than `_FEW_SPOTS` if the
 roads have a confidence below `_DOUBTED`."""
 _SHORTEST, _LITTLE = 0.12, 0.3
