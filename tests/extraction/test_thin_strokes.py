@@ -67,3 +67,30 @@ def test_an_arrow_that_touches_a_road_is_left_out_and_a_thin_road_that_leaves_it
     drive = _street()
     drive[96:150, 100:105] = _WHITE
     assert len(_found(drive).roads) == 3
+
+
+def test_letters_go_also_where_their_thinnest_strokes_are_taken_for_arrows() -> None:
+    """Of a letter that loses such a stroke the rest is one line, made anew."""
+    image = np.zeros((500, 700), np.float32)
+    cv2.ellipse(image, (350, 250), (320, 220), 0, 0, 360, _WHITE, 10)
+    for y, name in enumerate(("Main St", "Shop", "Elm Bank", "Home Rd 12")):
+        place = (180, 150 + 60 * y)
+        cv2.putText(image, name, place, cv2.FONT_HERSHEY_SIMPLEX, 1.0, _WHITE, 2)
+    assert len(_found(image).roads) == 1
+
+
+def test_a_name_written_with_the_same_pen_is_left_out_beside_a_long_road_only() -> None:
+    image = np.zeros((600, 800), np.float32)
+    cv2.ellipse(image, (400, 300), (350, 250), 0, 0, 360, _WHITE, 7, cv2.LINE_AA)
+    name = image.copy()
+    cv2.putText(name, "Lake", (330, 300), cv2.FONT_HERSHEY_SCRIPT_SIMPLEX, 1.6, _WHITE, 7)
+    found = _found(name)
+    assert len(found.roads) == 1
+    assert found.roads[0].confidence == 1.0
+    page = np.zeros((600, 800), np.float32)
+    page[100:107, 50:750] = _WHITE
+    for y in range(180, 560, 70):
+        cv2.putText(page, "Lake Rd Lake", (60, y), cv2.FONT_HERSHEY_SCRIPT_SIMPLEX, 1.6, _WHITE, 7)
+    roads = _found(page).roads
+    assert len(roads) > 10
+    assert max(road.confidence for road in roads) < 0.5

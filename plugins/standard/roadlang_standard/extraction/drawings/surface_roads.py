@@ -36,7 +36,7 @@ _TWINS = 0.5
 _FULL, _OFTEN = 0.03, 40
 """The skeleton of noise fills at least `_FULL` of the picture, and has a dead end in every `_OFTEN`
 of its pixels."""
-_LEFT_OUT = "short marks thinner than the roads, such as names and arrows, were left out"
+_LEFT_OUT = "short marks, such as names and arrows, were left out"
 _BRIDGED, _DEAREST = 16.0, 0.9
 """Usual widths of road that a bridge across what hides it may span, and its mean cost a pixel."""
 _NAME = 110.0

@@ -1,4 +1,4 @@
-"""What is drawn about the roads with a thinner pen: names, arrows, scale bars, a frame."""
+"""What is drawn about the roads: names, and with a thinner pen arrows, scale bars, a frame."""
 
 from __future__ import annotations
 
@@ -15,6 +15,10 @@ shorter than `_SHORT`."""
 _THIN = 0.55
 """Maximum width of the lines of names, arrows and frames, as a share of the width of the widest
 road."""
+_WORD, _CURLED, _WORDS = 0.2, 1.6, 0.2
+"""Names may be as thick as the roads: they extend over less than `_WORD` of the picture's shorter
+side, their lines are at least `_CURLED` times as long as that, and all of them together are at most
+`_WORDS` of the longest connected roads in length: on a page of text a rule is no road."""
 _ARROW, _HANGING, _AT_END = 0.25, 0.2, 0.25
 """Arrows that touch a road are shorter than `_ARROW` of the picture's shorter side. On `_AT_END` of
 their length, away from the road, they are thinner than `_HANGING` of the widest road."""
@@ -27,28 +31,44 @@ _AROUND = 0.7
 
 
 def drop_thin_strokes(graph: Graph, inner: NDArray[np.float32]) -> int:
-    """Forget a frame, and short parts that are thinner than the roads, in place; how many parts.
+    """Forget a frame, words, and short parts that are thinner than the roads, in place; how many.
 
     `inner` (h, w) is how far pixels of the mask are from its edge.
     """
     side = min(inner.shape)
     _drop_frame(graph, inner)
-    parts = [(part, sum(line.length for line in part)) for part in components(graph)]
-    roads = [_width(part, inner) for part, length in parts if length >= _LONG * side]
+    roads = [_width(part, inner) for part, length in _parts(graph) if length >= _LONG * side]
     if not roads:
         return 0
     touching = _drop_touching(graph, inner)
-    doomed = [
-        part
-        for part, length in (parts if len(parts) > 1 else ())
-        if length < _SHORT * side
-        and _width(part, inner) < _THIN * max(roads)
-        and not _leaves(part, inner.shape)
-    ]
+    parts = _parts(graph)
+    longest = max((length for _, length in parts), default=0.0)
+    thin: list[list[Line]] = []
+    words: list[tuple[list[Line], float]] = []
+    for part, length in parts if len(parts) > 1 else ():
+        if length >= _SHORT * side or _leaves(part, inner.shape):
+            continue
+        if _width(part, inner) < _THIN * max(roads):
+            thin.append(part)
+        elif _is_word(part, length, side):
+            words.append((part, length))
+    few = sum(length for _, length in words) <= _WORDS * longest
+    doomed = [*thin, *(part for part, _ in words if few)]
     gone = {id(line) for part in doomed for line in part}
     graph.lines = [line for line in graph.lines if id(line) not in gone]
     graph.drop_lonely()
     return len(doomed) + touching
+
+
+def _parts(graph: Graph) -> list[tuple[list[Line], float]]:
+    """What hangs together, and how long that is."""
+    return [(part, sum(line.length for line in part)) for part in components(graph)]
+
+
+def _is_word(part: list[Line], length: float, side: int) -> bool:
+    """Whether lines that hang together are letters: small, and curled up."""
+    extent = float(np.ptp(np.concatenate([line.points for line in part]), axis=0).max())
+    return extent < _WORD * side and length >= _CURLED * extent
 
 
 def _drop_touching(graph: Graph, inner: NDArray[np.float32]) -> int:
