@@ -15,12 +15,12 @@ from ..colors.tones import Image, Layer, thinned
 from ..drawings.drawing import between_lines
 from ..drawings.surface_roads import roads_of_surface
 from ..masks.hysteresis import hysteresis
-from ..masks.mask_parts import parts_of, where_parts
-from ..masks.skeleton import skeleton
+from ..masks.mask_parts import where_parts
 from ..networks.found_network import FoundNetwork
 from .even_ground import has_even_ground
 from .grain import without_grain
 from .pale_spots import pale_spots
+from .pencil import smoothed, stroke_lengths, unbroken
 from .ruling import without_ruling
 from .sheet_outline import sheet_outline
 
@@ -53,9 +53,10 @@ _NOISE, _FAINTEST = 6.0, 0.1
 """Ink absorbs at least `_NOISE` times the noise, and at least `_FAINTEST` of the light."""
 _MOST_INK = 0.2
 """Maximum share of the sheet that ink covers."""
-_TOP, _STRONG, _WEAK = 0.02, 0.7, 0.45
+_TOP, _STRONG, _WEAK, _FAINT = 0.02, 0.7, 0.45, 0.35
 """The darkest strokes are the `_TOP` quantile. Ink is at least `_STRONG` as dark, and continues
-down to `_WEAK`: ruled lines are lighter."""
+down to `_WEAK`: ruled lines are lighter. Where the ink is smoothed, a pencil's lines go on down to
+`_FAINT`."""
 _SNOW, _FEW_SPOTS, _DOUBTED = 20, 12, 0.5
 """More than `_SNOW` pale spots are trees and houses in snow; so are more than `_FEW_SPOTS` if the
 roads have a confidence below `_DOUBTED`."""
@@ -203,16 +204,22 @@ def _carried_on(image: Image, seen: Booleans) -> Image:
 
 def _strokes(ink: Layer, least: float) -> Booleans:
     """Where long strokes of the ink (h, w) are."""
+    marked = unbroken(_dark_ink(ink, least), lambda: _dark_ink(smoothed(ink), least, _FAINT))
+    if not marked.any():
+        return marked
+    marked = without_grain(marked)
+    lengths, parts = stroke_lengths(marked)
+    side = min(marked.shape)
+    long = lengths >= _SHORTEST * side
+    if lengths[long].sum() < _LITTLE * side:
+        return np.zeros(marked.shape, bool)
+    return where_parts(long, parts)
+
+
+def _dark_ink(ink: Layer, least: float, weak: float = _WEAK) -> Booleans:
+    """Where ink (h, w) is about as dark as the darkest, and goes on at least `weak` as dark."""
     seen = ink[ink > least]
     if not len(seen):
         return np.zeros(ink.shape, bool)
     dark = float(np.quantile(seen, 1 - _TOP))
-    marked = without_grain(hysteresis(ink, max(least, _STRONG * dark), max(least, _WEAK * dark)))
-    count, parts = parts_of(marked, 8)
-    lengths = np.bincount(parts[skeleton(marked)], minlength=count)
-    side = min(marked.shape)
-    long = lengths >= _SHORTEST * side
-    long[0] = False
-    if lengths[long].sum() < _LITTLE * side:
-        return np.zeros(marked.shape, bool)
-    return where_parts(long, parts)
+    return hysteresis(ink, max(least, _STRONG * dark), max(least, weak * dark))

@@ -1,0 +1,46 @@
+"""Lines of a pencil: the grain of the paper breaks them, and they go on where it is smoothed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roadlang.geometry import Booleans
+
+from ..colors.tones import Layer
+from ..masks.mask_parts import Labels, parts_of
+from ..masks.skeleton import skeleton
+
+_BLUR = 2.0
+"""Pixels by which the ink is smoothed."""
+_BROKEN, _LONGER, _ALL = 8, 1.3, 0.9
+"""Lines in at least `_BROKEN` pieces are a pencil's if the longest one is at least `_LONGER` times
+as long where the ink is smoothed, and all together at least `_ALL` as long: of two lines side by
+side, smoothed into one, half is left."""
+
+
+def unbroken(marked: Booleans, of_smoothed: Callable[[], Booleans]) -> Booleans:
+    """Strokes (h, w), those of a pencil as they are `of_smoothed` ink."""
+    if parts_of(marked, 8)[0] <= _BROKEN:
+        return marked
+    lengths, _ = stroke_lengths(marked)
+    whole = of_smoothed()
+    longer, _ = stroke_lengths(whole)
+    is_pencil = longer.max() >= _LONGER * lengths.max() and longer.sum() >= _ALL * lengths.sum()
+    return whole if is_pencil else marked
+
+
+def stroke_lengths(marked: Booleans) -> tuple[NDArray[np.intp], Labels]:
+    """How long each connected stroke (n,) is in pixels, 0 for what is none; their labels (h, w)."""
+    count, parts = parts_of(marked, 8)
+    lengths = np.bincount(parts[skeleton(marked)], minlength=count)
+    lengths[0] = 0
+    return lengths, parts
+
+
+def smoothed(ink: Layer) -> Layer:
+    """The ink (h, w) without the grain of paper."""
+    return np.asarray(cv2.GaussianBlur(ink, (0, 0), _BLUR))

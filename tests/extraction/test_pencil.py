@@ -1,0 +1,43 @@
+"""The grain of the paper breaks the line of a pencil; it is one road all the same."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from roadlang_standard.extraction.paper.paper import roads_on_paper
+from roadlang_standard.extraction.paper.pencil import unbroken
+
+_SHAPE = (600, 800)
+
+
+def _pencil_drawing(line: np.ndarray) -> np.ndarray:
+    """A line (n, 2) drawn with a pencil on rough paper (h, w, 3) BGR."""
+    rng = np.random.default_rng(4)
+    grain = cv2.GaussianBlur(rng.normal(0, 1, _SHAPE), (0, 0), 0.9)
+    stroke = np.zeros(_SHAPE, np.uint8)
+    cv2.polylines(stroke, [np.round(line).astype(np.int32)], False, 255, 3, cv2.LINE_AA)
+    cover = np.clip(0.6 + 0.25 * grain / grain.std(), 0, 1) * stroke / 255
+    sheet = 235 * (1 - cover[..., None]) + 90 * cover[..., None]
+    seen = cv2.GaussianBlur(np.repeat(sheet, 3, axis=2), (0, 0), 0.5)
+    return np.clip(seen + rng.normal(0, 2, seen.shape), 0, 255).astype(np.uint8)
+
+
+def test_a_line_of_a_pencil_is_one_road() -> None:
+    x = np.linspace(60, 740, 300)
+    line = np.column_stack([x, 300 + 130 * np.sin(x / 110)])
+    found = roads_on_paper(_pencil_drawing(line), textured=True)
+    assert found is not None
+    (road,) = found.roads
+    length = np.hypot(*np.diff(line, axis=0).T).sum()
+    assert abs(road.length - length) < 0.02 * length
+    assert road.confidence > 0.5
+
+
+def test_two_lines_side_by_side_stay_two() -> None:
+    """Smoothed into one they would be longer, but only half of all."""
+    two, one = np.zeros(_SHAPE, bool), np.zeros(_SHAPE, bool)
+    for x in range(50, 750, 100):
+        two[300:303, x : x + 95] = two[308:311, x : x + 95] = True
+    one[300:311, 50:750] = True
+    assert unbroken(two, lambda: one) is two
