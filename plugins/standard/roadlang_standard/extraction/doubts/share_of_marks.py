@@ -35,6 +35,9 @@ def sure_by_share(found: FoundNetwork, image: Image) -> float:
     spread = local_spread(image)
     near, rim = _at_roads(found, spread.shape)
     edges = spread > _least_edge(spread, rim)
+    if found.printed is not None:
+        beside = np.ones((2 * _RIM + 1,) * 2, np.uint8)
+        edges &= near | (cv2.dilate(found.printed.view(np.uint8), beside) == 0)
     share = int(np.count_nonzero(edges & near)) / max(1, int(np.count_nonzero(edges)))
     return float(np.interp(share, (_LITTLE, _MUCH), (NO_ROAD, 1.0)))
 

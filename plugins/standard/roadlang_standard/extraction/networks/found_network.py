@@ -75,6 +75,8 @@ class FoundNetwork:
     directions: NDArray[np.float64] | None = None
     """(h, w, 2) unit vectors, y down, where a legend says in which direction traffic runs; else
     zero"""
+    printed: NDArray[np.bool_] | None = None
+    """(h, w) where the lines of ruled paper are, which nobody drew; None without any"""
     has_widths: bool = True
     """whether the widths were measured or given, not only how wide a cell is"""
 

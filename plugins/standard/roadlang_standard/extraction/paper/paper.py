@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -153,7 +153,8 @@ def roads_on_paper(
     found = _roads_of_ink(ink, least, width)
     if found is None or (spots > _FEW_SPOTS and found.confidence < _DOUBTED):
         return None
-    return found
+    printed = ink != sheet.ink
+    return replace(found, printed=printed) if printed.any() else found
 
 
 def _roads_of_ink(ink: Layer, least: float, width: float | None) -> FoundNetwork | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import cv2
@@ -17,6 +18,10 @@ _TILTS = np.deg2rad(np.arange(-10.0, 10.01, 0.25))
 _COVERED, _FEWEST = 0.5, 5
 """A printed line is visible on at least `_COVERED` of its length; ruled paper has at least
 `_FEWEST`."""
+_FANS = np.linspace(-0.16, 0.16, 41)
+"""By how much the slopes of the lines differ over the picture, where it was taken at an angle."""
+_NARROWER = 5.0
+"""The best fan is then found between those tried, so many times as fine."""
 _HALF, _DARKER = 2.5, 1.25
 """Pixels within `_HALF` of a printed line belong to it unless they are at least `_DARKER` times as
 dark: ink that crosses it."""
@@ -42,10 +47,10 @@ def without_ruling(ink: Layer, level: float) -> Layer:
     cleaned, tones = ink, [0.0, 0.0]
     few: list[_Lines | None] = [None, None]
     for upright in (False, True):
-        slope, lines = _straight(marked, upright)
+        fan, lines = _straight(marked, upright)
         if not len(lines):
             continue
-        near = _near(marked, upright, slope, lines)
+        near = _near(marked, upright, fan, lines)
         if len(lines) < _FEWEST:
             few[upright] = near
         elif not near.are_drawn(ink, darkest):
@@ -57,30 +62,76 @@ def without_ruling(ink: Layer, level: float) -> Layer:
     return np.asarray(cleaned, np.float32)
 
 
-def _straight(marked: Booleans, upright: bool) -> tuple[float, NDArray[np.intp]]:
-    """The slope of straight lines, and where they are in the middle of the sheet, pixels."""
+@dataclass(frozen=True)
+class _Fan:
+    """Straight lines that have a slope in the middle of a picture; seen at an angle they meet far
+    away, and over the picture their slopes differ by `spread`."""
+
+    slope: float
+    spread: float = 0.0
+
+    def middles(
+        self, along: NDArray[np.intp], across: NDArray[np.intp], length: int, count: int
+    ) -> NDArray[np.intp]:
+        """Where the lines through these places cross the middle of the sheet, pixels."""
+        off = length / 2 - np.arange(length)
+        turn = self.spread / count
+        aside = np.round(off * (self.slope - turn * count / 2))
+        if not turn:
+            return np.asarray(np.clip(across + aside.astype(np.intp)[along], 0, count - 1), np.intp)
+        nearer = 1 / (1 - off * turn)
+        middles = np.round((across + aside[along]) * nearer[along]).astype(np.intp)
+        return np.asarray(np.clip(middles, 0, count - 1))
+
+
+def _straight(marked: Booleans, upright: bool) -> tuple[_Fan, NDArray[np.intp]]:
+    """Straight lines, and where they are in the middle of the sheet, pixels."""
     thick = cv2.dilate(marked.astype(np.uint8), np.ones((3, 3), np.uint8))
     across, along = np.nonzero(thick.T if upright else thick)
     count, length = thick.shape[::-1] if upright else thick.shape
     every = along % _EVERY == 0
-    places = along[every], across[every]
-    sums = [
-        float((_counts(*places, tilt, length, count).astype(float) ** 2).sum()) for tilt in _TILTS
-    ]
-    best = int(np.argmax(sums))
-    found = _counts(along, across, _TILTS[best], length, count)
+    some = along[every], across[every]
+
+    def best(fans: list[_Fan]) -> _Fan:
+        # The first and the last count what is beside the picture, too.
+        counts = (_counts(*some, fan, length, count)[1:-1].astype(float) for fan in fans)
+        sums = [float((each**2).sum()) for each in counts]
+        return fans[int(np.argmax(sums))]
+
+    fan = best([_Fan(float(np.tan(tilt))) for tilt in _TILTS])
+    peaks = _peaks(_counts(along, across, fan, length, count), length)
+    spread = best([_Fan(fan.slope, float(each)) for each in _FANS])
+    spread = _refined(spread, best)
+    others = _peaks(_counts(along, across, spread, length, count), length)
+    return (spread, others) if len(others) > max(len(peaks), _FEWEST) else (fan, peaks)
+
+
+def _refined(fan: _Fan, best: Callable[[list[_Fan]], _Fan]) -> _Fan:
+    """The best of those near a fan: the slope in the middle and the spread, one after the other."""
+    tilt, turn = float(_TILTS[1] - _TILTS[0]), float(_FANS[1] - _FANS[0])
+    near = np.arange(-_NARROWER, _NARROWER + 1) / _NARROWER
+    for _ in range(2):
+        fan = best([_Fan(fan.slope + float(each) * 4 * tilt, fan.spread) for each in near])
+        fan = best([_Fan(fan.slope, fan.spread + float(each) * 4 * turn) for each in near])
+    for _ in range(2):
+        fan = best([_Fan(fan.slope + float(each) * tilt, fan.spread) for each in near])
+        fan = best([_Fan(fan.slope, fan.spread + float(each) * turn) for each in near])
+    return fan
+
+
+def _peaks(found: NDArray[np.intp], length: int) -> NDArray[np.intp]:
+    """Where lines are, given how many places of each are marked."""
     highest = cv2.dilate(found.astype(np.float32)[:, None], np.ones((9, 1), np.uint8))[:, 0]
     peaks = (found == highest) & (found > _COVERED * length)
     steps = np.diff(peaks.astype(np.int8), prepend=0, append=0)
-    middles = (np.flatnonzero(steps > 0) + np.flatnonzero(steps < 0) - 1) // 2
-    return float(np.tan(_TILTS[best])), middles
+    return (np.flatnonzero(steps > 0) + np.flatnonzero(steps < 0) - 1) // 2
 
 
 def _counts(
-    along: NDArray[np.intp], across: NDArray[np.intp], tilt: float, length: int, count: int
+    along: NDArray[np.intp], across: NDArray[np.intp], fan: _Fan, length: int, count: int
 ) -> NDArray[np.intp]:
-    """How many places lines of a tilt (radians) go through, by where they are in the middle."""
-    return np.bincount(_shifted(along, across, np.tan(tilt), length, count), minlength=count)
+    """How many places lines go through, by where they are in the middle."""
+    return np.bincount(fan.middles(along, across, length, count), minlength=count)
 
 
 @dataclass(frozen=True)
@@ -133,7 +184,7 @@ class _Lines:
         return result
 
 
-def _near(marked: Booleans, upright: bool, slope: float, lines: NDArray[np.intp]) -> _Lines:
+def _near(marked: Booleans, upright: bool, fan: _Fan, lines: NDArray[np.intp]) -> _Lines:
     """The lines with what is near them in a picture."""
     rows, columns = np.ogrid[: marked.shape[0], : marked.shape[1]]
     across, along = (columns, rows) if upright else (rows, columns)
@@ -141,7 +192,7 @@ def _near(marked: Booleans, upright: bool, slope: float, lines: NDArray[np.intp]
     which = np.full(count, -1, np.intp)
     for index, line in enumerate(lines.tolist()):
         which[max(0, line - int(_HALF)) : line + int(_HALF) + 1] = index
-    owner = which[_shifted(along, across, slope, length, count)].ravel()
+    owner = which[fan.middles(along, across, length, count)].ravel()
     pixels = np.flatnonzero(owner >= 0)
     row, column = np.divmod(pixels, marked.shape[1])
     return _Lines(
@@ -153,11 +204,3 @@ def _near(marked: Booleans, upright: bool, slope: float, lines: NDArray[np.intp]
         row if upright else column,
         marked.ravel()[pixels],
     )
-
-
-def _shifted(
-    along: NDArray[np.intp], across: NDArray[np.intp], slope: float, length: int, count: int
-) -> NDArray[np.intp]:
-    """Where lines of a slope through these places cross the middle of the sheet, pixels."""
-    aside = np.round((length / 2 - np.arange(length)) * slope).astype(np.intp)
-    return np.asarray(np.clip(across + aside[along], 0, count - 1), np.intp)
