@@ -20,7 +20,8 @@ def _pencil_drawing(line: np.ndarray) -> np.ndarray:
     cover = np.clip(0.6 + 0.25 * grain / grain.std(), 0, 1) * stroke / 255
     sheet = 235 * (1 - cover[..., None]) + 90 * cover[..., None]
     seen = cv2.GaussianBlur(np.repeat(sheet, 3, axis=2), (0, 0), 0.5)
-    return np.clip(seen + rng.normal(0, 2, seen.shape), 0, 255).astype(np.uint8)
+    noisy = seen + rng.normal(0, 2, seen.shape)
+    return np.asarray(np.clip(noisy, 0, 255), np.uint8)
 
 
 def test_a_line_of_a_pencil_is_one_road() -> None:

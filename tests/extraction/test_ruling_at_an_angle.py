@@ -16,7 +16,8 @@ _SEEN = np.array([[-20, -30], [1060, -10], [1010, 760], [-60, 790]], np.float32)
 
 def _at_an_angle(layer: np.ndarray) -> np.ndarray:
     homography = cv2.getPerspectiveTransform(_CORNERS, _SEEN)
-    return cv2.warpPerspective(layer, homography, _SIZE, borderMode=cv2.BORDER_REPLICATE)
+    warped = cv2.warpPerspective(layer, homography, _SIZE, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(warped)
 
 
 def _squares() -> np.ndarray:
