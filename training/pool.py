@@ -11,6 +11,7 @@ import numpy as np
 
 from training.rendering.aerial import render_aerial
 from training.rendering.extras import extras_of
+from training.rendering.sunlit.scene import render_sunlit
 
 _PLANS = {
     "suburb": 0.22,
@@ -25,7 +26,9 @@ _PLANS = {
     "bend": 0.03,
 }
 _RESOLUTIONS = ((0.8, 1.25, 0.55), (0.4, 0.7, 0.25), (0.25, 0.38, 0.20))
-SIZE = 640
+SIZE, SUNLIT_SIZE = 640, 512
+_SUNLIT = 0.7
+"""Share of the scenes in which single trees stand under one sun."""
 _HIDDEN, _PLAIN = 0.2, 0.1
 """Shares of the scenes whose roads lie under crowns and shadows more than they would by chance,
 and that show nothing but roads on open ground."""
@@ -59,10 +62,13 @@ def _render_one(folder: Path, seed: int, index: int) -> None:
     plan = str(rng.choice(list(_PLANS), p=list(_PLANS.values())))
     low, high, _ = _RESOLUTIONS[rng.choice(3, p=[share for *_, share in _RESOLUTIONS])]
     scene, resolution = int(rng.integers(2**31)), float(rng.uniform(low, high))
-    hidden = float(rng.uniform(0.1, 0.4)) if rng.random() < _HIDDEN else None
-    plain = bool(rng.random() < _PLAIN)
-    extras = extras_of(rng) if not plain and rng.random() < _WITH_EXTRAS else None
-    drawn = render_aerial(plan, scene, SIZE, resolution, hidden, plain=plain, extras=extras)
+    if rng.random() < _SUNLIT:
+        drawn = render_sunlit(plan, scene, SUNLIT_SIZE, resolution)
+    else:
+        hidden = float(rng.uniform(0.1, 0.4)) if rng.random() < _HIDDEN else None
+        plain = bool(rng.random() < _PLAIN)
+        extras = extras_of(rng) if not plain and rng.random() < _WITH_EXTRAS else None
+        drawn = render_aerial(plan, scene, SIZE, resolution, hidden, plain=plain, extras=extras)
     roads = drawn.truth.roads
     _, code = cv2.imencode(".png", drawn.image)
     partial = _path(folder, index).with_suffix(".part.npz")

@@ -69,7 +69,7 @@ def render_aerial(
         shadow = np.maximum(shadow, grown)
     truth = Truth(
         frame.shape,
-        _true_roads(frame, roads),
+        true_roads(frame, roads),
         np.maximum(shadow, canopy.cover) > 0.5,
         meters_per_pixel,
     )
@@ -173,7 +173,8 @@ def signed_distance(frame: Frame, roads: list[PlannedRoad]) -> Layer:
     return np.asarray(np.minimum(signed, 1e4), np.float32)
 
 
-def _true_roads(frame: Frame, roads: list[PlannedRoad]) -> tuple[TrueRoad, ...]:
+def true_roads(frame: Frame, roads: list[PlannedRoad]) -> tuple[TrueRoad, ...]:
+    """The roads as they lie in the picture; what only joins them is not among them."""
     return tuple(
         TrueRoad(_pixels(frame, road), frame.length(road.width), road.closed)
         for road in roads

@@ -15,9 +15,15 @@ def smooth(rng: np.random.Generator, frame: Frame, wavelength: float) -> Layer:
     grid = rng.standard_normal((count, count)).astype(np.float32)
     zoom = np.array([[1 / cell, 0, rng.uniform(1, 2)], [0, 1 / cell, rng.uniform(1, 2)]])
     flags = cv2.INTER_CUBIC | cv2.WARP_INVERSE_MAP
-    field = cv2.warpAffine(
-        grid, zoom, (frame.size, frame.size), flags=flags, borderMode=cv2.BORDER_REFLECT
-    )
+    # `warpAffine` knows 32 positions between two cells: with more pixels, waves would have steps.
+    coarse = max(1, int(cell / 16))
+    size = -(-frame.size // coarse) + 2
+    zoom[:, :2] *= coarse
+    field = cv2.warpAffine(grid, zoom, (size, size), flags=flags, borderMode=cv2.BORDER_REFLECT)
+    if coarse > 1:
+        field = cv2.resize(field, None, fx=coarse, fy=coarse, interpolation=cv2.INTER_LINEAR)
+    within = slice(coarse - 1, coarse - 1 + frame.size)
+    field = field[within, within]
     return (field - field.mean()) / max(float(field.std()), 1e-6)
 
 

@@ -96,9 +96,14 @@ class Setting:
         return replace(self, palette={**self.palette, **stone}, woods=-9.0, cars=3 * self.cars)
 
 
-def setting_of(rng: np.random.Generator, frame: Frame, plan: str) -> Setting:
-    """A mood that suits the kind of plan."""
-    season = str(rng.choice(["bare", "green", "dry"], p=[0.55, 0.3, 0.15]))
+def setting_of(
+    rng: np.random.Generator,
+    frame: Frame,
+    plan: str,
+    seasons: tuple[float, float, float] = (0.55, 0.3, 0.15),
+) -> Setting:
+    """A mood that suits the kind of plan; `seasons` are the chances of bare, green and dry land."""
+    season = str(rng.choice(["bare", "green", "dry"], p=seasons))
     tint = rng.normal(1, 0.04, 3) * rng.uniform(0.85, 1.25)
     palette = {
         name: tuple(
