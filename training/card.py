@@ -13,7 +13,7 @@ from training.net import RoadNet, has_half_precision
 
 @dataclass(frozen=True)
 class Run:
-    """What a training run was told and what it measured."""
+    """The settings of a training run and what it measured."""
 
     seed: int
     scenes: int

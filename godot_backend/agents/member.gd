@@ -24,7 +24,7 @@ var velocity_before := Vector2.ZERO
 
 ## What a client says; nothing, where it drives itself.
 var _told := Command.new()
-## Where it was when it was told where to be: x, y, heading.
+## Where it was when its place was sent: x, y, heading.
 var _from := Vector3.ZERO
 
 

@@ -23,7 +23,7 @@ const TrafficSignals := preload("../build/signals.gd")
 const DEFAULT_FRICTION := 0.9
 const FLUSH_BYTES := 7000
 const FLUSH_USEC := 50000
-## A state is told again this often while no step comes: either may have been lost.
+## A state is sent again this often while no step comes: either may have been lost.
 const STATE_EVERY_USEC := 20000
 ## A step is looked for this often at first, and less often the longer it does not come.
 const POLL_USEC := 30
@@ -157,7 +157,7 @@ func step(dt: float) -> void:
 	for lights in _traffic_signals:
 		if is_instance_valid(lights):
 			lights.show_at(tick * dt)
-	# While all are told what to do, nothing asks where they are before the next step.
+	# While commands are sent to all, nothing asks where they are before the next step.
 	if tick >= _hold_until or not _are_all_told():
 		var passed := maxi(1, tick - _looked) * dt
 		_looked = tick

@@ -37,7 +37,7 @@ func _init(worlds: Worlds, simulation: Simulation, view: View, server: Server) -
 	_server = server
 
 
-## What a new client is told of this engine.
+## What is sent to a new client about this engine.
 func greet(_hello: Dictionary) -> Dictionary:
 	_simulation.abandon()
 	_view.abandon()

@@ -1,4 +1,4 @@
-"""A scene file that declares nothing is told to be empty: it used to compile to an empty scene."""
+"""A scene file that declares nothing is an error: it used to compile to an empty scene."""
 
 from __future__ import annotations
 

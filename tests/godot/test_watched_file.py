@@ -1,4 +1,4 @@
-"""A file that is watched is read as it is saved, and one that stays unreadable is told once."""
+"""A file that is watched is read as it is saved, and one that stays unreadable is reported once."""
 
 from __future__ import annotations
 

@@ -87,7 +87,7 @@ def test_sums_depend_on_how_many_rows_there_are_and_groups_have_several_members(
 
 
 def test_a_drive_that_cannot_be_judged_leaves_the_others_as_they_are() -> None:
-    """A fault is told when the drive itself is judged."""
+    """A fault is reported when the drive itself is judged."""
     broken = agent("ego", 10.0 * TIME, speed=np.full_like(TIME, np.nan))
     one, traces = scene(SLOW), [*drives(5), trace(broken)]
     found = together(one, traces)

@@ -1,4 +1,4 @@
-"""A fault is told of whoever made it: the plugin, the scene file, or the machine."""
+"""A fault is blamed on whoever made it: the plugin, the scene file, or the machine."""
 
 from __future__ import annotations
 

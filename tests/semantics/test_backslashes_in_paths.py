@@ -1,4 +1,4 @@
-"""Paths with the separators of Windows are told how they are written on every system."""
+"""Errors of paths with the separators of Windows say how to write them on every system."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A map is a network; whoever takes it for a road is told how a road of it is taken."""
+"""A map is a network; where it is taken for a road, the error says how to select a road."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Roads with the same lanes are told by their lanes, and not by who has made them."""
+"""Roads with the same lanes are recognized by their lanes, not by what made them."""
 
 from __future__ import annotations
 

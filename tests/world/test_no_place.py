@@ -1,4 +1,4 @@
-"""What has no place at all is told so, and is never taken for something a meter away."""
+"""What has no place at all is reported, and is never taken for something a meter away."""
 
 from __future__ import annotations
 

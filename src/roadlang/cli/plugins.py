@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class _PluginsGroup(click.Group):
-    """Whoever writes `plugins sine` is told of `plugins show sine`."""
+    """The error of `plugins sine` suggests `plugins show sine`."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

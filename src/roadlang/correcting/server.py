@@ -61,7 +61,7 @@ class CorrectionServer(ThreadingHTTPServer):
         return bytes(cv2.imencode(".png", pixels, [cv2.IMWRITE_PNG_COMPRESSION, 3])[1].tobytes())
 
     def start(self) -> dict[str, Any]:
-        """What the page is told when it opens."""
+        """What is sent to the page when it opens."""
         corrections = self.roads.written()
         width, height = self.roads.picture.file_size
         return {

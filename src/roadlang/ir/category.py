@@ -1,4 +1,4 @@
-"""The categories of agents and objects: what other formats and engines are told that a kind is."""
+"""The categories of agents and objects: what a kind is in other formats and engines."""
 
 from __future__ import annotations
 

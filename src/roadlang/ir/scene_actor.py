@@ -68,6 +68,6 @@ class SceneActor(Frozen):
     sensors: tuple[SceneSensor, ...] = ()
     """of an agent, in the order of the scene file"""
     category: str = ""
-    """what other tools are told that it is, one of a list: `car`, `pedestrian`, `tree`, ..."""
+    """what it is in files for other tools, one of a list: `car`, `pedestrian`, `tree`, ..."""
     role: str = ""
     """of a vehicle: `taxi`, `police`, `ambulance`, `fire`, or empty"""

@@ -46,7 +46,7 @@ class FirstContact:
 
 @dataclass(frozen=True)
 class DriveLine:
-    """What people are told of a drive in a line or two."""
+    """What is printed of a drive in a line or two."""
 
     scene: int
     engine: str
@@ -160,7 +160,7 @@ def _measures(drive: Drive) -> dict[str, float | None]:
 
 
 def line_of(drive: Drive) -> DriveLine:
-    """What is told of a drive."""
+    """What is printed of a drive."""
     worst, moment, first = drive.worst, drive.worst_moment, drive.first_violation
     times, time, station = drive.trace.time, None, None
     tightest = None if worst is None else worst.tightest

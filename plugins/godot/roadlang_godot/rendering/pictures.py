@@ -142,7 +142,7 @@ def _top_frame(layout: Layout, shot: Shot) -> TopFrame:
 
 
 def view_of(layout: Layout, shot: Shot) -> dict[str, Any]:
-    """What the engine is told of the camera: meters and radians from the origin of the scene."""
+    """What is sent to the engine about the camera: meters from the origin, radians."""
     view: dict[str, Any] = {"camera": shot.view}
     if shot.agent is not None and shot.agent in layout.agents:
         view["agent"] = layout.agents[shot.agent]

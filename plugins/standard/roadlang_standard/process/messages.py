@@ -1,4 +1,4 @@
-"""What programs that drive are told, and how their answers are read."""
+"""What is sent to programs that drive, and how their answers are read."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def check_greeting(line: str) -> None:
     if not isinstance(answer, dict) or answer.get("protocol") != PROTOCOL:
         reason = f'its first line has to be {{"protocol": "{PROTOCOL}"}}, not {_short(line)}'
         raise ProgramFailed(reason)
-    if "agent" in answer:  # what it was told has a steering angle and an acceleration, too
+    if "agent" in answer:  # what it was sent has a steering angle and an acceleration, too
         raise ProgramFailed("it sent back the line it was given, as `cat` does")
 
 

@@ -162,7 +162,8 @@ def _not_installed(checker: Checker, name: str) -> list[str]:
 
 
 def _word_of_option(checker: Checker, verb: str, word: str) -> list[str]:
-    """How kinds of a verb are told to do it that have such a word among the values of an option."""
+    """How to write it with the kinds of a verb that have such a word among the values of an
+    option."""
     kinds = [loaded(entry) for entry in checker.registry.of(verb)]
     return [
         f"write `{display_name(verb, kind.entry.name)} {{ {option.name}: {word} }}`"

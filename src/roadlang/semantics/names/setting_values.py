@@ -1,4 +1,4 @@
-"""A value of a `param` from outside; text that forgot its quotes is told so as a whole, instead of
+"""A value of a `param` from outside; text without its quotes is reported as a whole, instead of
 word by word as an expression."""
 
 from __future__ import annotations

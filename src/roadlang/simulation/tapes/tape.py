@@ -39,7 +39,7 @@ class Tape:
     """a column of the cells of lines, and where the table of each agent begins in it"""
     shift: Integers | None = None
     takes_every_way: bool = True
-    """whether code may ask if any agent is concerned, and is told that some are"""
+    """whether code may ask if any agent is concerned, and gets the answer that some are"""
     _version: int = -1
     _count: int = -1
     _known: dict[Any, Any] = field(default_factory=dict)

@@ -20,7 +20,7 @@ SEEN = 6.5
 TAIL_TIME = 2.0
 """Seconds for which who is ahead of the junction makes room."""
 SLOWEST = 1.0
-"""m/s: when who is slower arrives is told as if it went so fast."""
+"""m/s: when a slower one arrives is computed as if it went this fast."""
 SLACK = 0.5
 """Meters by which the tail of who counts as beyond a junction may still be in it."""
 

@@ -80,7 +80,7 @@ def _stepped(
 ) -> tuple[Sequence[Any], Any]:  # fmt: skip
     """The motion after a step, and the curvature of lines there; of `before` it. `wanted`: tangent
     of the steering angle, and share of the grip; `asking`: curvature and heading of lines at arc
-    lengths, and what is told of columns that are watched."""
+    lengths, and what is reported of columns that are watched."""
     (bend, watch), (state, curve) = asking, before
     along, offset, vx, vy, yaw_rate, cosine, sine, tangent, line_heading, acceleration = state
     half_base, friction, front_slope, rear_slope, slow, _, _, transfer, inertia = car[:9]
