@@ -327,3 +327,22 @@ def test_a_road_that_turns_out_closed_is_refused_at_the_same_place(word: str) ->
     assert error.code == "RL312"
     assert error.span is not None
     assert error.span.text == "linear"
+
+
+@pytest.mark.parametrize(
+    ("option", "is_found"),
+    [
+        ("", False),
+        (", origin: (52deg, 13deg)", False),
+        (", origin: (120deg, 5deg)", True),
+        (", origin: (5deg, 190deg)", True),
+        (", origin: (20deg..120deg, 5deg)", False),
+    ],
+)
+def test_an_origin_that_is_not_on_earth_is_found_before_the_picture_is_read(
+    option: str, is_found: bool
+) -> None:
+    photo = EXAMPLES / "hairpin.jpg"
+    text = f'image photo from "{photo}" {{ scale: 0.5m/px{option} }}\nnetwork town from photo\n'
+    found = [each for each in roadlang.loads(text).check() if each.code == "RL480"]
+    assert [each.help for each in found] == is_found * [("it is written `(latitude, longitude)`",)]

@@ -6,6 +6,7 @@ of a road, where a road may not close, and where a table or map is named, is the
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -22,9 +23,10 @@ from ..ir.scenario import (
 from ..ir.values import PassCall, TextValue, Value
 from ..plugins.kinds import Controller
 from ..plugins.registry import Registry
+from ..plugins.stated_bounds import OptionRange
 from ..world.lanes.lane_plan import default_lane_kind
 from ..world.lanes.planned_lanes import PlannedLane, planned_lanes
-from ..world.placement_faults import missing_scale, unknown_lane
+from ..world.placement_faults import missing_scale, no_place_on_earth, unknown_lane
 from .fixed_closed_roads import fixed_closed_roads
 from .fixed_lane_changes import lanes_not_beside
 from .fixed_overlaps import fixed_overlaps
@@ -38,10 +40,10 @@ from .unsupported import unsupported_parts
 
 
 def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
-    """Kinds that refuse their options, images without scale, lanes and sensors that are
-    not there, positions, intervals and patches of surfaces beyond their roads, things in one place,
-    formulas that cannot be evaluated on closed roads, equal outputs, and what backends and the
-    simulator do not support.
+    """Kinds that refuse their options, images without scale or with an impossible origin, lanes and
+    sensors that are not there, positions, intervals and patches of surfaces beyond their roads,
+    things in one place, formulas that cannot be evaluated on closed roads, equal outputs, and what
+    backends and the simulator do not support.
     Where there are none: roads that cannot be made, parts of maps that are not there, and grids
     that are too large.
 
@@ -51,6 +53,7 @@ def fixed_faults(source: Scenario, registry: Registry) -> list[Diagnostic]:
     found = [
         *refused_options(scenario),
         *_missing_scales(scenario),
+        *_wrong_origins(scenario),
         *intervals_off_road(scenario),
         *surface_faults(scenario),
         *missing_sensors(scenario),
@@ -77,6 +80,17 @@ def _missing_scales(scenario: IndexedScenario) -> Iterator[Diagnostic]:
             sources = [link.source for link in scenario.chain(image)]
             files = [Path(file.resolved) for file in sources if isinstance(file, FileSource)]
             yield missing_scale(image, unusable_world_file(files[0]) if files else None)
+
+
+def _wrong_origins(scenario: IndexedScenario) -> Iterator[Diagnostic]:
+    for image in scenario.source.images:
+        written = image.options.get("origin")
+        origin = None if written is None else scenario.value_bounds.option(written)
+        if isinstance(origin, OptionRange) or not isinstance(origin, tuple):
+            continue  # nothing is known of it
+        if all(part.low == part.high for part in origin):
+            fault = no_place_on_earth(image, *(math.degrees(part.low) for part in origin))
+            yield from () if fault is None else (fault,)
 
 
 def _has_scale(image: ScenarioImage, scenario: IndexedScenario) -> bool:

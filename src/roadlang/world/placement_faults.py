@@ -19,6 +19,20 @@ def missing_scale(image: ScenarioImage, world_file: str | None = None) -> Diagno
     return diagnose(Code.MISSING_SCALE, image.span, name=image.name, help=help_)
 
 
+def no_place_on_earth(image: ScenarioImage, latitude: float, longitude: float) -> Diagnostic | None:
+    """RL480 where the `origin` of an image is not a latitude and longitude, in degrees."""
+    if abs(latitude) < 90.0 and abs(longitude) <= 180.0:
+        return None
+    return diagnose(
+        Code.INVALID_OPTION,
+        image.span,
+        option="origin",
+        kind="image",
+        reason=f"({latitude:g}deg, {longitude:g}deg) is not a latitude and longitude",
+        help="it is written `(latitude, longitude)`",
+    )
+
+
 def unknown_lane(
     actor: ScenarioActor, lane: int, known: tuple[int, ...], span: Span | None = None
 ) -> Diagnostic | None:

@@ -20,7 +20,7 @@ from ...ir.picture import Picture
 from ...ir.scenario import FileSource, Input, ScenarioImage, TextSource
 from ...ir.values import PassCall, Value
 from ...plugins.registry import KindEntry
-from ..placement_faults import missing_scale
+from ..placement_faults import missing_scale, no_place_on_earth
 from .reading import read_file
 
 if TYPE_CHECKING:
@@ -97,17 +97,9 @@ def _adjusted(image: ScenarioImage, candidates: CandidateBatch) -> _UnscaledPict
 def _degrees(origin: tuple[float, float], image: ScenarioImage) -> tuple[float, float]:
     """Latitude and longitude. Raises RL480 for what is not a latitude and longitude."""
     latitude, longitude = map(math.degrees, origin)
-    if abs(latitude) >= 90.0 or abs(longitude) > 180.0:
-        raise DiagnosticError(
-            diagnose(
-                Code.INVALID_OPTION,
-                image.span,
-                option="origin",
-                kind="image",
-                reason=f"({latitude:g}deg, {longitude:g}deg) is not a latitude and longitude",
-                help="it is written `(latitude, longitude)`",
-            )
-        )
+    fault = no_place_on_earth(image, latitude, longitude)
+    if fault is not None:
+        raise DiagnosticError(fault)
     return latitude, longitude
 
 
