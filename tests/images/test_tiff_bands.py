@@ -34,7 +34,7 @@ def tiff_of(
     tags = [
         (256, 3, 1, width), (257, 3, 1, height), (259, 3, 1, compression), (262, 3, 1, meaning),
         (273, 4, 1, 8), (277, 3, 1, bands), (278, 3, 1, height), (279, 4, 1, len(body)),
-        (284, 3, 1, planes),
+        (284, 3, 1, planes), (339, 3, 1, 2 if pixels.dtype.kind == "i" else 1),
     ]  # fmt: skip
     depths = struct.pack(f"<{bands}H", *[8 * pixels.itemsize] * bands)
     tags.append((258, 3, bands, 8 + len(body)))
@@ -92,6 +92,17 @@ def test_what_shows_nothing() -> None:
     one_hidden = TiffBands().shown(half)
     assert one_hidden is not None
     assert np.argwhere(~one_hidden).tolist() == [[0, 0]]
+
+
+@pytest.mark.parametrize(("kind", "none"), [(np.int16, -9999), (np.uint16, 65535)])
+def test_no_data_does_not_reduce_the_contrast(
+    tmp_path: Path, kind: type[np.integer], none: int
+) -> None:
+    pixels = np.full((4, 6, 3), 1000, kind)
+    pixels[:, 2:4], pixels[:, 4:] = 3000, none
+    (tmp_path / "a.tif").write_bytes(tiff_of(pixels, None, str(none)))
+    opened = open_image(tmp_path / "a.tif", "a.tif", None)
+    assert opened.pixels[0, :, 0].tolist() == [0, 0, 255, 255, 0, 0]
 
 
 def test_bands_are_read_from_tags() -> None:

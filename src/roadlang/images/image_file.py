@@ -129,7 +129,9 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
     if damage is not None:
         place = None if span is not None else written
         warning = diagnose(Code.PARTLY_DAMAGED_IMAGE, span, path=place, file=written, reason=damage)
-    return _ReadImage(as_colors(pixels), bands.shown(pixels), found, inputs, warning)
+    shown = bands.shown(pixels)
+    counted = None if bands.no_data is None else shown
+    return _ReadImage(as_colors(pixels, counted), shown, found, inputs, warning)
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:
@@ -207,10 +209,11 @@ def _set_log_level(level: int) -> int:
     return int((old or cv2.utils.logging.setLogLevel)(level))
 
 
-def as_colors(pixels: NDArray[np.generic]) -> Pixels:
+def as_colors(pixels: NDArray[np.generic], counted: NDArray[np.bool_] | None = None) -> Pixels:
     """Any depth and number of channels to 8-bit BGR; transparent pixels become white, or black
-    where little but white lines is drawn."""
-    eight = _as_bytes(pixels)
+    where little but white lines is drawn. Where more than eight bits are scaled, only the range of
+    `counted` pixels (height, width) counts, and all others become dark; None: all count."""
+    eight = _as_bytes(pixels, counted)
     if eight.ndim == 2:
         eight = eight[..., None]
     channels = eight.shape[2]
@@ -232,10 +235,12 @@ def _is_drawn_white(colors: NDArray[np.float32], drawn: NDArray[np.bool_]) -> bo
     return bool(np.mean(shown.min(axis=-1) > _WHITE) > _NEARLY_ALL)
 
 
-def _as_bytes(pixels: NDArray[np.generic]) -> Pixels:
+def _as_bytes(pixels: NDArray[np.generic], counted: NDArray[np.bool_] | None) -> Pixels:
     if pixels.dtype == np.uint8:
         return np.asarray(pixels, np.uint8)
     numbers = np.nan_to_num(pixels.astype(np.float32), nan=0.0, posinf=0.0, neginf=0.0)
+    if counted is not None and counted.any():
+        numbers[~counted] = numbers[counted].min()  # -9999 would leave no contrast
     low, high = float(numbers.min()), float(numbers.max())
     if pixels.dtype == np.uint16 and high > 4095:
         low, high = 0.0, 65535.0  # all sixteen bits are used
