@@ -1,9 +1,11 @@
-"""Fit how much the network of a drawing is like roads, and say how it holds on pictures left out.
+"""Fit how much the network of a drawing, or of a map, is like roads, and say how it holds on
+pictures left out.
 
-    python -m benchmarks.extraction.likeness --roads FOLDER ... --none FOLDER ...
+    python -m benchmarks.extraction.likeness [--maps] --roads FOLDER ... --none FOLDER ...
 
 The folders hold pictures of roads and pictures without any; photos and maps that roads leave are
-passed over. The first lines are the constants of
+passed over. With `--maps`, pictures in which roads were found by color are judged as maps, and all
+others are passed over. The first lines are the constants `LIKENESS` or `MAP_LIKENESS` of
 `roadlang_standard.extraction.doubts.road_likeness`; then how many of the networks are below each of
 some log odds when they are left out of the fit, an eighth of the pictures at a time: of roads, of
 no roads, and of those which the other rules left more than half sure.
@@ -12,7 +14,7 @@ no roads, and of those which the other rules left more than half sure.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,7 +29,12 @@ from roadlang.world.sources.pictures import picture_of
 from roadlang_standard.extract_auto import Auto
 from roadlang_standard.extraction.doubts import drawn_confidence
 from roadlang_standard.extraction.doubts.line_art import ends_at_rim
-from roadlang_standard.extraction.doubts.road_likeness import LIKENESS, likeness_facts
+from roadlang_standard.extraction.doubts.road_likeness import (
+    LIKENESS,
+    MAP_LIKENESS,
+    likeness_facts,
+    map_facts,
+)
 from roadlang_standard.extraction.drawings import surface_roads
 from roadlang_standard.extraction.networks.found_network import FoundNetwork
 
@@ -52,6 +59,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.extraction.likeness")
     parser.add_argument("--roads", nargs="+", type=Path, required=True)
     parser.add_argument("--none", nargs="+", type=Path, required=True)
+    parser.add_argument("--maps", action="store_true", help="fit MAP_LIKENESS")
     told = parser.parse_args()
     cv2.setNumThreads(1)
     judged = [
@@ -60,12 +68,12 @@ def main() -> None:
         for folder in folders
         for path in sorted(folder.iterdir())
         if path.suffix in (".png", ".jpg")
-        for each in _judged(path, is_roads)
+        for each in _judged(path, is_roads, told.maps)
     ]
-    report(judged)
+    report(judged, MAP_LIKENESS if told.maps else LIKENESS)
 
 
-def report(judged: list[Judged]) -> None:
+def report(judged: list[Judged], names: Iterable[str] = LIKENESS) -> None:
     """Print what is fitted to these networks, each once; roads that the other rules doubt are no
     examples."""
     judged = [one for one in dict.fromkeys(judged) if one.sure or not one.is_roads]
@@ -79,7 +87,7 @@ def report(judged: list[Judged]) -> None:
         facts, np.zeros(len(judged)), is_roads, weight, index, index, np.zeros(len(judged))
     )
     ridge = _RIDGE * facts.var(axis=0) + 1e-9
-    for name, value in zip(LIKENESS, fitted(samples, ridge).tolist(), strict=True):
+    for name, value in zip(names, fitted(samples, ridge).tolist(), strict=True):
         print(f'    "{name}": {value:.2f},')
     kinds = {"roads": is_roads, "none": ~is_roads, "none, sure": ~is_roads & sure}
     print("below   " + "".join(f"{name:>12s}" for name in kinds))
@@ -91,12 +99,21 @@ def report(judged: list[Judged]) -> None:
         print(f"{least:6.1f}  " + "".join(f"{count:12d}" for count in counts))
 
 
-def _judged(path: Path, is_roads: bool) -> list[Judged]:
+def _judged(path: Path, is_roads: bool, maps: bool) -> list[Judged]:
     """The network of a picture, if it is judged by its likeness: none or one."""
     with _networks() as networks:
         opened = open_image(path, str(path), None)
         Auto().extract(picture_of(opened.shown, opened.scale or 1.0, str(path)))
+    if maps:
+        return [
+            judged_map(found, is_roads) for found, drawn in networks[-1:] if is_map(found, drawn)
+        ]
     return [judged_network(*network, is_roads) for network in networks[-1:] if is_drawn(*network)]
+
+
+def is_map(found: FoundNetwork, drawn: bool) -> bool:
+    """Whether a network is judged as a map: its roads were found by color."""
+    return bool(found.roads) and not drawn
 
 
 def is_drawn(found: FoundNetwork, drawn: bool) -> bool:
@@ -108,6 +125,15 @@ def exits(found: FoundNetwork) -> int:
     """The ends of roads at the border of the picture."""
     at_rim = (ends_at_rim(road, found.mask.shape) for road in found.roads)
     return sum(int(ends.sum()) for ends in at_rim)
+
+
+def judged_map(found: FoundNetwork, is_roads: bool) -> Judged:
+    """The facts of a map, and what the other rules say of it."""
+    with patch.object(drawn_confidence, "sure_like_map", lambda *_: 1.0):
+        others = drawn_confidence.with_doubts(found, drawn=False)
+    sure = max(road.confidence for road in others.roads) > 0.5
+    facts = map_facts(found)
+    return Judged(tuple(round(facts[name], 6) for name in MAP_LIKENESS), is_roads, sure)
 
 
 def judged_network(found: FoundNetwork, drawn: bool, is_roads: bool) -> Judged:
