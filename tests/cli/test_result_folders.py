@@ -18,11 +18,11 @@ simulate with builtin { duration: 2s, control_step: 0.1s }
 falsify with random { evaluations: 6, random: 0% }
 """  # noqa: E501
 COMMANDS = {
-    "compile": ["compile", "bend.rl"],
-    "run": ["run", "bend.rl"],
-    "falsify": ["falsify", "bend.rl"],
-    "compile --params": ["compile", "bend.rl", "--params", "runs.yaml"],
-    "run --params": ["run", "bend.rl", "--params", "runs.yaml"],
+    "compile": ["compile", "bend.rl", "-o", "out"],
+    "run": ["run", "bend.rl", "-o", "out"],
+    "falsify": ["falsify", "bend.rl", "-o", "out"],
+    "compile --params": ["compile", "bend.rl", "-o", "out", "--params", "runs.yaml"],
+    "run --params": ["run", "bend.rl", "-o", "out", "--params", "runs.yaml"],
 }
 DONE = (0, 4)
 
@@ -42,7 +42,6 @@ def files() -> dict[Path, bytes]:
 def test_results_of_another_command_are_neither_replaced_nor_mixed_with(
     first: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """All write `out` where no folder is named."""
     assert run(COMMANDS[first]) in DONE
     before = files()
     for second, words in COMMANDS.items():
@@ -61,16 +60,23 @@ def test_results_of_another_command_are_neither_replaced_nor_mixed_with(
     assert run([*COMMANDS[first], "-o", "out/other"]) in DONE
 
 
+def test_commands_without_a_named_folder_write_beside_each_other() -> None:
+    for command in ("compile", "run", "falsify", "run", "compile"):
+        assert run([command, "bend.rl"]) in DONE
+    written = ("manifest.json", "drives/results.csv", "search/failures/0001.json")
+    assert all(Path("out", name).is_file() for name in written)
+
+
 def test_a_failure_is_not_driven_into_the_folder_of_its_search(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert run(COMMANDS["falsify"]) == 4
     before = files()
-    assert run(["run", "out/failures/0001.json"]) == 2
+    assert run(["run", "out/failures/0001.json", "-o", "out"]) == 2
     assert "it holds the results of `roadlang falsify`" in capsys.readouterr().err
     assert files() == before
     assert run(["run", "out/failures/0001.json", "-o", "out/drives"]) == 4
-    assert run(["falsify", "bend.rl", "--resume"]) == 4
+    assert run(["falsify", "bend.rl", "-o", "out", "--resume"]) == 4
 
 
 def test_from_python() -> None:

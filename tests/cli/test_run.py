@@ -38,7 +38,7 @@ def results(folder: str = "out") -> list[dict[str, str]]:
 
 
 def test_a_line_for_each_scene_and_the_worst(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["run", "bend.rl", "-n", "5"]) == 4
+    assert run(["run", "bend.rl", "-o", "out", "-n", "5"]) == 4
     lines = capsys.readouterr().out.splitlines()
     rows = results()
     assert len(lines) == 6
@@ -54,7 +54,7 @@ def test_a_line_for_each_scene_and_the_worst(capsys: pytest.CaptureFixture[str])
 
 
 def test_results_have_draws_robustness_and_the_worst_moment() -> None:
-    run(["run", "bend.rl", "-n", "3"])
+    run(["run", "bend.rl", "-o", "out", "-n", "3"])
     for row in results():
         assert 6 <= float(row["ego/drive 1/speed"]) <= 16
         assert row["verdict"] == ("holds" if row["slow satisfied"] == "true" else "violated")
@@ -65,7 +65,7 @@ def test_results_have_draws_robustness_and_the_worst_moment() -> None:
 
 
 def test_what_run_writes_is_read_by_the_other_commands() -> None:
-    run(["run", "bend.rl"])
+    run(["run", "bend.rl", "-o", "out"])
     row = results()[0]
     for name in ("scene-0000.trace.csv", "scene-0000.trace.json"):
         _, positions, signals = read_trace(Path("out") / name)
@@ -78,7 +78,7 @@ def test_what_run_writes_is_read_by_the_other_commands() -> None:
 
 
 def test_each_scene_is_beside_its_trace_and_replays() -> None:
-    run(["run", "bend.rl", "-n", "2"])
+    run(["run", "bend.rl", "-o", "out", "-n", "2"])
     run(["run", "out/scene-0001.json", "-o", "again"])
     for name in ("scene-0001.json", "scene-0001.trace.json", "scene-0001.drive.svg"):
         assert (Path("again") / name).read_bytes() == (Path("out") / name).read_bytes()
@@ -88,7 +88,7 @@ def test_traces_hold_what_moves() -> None:
     tree = "object oak is tree on main at 50m { side: right, offset: 2m }\n"
     clear = "expect clear: always (gap(ego, oak) > 1m)\n"
     Path("bend.rl").write_text(TEXT + tree + clear)
-    run(["run", "bend.rl"])
+    run(["run", "bend.rl", "-o", "out"])
     assert list(json.loads(Path("out/scene-0000.trace.json").read_text())["agents"]) == ["ego"]
     assert "oak" not in Path("out/scene-0000.trace.csv").read_text()
     assert "oak" in Path("out/scene-0000.drive.svg").read_text()
@@ -99,7 +99,7 @@ def test_the_worst_is_no_expectation_that_equality_decides() -> None:
     Path("bend.rl").write_text(
         TEXT.replace("16m/s", "7m/s") + "expect calm: always (ego.contacts == 0)\n"
     )
-    run(["run", "bend.rl"])
+    run(["run", "bend.rl", "-o", "out"])
     row = results()[0]
     assert (row["calm"], row["calm satisfied"]) == ("0", "true")
     assert row["worst"] == "slow"
@@ -228,13 +228,13 @@ def test_safe_scenes_are_there_to_compare() -> None:
 
 def test_nothing_found_is_done(capsys: pytest.CaptureFixture[str]) -> None:
     Path("bend.rl").write_text(TEXT.replace("16m/s", "9m/s"))
-    assert run(["falsify", "bend.rl", "--json"]) == 0
+    assert run(["falsify", "bend.rl", "-o", "out", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["failing"] == 0
 
 
 def test_readings_of_sensors_are_beside_the_trace() -> None:
     Path("gps.rl").write_text(TEXT.replace("6m/s..16m/s } }", "8m/s }, sense with gps }"))
-    run(["run", "gps.rl", "-n", "2", "--duration", "1"])
+    run(["run", "gps.rl", "-o", "out", "-n", "2", "--duration", "1"])
     for number in range(2):
         with np.load(f"out/scene-000{number}.ego.gps.npz") as readings:
             assert len(readings["time"]) >= 1
@@ -244,20 +244,20 @@ def test_without_a_scene_it_says_what_is_in_the_way(capsys: pytest.CaptureFixtur
     crowd = "agent crowd is truck on main at 20m..30m { count: 3 }\n"
     row = "agent late is car on main at 61m { count: 9, spacing: 20m }\n"
     Path("bend.rl").write_text(TEXT + crowd + row)
-    assert run(["run", "bend.rl"]) == 3
+    assert run(["run", "bend.rl", "-o", "out"]) == 3
     found = capsys.readouterr().err
     assert "`late[8]` would stand" in found
     assert "rejected" in found
     Path("bend.rl").write_text(TEXT + crowd)
-    assert run(["run", "bend.rl"]) == 3
+    assert run(["run", "bend.rl", "-o", "out"]) == 3
     assert "copies of `crowd` are in the way of each other" in capsys.readouterr().err
 
 
 def test_a_run_removes_the_files_of_an_earlier_run_and_no_others() -> None:
-    assert run(["run", "bend.rl", "-n", "4"]) == 4
+    assert run(["run", "bend.rl", "-o", "out", "-n", "4"]) == 4
     mine = Path("out/notes.txt")
     mine.write_text("mine")
-    assert run(["run", "bend.rl", "-n", "2"]) in (0, 4)
+    assert run(["run", "bend.rl", "-o", "out", "-n", "2"]) in (0, 4)
     assert sorted({path.name[:10] for path in Path("out").glob("scene-*")}) == [
         "scene-0000",
         "scene-0001",

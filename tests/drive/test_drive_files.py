@@ -116,5 +116,5 @@ def test_other_outputs_are_refused_before_anything_is_driven(
 def test_results_say_what_was_emitted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path("bend.rl").write_text(TEXT)
-    assert run(["run", "bend.rl"]) == 0
+    assert run(["run", "bend.rl", "-o", "out"]) == 0
     assert "--emit" not in json.loads(Path("out/provenance.json").read_text())["again"]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @click.command("compile")
 @click.argument("file", type=click.Path())
-@shared_options.output
+@shared_options.output("out")
 @shared_options.count
 @shared_options.seed
 @shared_options.jobs

@@ -26,7 +26,7 @@ _FIGURES = 25
 
 @click.command("falsify")
 @click.argument("file")
-@shared_options.output
+@shared_options.output("out/search")
 @click.option(
     "--expect",
     "expects",

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 @click.command("run")
 @click.argument("file")
 @shared_options.engine
-@shared_options.output
+@shared_options.output("out/drives")
 @shared_options.count
 @shared_options.seed
 @shared_options.jobs

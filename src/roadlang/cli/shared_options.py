@@ -14,16 +14,22 @@ from .quantities import seconds
 
 Command: TypeAlias = Callable[..., Any]
 
-output = click.option(
-    "-o",
-    "--output",
-    "folder",
-    default="out",
-    show_default=True,
-    metavar="DIR",
-    type=OutputPath(),
-    help="Output folder.",
-)
+
+def output(default: str) -> Callable[[Command], Command]:
+    """`-o DIR`. Commands have folders of their own, as none writes where another has written; those
+    of drives and searches lie within the one of `compile`."""
+    return click.option(
+        "-o",
+        "--output",
+        "folder",
+        default=default,
+        show_default=True,
+        metavar="DIR",
+        type=OutputPath(),
+        help="Output folder.",
+    )
+
+
 count = click.option(
     "-n",
     "count",
