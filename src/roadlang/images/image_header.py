@@ -64,7 +64,7 @@ def _jpeg(content: bytes) -> _Size | None:
                 return width, height
     except ValueError:
         return None
-    # Cut off before its size: a picture all the same.
+    # Cut off before its size is stated: a picture all the same.
     return 8, 8
 
 
