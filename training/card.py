@@ -40,7 +40,7 @@ in 0..1: road surface, and nearness to a center line. OpenCV reads it; weights a
 (greatest difference from the trained network {run.difference:.1e}).
 
 **Data.** {run.scenes} scenes of the project's own seeded renderer (`rendering/`), seed {run.seed},
-640 px, 0.25 to 1.25 m/px. {net.origin}
+640 px (512 under one sun), 0.25 to 1.25 m/px. {net.origin}
 Photos, where given, were used only for validation.
 
 **Recipe.** `python -m training`; batch {run.batch} of 256 px crops, {numbers} on the CPU,
