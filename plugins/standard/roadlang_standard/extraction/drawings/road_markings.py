@@ -20,6 +20,9 @@ _SHORT = 2.5
 """and the marking is shorter than this many widths of the road: a longer one is a median, ..."""
 _LINE = 6.0
 """unless the road is more than this many times as wide as it is thick."""
+_DASH, _REPEATED, _ALIKE = 3.0, 8, 1.6
+"""The first factor for dashes: at least `_REPEATED` short gaps whose areas are at most `_ALIKE`
+times larger or smaller than usual."""
 _COLORED = 3.0
 """The same factor for markings with a color that neither road nor ground has."""
 _ENCLOSED = 0.6
@@ -79,8 +82,21 @@ def _plain_gaps(mask: NDArray[np.uint8], depth: Layer) -> Booleans:
     """(h, w) thin parts that are no road, and are short or as thin as lines."""
     gaps = _gaps((mask, depth), mask == 0, _BESIDE, _LARGEST)
     length = gaps.areas[gaps.keys] / gaps.thickness
-    is_marking = (gaps.thinner > _THIN) & (length < _SHORT * gaps.width) | (gaps.thinner > _LINE)
-    return gaps.union(gaps.keys[is_marking])
+    short = length < _SHORT * gaps.width
+    is_marking = (gaps.thinner > _THIN) & short | (gaps.thinner > _LINE)
+    return gaps.union(gaps.keys[is_marking | _dashes(gaps, short)])
+
+
+def _dashes(gaps: _Gaps, short: Booleans) -> Booleans:
+    """Which of the gaps (n,) are much alike, as the dashes of a line are, of those that are
+    `short` (n,)."""
+    dashes = (gaps.thinner > _DASH) & short
+    if np.count_nonzero(dashes) < _REPEATED:
+        return np.zeros(len(dashes), bool)
+    areas = gaps.areas[gaps.keys].astype(np.float64)
+    usual = np.median(areas[dashes])
+    alike = dashes & (areas < _ALIKE * usual) & (areas * _ALIKE > usual)
+    return np.asarray(alike & (np.count_nonzero(alike) >= _REPEATED))
 
 
 def _colored_gaps(mask: NDArray[np.uint8], depth: Layer, colored: Booleans) -> Booleans:

@@ -19,6 +19,7 @@ from ..masks.mask_parts import where_parts
 from ..networks.found_network import FoundNetwork
 from .even_ground import has_even_ground
 from .grain import without_grain
+from .overexposed import WHITE, is_overexposed
 from .pale_spots import pale_spots
 from .pencil import smoothed, stroke_lengths, unbroken
 from .ruling import without_ruling
@@ -51,6 +52,9 @@ _SCREEN = 0.85
 """If one color fills more than this share of a picture, no sheet on a desk is searched in it."""
 _NOISE, _FAINTEST = 6.0, 0.1
 """Ink absorbs at least `_NOISE` times the noise, and at least `_FAINTEST` of the light."""
+_PRINTED = 0.7
+"""Ruled lines are sought down to `_PRINTED` of the faintest ink: long as they are, they stand out
+from noise."""
 _MOST_INK = 0.2
 """Maximum share of the sheet that ink covers."""
 _TOP, _STRONG, _WEAK, _FAINT = 0.02, 0.7, 0.45, 0.35
@@ -126,7 +130,9 @@ def _is_flat(image: Image, seen: Booleans, least: float = _EXACT) -> bool:
     chosen = thinned(seen.astype(np.uint8), 100_000) > 0
     sample = counted_colors(color_codes(thinned(image, 100_000))[chosen])
     same = sample.near(sample.usual, _SAME)
-    return bool(sample.number(same) > least * sample.counts.sum())
+    if sample.number(same) <= least * sample.counts.sum():
+        return False
+    return bool(sample.usual.min() < WHITE) or not is_overexposed(image)
 
 
 def roads_on_paper(
@@ -146,7 +152,7 @@ def roads_on_paper(
     if sheet is None:
         return None
     least = max(_NOISE * sheet.noise, _FAINTEST)
-    ink = without_ruling(sheet.ink, least)
+    ink = without_ruling(sheet.ink, _PRINTED * least)
     spots = pale_spots(ink, least, sheet.noise)
     if spots > _SNOW:
         return None
@@ -205,12 +211,13 @@ def _carried_on(image: Image, seen: Booleans) -> Image:
 
 def _strokes(ink: Layer, least: float) -> Booleans:
     """Where long strokes of the ink (h, w) are."""
-    marked = unbroken(_dark_ink(ink, least), lambda: _dark_ink(smoothed(ink), least, _FAINT))
+    side = min(ink.shape)
+    marked = _dark_ink(ink, least)
+    marked = unbroken(marked, lambda: _dark_ink(smoothed(ink), least, _FAINT), _SHORTEST * side)
     if not marked.any():
         return marked
     marked = without_grain(marked)
     lengths, parts = stroke_lengths(marked)
-    side = min(marked.shape)
     long = lengths >= _SHORTEST * side
     if lengths[long].sum() < _LITTLE * side:
         return np.zeros(marked.shape, bool)

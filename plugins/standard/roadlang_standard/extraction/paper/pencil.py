@@ -18,19 +18,22 @@ _BLUR = 2.0
 """Pixels by which the ink is smoothed."""
 _BROKEN, _LONGER, _ALL = 8, 1.3, 0.9
 """Lines in at least `_BROKEN` pieces are a pencil's if the longest one is at least `_LONGER` times
-as long where the ink is smoothed, and all together at least `_ALL` as long: of two lines side by
-side, smoothed into one, half is left."""
+as long where the ink is smoothed, and all but letters together at least `_ALL` as long: of two
+lines side by side, smoothed into one, half is left."""
 
 
-def unbroken(marked: Booleans, of_smoothed: Callable[[], Booleans]) -> Booleans:
-    """Strokes (h, w), those of a pencil as they are `of_smoothed` ink."""
+def unbroken(marked: Booleans, of_smoothed: Callable[[], Booleans], shortest: float) -> Booleans:
+    """Strokes (h, w), those of a pencil as they are `of_smoothed` ink. What is not the `shortest`
+    number of pixels long is a letter."""
     if parts_of(marked, 8)[0] <= _BROKEN:
         return marked
     lengths, _ = stroke_lengths(marked)
     whole = of_smoothed()
     longer, _ = stroke_lengths(whole)
-    is_pencil = longer.max() >= _LONGER * lengths.max() and longer.sum() >= _ALL * lengths.sum()
-    return whole if is_pencil else marked
+    if longer.max() < _LONGER * lengths.max():
+        return marked
+    before, after = (each[each >= shortest].sum() for each in (lengths, longer))
+    return whole if after >= _ALL * before else marked
 
 
 def stroke_lengths(marked: Booleans) -> tuple[NDArray[np.intp], Labels]:

@@ -22,9 +22,13 @@ _FANS = np.linspace(-0.16, 0.16, 41)
 """By how much the slopes of the lines differ over the picture, where it was taken at an angle."""
 _NARROWER = 5.0
 """The best fan is then found between those tried, so many times as fine."""
-_HALF, _DARKER = 2.5, 1.25
+_HALF, _DARKER = 2.5, 1.1
 """Pixels within `_HALF` of a printed line belong to it unless they are at least `_DARKER` times as
 dark: ink that crosses it."""
+_BARE, _VARIES, _ALIKE = 0.2, 1.3, 4
+"""A printed line is at most `_VARIES` times as dark as its palest `_BARE`, or something was drawn
+along it; and at least `_ALIKE` are as dark as the darkest: lines between two rows of pixels are
+paler than those on one."""
 _EVERY = 4
 """The rotation is estimated from every fourth pixel along the lines."""
 _TOP, _AS_DARK = 0.02, 0.8
@@ -48,10 +52,10 @@ def without_ruling(ink: Layer, level: float) -> Layer:
     few: list[_Lines | None] = [None, None]
     for upright in (False, True):
         fan, lines = _straight(marked, upright)
-        if not len(lines):
-            continue
         near = _near(marked, upright, fan, lines)
-        if len(lines) < _FEWEST:
+        if not len(near.lines):
+            continue
+        if len(near.lines) < _FEWEST:
             few[upright] = near
         elif not near.are_drawn(ink, darkest):
             cleaned = np.where(near.printed(ink), 0, cleaned)
@@ -154,6 +158,15 @@ class _Lines:
             [np.quantile(seen[self.marked & (line == i)], 0.75) for i in range(len(self.lines))]
         )
 
+    def _middles(self, ink: Layer) -> Floats:
+        """How dark the middle of each line usually is (n,), whatever is drawn along most of it."""
+        cells = self.line * self.length + self.along
+        darkest = np.zeros(len(self.lines) * self.length, np.float32)
+        np.maximum.at(darkest, cells[self.marked], ink.ravel()[self.pixels[self.marked]])
+        rows = darkest.reshape(-1, self.length)
+        low, usual = np.transpose([np.quantile(row[row > 0], (_BARE, 0.5)) for row in rows])
+        return np.asarray(np.minimum(usual, _VARIES * low))
+
     def are_drawn(self, ink: Layer, darkest: float) -> bool:
         """Whether they are streets that somebody drew."""
         if np.median(self.darkness(ink)) < _AS_DARK * darkest:
@@ -177,15 +190,16 @@ class _Lines:
 
     def printed(self, ink: Layer) -> Booleans:
         """Where the lines are (h, w), and no darker ink upon them."""
-        tones = self.darkness(ink)  # of what is drawn along one of them, where that is darker
-        least = _DARKER * np.minimum(tones, np.median(tones))
+        tones = self._middles(ink)
+        least = _DARKER * np.minimum(tones, np.sort(tones)[-_ALIKE:].min())
         result = np.zeros(self.shape, bool)
         result.ravel()[self.pixels] = ink.ravel()[self.pixels] < least[self.line]
         return result
 
 
 def _near(marked: Booleans, upright: bool, fan: _Fan, lines: NDArray[np.intp]) -> _Lines:
-    """The lines with what is near them in a picture."""
+    """The lines with what is near them in a picture; not those that are only beside what is marked:
+    each has marked pixels."""
     rows, columns = np.ogrid[: marked.shape[0], : marked.shape[1]]
     across, along = (columns, rows) if upright else (rows, columns)
     count, length = marked.shape[::-1] if upright else marked.shape
@@ -194,6 +208,9 @@ def _near(marked: Booleans, upright: bool, fan: _Fan, lines: NDArray[np.intp]) -
         which[max(0, line - int(_HALF)) : line + int(_HALF) + 1] = index
     owner = which[fan.middles(along, across, length, count)].ravel()
     pixels = np.flatnonzero(owner >= 0)
+    seen = np.bincount(owner[pixels[marked.ravel()[pixels]]], minlength=len(lines)) > 0
+    if not seen.all():
+        return _near(marked, upright, fan, lines[seen])
     row, column = np.divmod(pixels, marked.shape[1])
     return _Lines(
         lines,

@@ -1,0 +1,30 @@
+"""Overexposed paper: pure white in the light, as a screen is, but with the noise of a camera in the
+shade."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from ..colors.local_spread import local_spread
+from ..colors.tones import Image
+from ..masks.mask_parts import opened_by_square
+
+WHITE = 252
+"""Overexposed pixels are at least this light in all channels."""
+_SHADE, _BROAD, _LEAST = 140, 9, 0.03
+"""What is darker than white, but not than `_SHADE`, and at least `_BROAD` pixels wide is shade; it
+covers at least `_LEAST` of the picture."""
+_STILL, _NOISY = 1, 0.5
+"""Less than `_NOISY` of it varies by at most `_STILL` gray levels around each pixel: what was drawn
+on a screen is even."""
+
+
+def is_overexposed(image: Image) -> bool:
+    """Whether a picture (h, w, 3) that is mostly white is a photo of paper."""
+    least = image.min(axis=2)
+    broad = opened_by_square((least >= _SHADE) & (least < WHITE), _BROAD)
+    if np.count_nonzero(broad) < _LEAST * broad.size:
+        return False
+    still = cv2.countNonZero(((local_spread(image) <= _STILL) & broad).view(np.uint8))
+    return bool(still < _NOISY * np.count_nonzero(broad))
