@@ -100,8 +100,10 @@ def report(judged: list[Judged], names: Iterable[str] = LIKENESS) -> None:
 
 
 def _judged(path: Path, is_roads: bool, maps: bool) -> list[Judged]:
-    """The network of a picture, if it is judged by its likeness: none or one."""
-    with _networks() as networks:
+    """The network of a picture, if it is judged by its likeness: none or one. A map that is doubted
+    would be read as a drawing: what the model says now must not decide that."""
+    sure = patch.object(drawn_confidence, "sure_like_map", lambda *_: 1.0)
+    with sure, _networks() as networks:
         opened = open_image(path, str(path), None)
         Auto().extract(picture_of(opened.shown, opened.scale or 1.0, str(path)))
     if maps:

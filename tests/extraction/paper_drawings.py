@@ -21,10 +21,12 @@ def sheet() -> np.ndarray:
     return np.full((*_SHAPE, 3), (236, 240, 240), np.uint8)
 
 
-def drawn(image: np.ndarray, line: np.ndarray, pen: int = 3) -> np.ndarray:
+def drawn(
+    image: np.ndarray, line: np.ndarray, pen: int = 3, color: tuple[int, ...] = INK
+) -> np.ndarray:
     """The line on the image."""
     points = np.round((line + 0.5) * 16 - 8).astype(np.int32)
-    return np.asarray(cv2.polylines(image.copy(), [points], False, INK, pen, cv2.LINE_AA, 4))
+    return np.asarray(cv2.polylines(image.copy(), [points], False, color, pen, cv2.LINE_AA, 4))
 
 
 def ruled(image: np.ndarray, squared: bool = False) -> np.ndarray:
@@ -44,6 +46,18 @@ def photographed(image: np.ndarray, seed: int = 1) -> np.ndarray:
     light = 1 - 0.35 * x / _SHAPE[1] - 0.25 / (1 + np.exp(-(x - 250 + 0.5 * y) / 12))
     lit = image * light[..., None] + rng.normal(0, 3, (*_SHAPE, 1))
     return np.asarray(np.clip(lit, 0, 255), np.uint8)
+
+
+def overexposed(image: np.ndarray, seed: int = 1) -> np.ndarray:
+    """The sheet in bright light, warm at one side, with the shade of a hand, and noise; as JPEG."""
+    rng = np.random.default_rng(seed)
+    y, x = np.mgrid[: _SHAPE[0], : _SHAPE[1]]
+    hand = cv2.GaussianBlur(((x > 330) & (y > 230)).astype(np.float32), (0, 0), 8)
+    light = np.repeat((1.25 - 0.45 * hand)[..., None], 3, axis=2)
+    light[..., 0] -= 0.3 * np.clip(1 - x / 150, 0, 1)
+    lit = np.clip(image * light + rng.normal(0, 2.5, (*_SHAPE, 1)), 0, 255).astype(np.uint8)
+    coded = cv2.imencode(".jpg", lit, [cv2.IMWRITE_JPEG_QUALITY, 88])[1]
+    return np.asarray(cv2.imdecode(coded, cv2.IMREAD_COLOR))
 
 
 def on_desk(image: np.ndarray, desk: tuple[int, int, int]) -> tuple[np.ndarray, np.ndarray]:

@@ -109,7 +109,6 @@ def test_a_face_on_a_plain_ground_is_no_drawing_on_paper() -> None:
     soft = cv2.GaussianBlur(face.astype(float), (0, 0), 2) + 3 * (shade / shade.std())[..., None]
     picture = np.clip(soft + rng.normal(0, 2, face.shape), 0, 255).astype(np.uint8)
     found = Auto().extract(Picture(picture, 1.0))
-    assert found.network.edges
     assert all(edge.confidence < 0.5 for edge in found.network.edges)
 
 

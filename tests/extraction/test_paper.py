@@ -17,7 +17,15 @@ from roadlang_standard.extraction.paper.grain import without_grain
 from roadlang_standard.extraction.paper.paper import roads_on_paper, sheet_of
 from roadlang_standard.extraction.paper.ruling import without_ruling
 from roadlang_standard.extraction.paper.sheet_outline import sheet_outline
-from tests.extraction.paper_drawings import drawn, on_desk, photographed, ruled, sheet, wave
+from tests.extraction.paper_drawings import (
+    drawn,
+    on_desk,
+    overexposed,
+    photographed,
+    ruled,
+    sheet,
+    wave,
+)
 from training.rendering.aerial import render_aerial
 
 VILLAGE = Path(__file__).parents[2] / "examples" / "village.jpg"
@@ -182,6 +190,17 @@ def test_a_scan_with_little_noise_is_a_drawing_on_paper() -> None:
     noise = np.random.default_rng(2).normal(0, 3, (*page.shape[:2], 1))
     scan = np.clip(page.astype(float) + 12 + noise, 0, 255).astype(np.uint8)
     found = Auto().extract(Picture(scan, 1.0))
+    assert found.remarks[0] == "read as a drawing on paper"
+    assert len(found.network.edges) == 1
+
+
+@pytest.mark.parametrize("pen", [(90, 190, 60), (70, 40, 30)], ids=["pale", "dark"])
+@pytest.mark.parametrize("lines", [False, True], ids=["plain", "ruled"])
+def test_an_overexposed_sheet_is_a_drawing_on_paper(pen: tuple[int, ...], lines: bool) -> None:
+    """Much of it is pure white, as on a screen, but the shade of a hand has the camera's noise."""
+    image = overexposed(drawn(ruled(sheet()) if lines else sheet(), wave(), 6, pen))
+    assert (image == 255).all(axis=2).mean() > 0.25
+    found = Auto().extract(Picture(image, 0.5))
     assert found.remarks[0] == "read as a drawing on paper"
     assert len(found.network.edges) == 1
 

@@ -41,4 +41,21 @@ def test_two_lines_side_by_side_stay_two() -> None:
     for x in range(50, 750, 100):
         two[300:303, x : x + 95] = two[308:311, x : x + 95] = True
     one[300:311, 50:750] = True
-    assert unbroken(two, lambda: one) is two
+    assert unbroken(two, lambda: one, shortest=60) is two
+
+
+def test_letters_are_not_missed_where_the_ink_is_smoothed() -> None:
+    """Ten letters as long together as a line that is cut into two: without them it is one."""
+    broken, whole = np.zeros(_SHAPE, bool), np.zeros(_SHAPE, bool)
+    broken[300:303, 50:400] = broken[300:303, 403:750] = whole[300:303, 50:750] = True
+    for x in range(50, 750, 70):
+        broken[100:103, x : x + 55] = True
+    assert unbroken(broken, lambda: whole, shortest=60) is whole
+
+
+def test_letters_alone_are_not_joined() -> None:
+    letters, row = np.zeros(_SHAPE, bool), np.zeros(_SHAPE, bool)
+    for x in range(50, 750, 70):
+        letters[100:103, x : x + 55] = True
+    row[100:103, 50:400] = True
+    assert unbroken(letters, lambda: row, shortest=60) is letters

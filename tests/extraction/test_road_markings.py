@@ -23,6 +23,15 @@ def test_dashes_are_filled() -> None:
     assert np.array_equal(with_markings_filled(_dashed()), band(50, 81, 130, 400))
 
 
+def test_dashes_are_filled_though_each_alone_is_too_thick() -> None:
+    """A fourth as thick as the road: one is an island, many are dashes."""
+    dashes = [(slice(62, 69), slice(start, start + 16)) for start in range(10, 380, 28)]
+    road = band(50, 81, 130, 400)
+    assert np.array_equal(with_markings_filled(road - surface(130, 400, *dashes)), road)
+    one = road - surface(130, 400, dashes[5])
+    assert with_markings_filled(one) is one
+
+
 @pytest.mark.parametrize("gap", [slice(61, 70), slice(58, 73)])
 def test_a_wide_gap_between_two_roads_stays(gap: slice) -> None:
     apart = band(50, 81, 130, 400) - surface(130, 400, (gap, slice(20, 380)))

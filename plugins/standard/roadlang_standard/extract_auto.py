@@ -13,7 +13,12 @@ if TYPE_CHECKING:
     from roadlang.api import Extraction, Picture
 
     from .extract_aerial import Aerial
+    from .extraction.networks.found_network import FoundNetwork
+    from .extraction.picture_kinds.picture_kind import PictureKind
 
+_DOUBTFUL, _SURE = 0.5, 0.9
+"""What is less than `_DOUBTFUL` as a map is a drawing of few colors, such as a slide, if it is more
+than `_SURE` as one."""
 _UNUSED_BOXES = (
     "`leave_out` is for photos and was ignored: use `extract with aerial` to read this picture as a"
     " photo, or `dismissed` of the network to remove roads"
@@ -71,14 +76,12 @@ class Auto(Extractor):
         from dataclasses import replace
 
         from .extract_aerial import Aerial
-        from .extract_contour import Contour, road_width
+        from .extract_contour import road_width
         from .extraction.doubts.picture_doubts import with_picture_doubts
-        from .extraction.drawings.drawing import roads_of_drawing
         from .extraction.drawings.screen_grid import without_grid
         from .extraction.maps.map_tiles import roads_of_map
-        from .extraction.networks.found_network import EDGE_LINES
         from .extraction.paper.paper import roads_on_paper
-        from .extraction.picture_kinds.picture_kind import EDGES, FILLED, MAP, MASK, picture_kind
+        from .extraction.picture_kinds.picture_kind import MAP, MASK, picture_kind
         from .extraction.pixels_to_meters import extraction
 
         assert picture.pixels is not None
@@ -95,19 +98,34 @@ class Auto(Extractor):
                 rendered = roads_of_map(picture.pixels, width, lambda: seen.is_plan)
             if rendered is not None:
                 rendered = with_picture_doubts(rendered, picture.pixels, width)
-                return "rendered map", with_legend_proposed(picture, extraction(picture, rendered))
-            if seen.named(MAP):
-                colored = roads_of_drawing(picture.pixels, width=width)
-                colored = with_picture_doubts(colored, picture.pixels, width)
-                drawn = extraction(picture, colored)
-                return MAP, with_legend_proposed(picture, drawn)
+                kind, found = "rendered map", rendered
+                if rendered.confidence < _DOUBTFUL and not seen.named(MAP):
+                    other, drawn = self._drawn(seen, picture)
+                    if drawn.confidence > _SURE:
+                        kind, found = other, drawn
+                return kind, with_legend_proposed(picture, extraction(picture, found))
         if seen.drawn and not self.through:
-            found = Contour(threshold=self.threshold, width=self.width).found(picture)
-            drawn = with_legend_proposed(picture, extraction(picture, found))
-            if seen.unless_edges != FILLED:
-                return seen.name, drawn
-            return EDGES if found.method == EDGE_LINES else FILLED, drawn
+            kind, found = self._drawn(seen, picture)
+            return kind, with_legend_proposed(picture, extraction(picture, found))
         return seen.name, self._aerial(Aerial).extract(picture)
+
+    def _drawn(self, seen: PictureKind, picture: Picture) -> tuple[str, FoundNetwork]:
+        """What sort of drawing it is, and its roads."""
+        from .extract_contour import Contour, road_width
+        from .extraction.doubts.picture_doubts import with_picture_doubts
+        from .extraction.drawings.drawing import roads_of_drawing
+        from .extraction.networks.found_network import EDGE_LINES
+        from .extraction.picture_kinds.picture_kind import EDGES, FILLED, MAP
+
+        assert picture.pixels is not None
+        if self.threshold == "auto" and seen.named(MAP):
+            width = road_width(self.width, picture)
+            colored = roads_of_drawing(picture.pixels, width=width)
+            return MAP, with_picture_doubts(colored, picture.pixels, width)
+        found = Contour(threshold=self.threshold, width=self.width).found(picture)
+        if seen.unless_edges != FILLED:
+            return seen.name, found
+        return EDGES if found.method == EDGE_LINES else FILLED, found
 
     def _aerial(self, kind: type[Aerial]) -> Aerial:
         """The photo's kind with this one's options."""

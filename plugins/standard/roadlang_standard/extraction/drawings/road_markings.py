@@ -21,8 +21,8 @@ _SHORT = 2.5
 _LINE = 6.0
 """unless the road is more than this many times as wide as it is thick."""
 _DASH, _REPEATED, _ALIKE = 3.0, 8, 1.6
-"""The first factor for dashes: at least `_REPEATED` short gaps whose areas are at most `_ALIKE`
-times larger or smaller than usual."""
+"""The first factor where there are dashes: at least `_REPEATED` short gaps whose areas are at most
+`_ALIKE` times larger or smaller than usual. Dashes that cross are one larger gap."""
 _COLORED = 3.0
 """The same factor for markings with a color that neither road nor ground has."""
 _ENCLOSED = 0.6
@@ -84,19 +84,18 @@ def _plain_gaps(mask: NDArray[np.uint8], depth: Layer) -> Booleans:
     length = gaps.areas[gaps.keys] / gaps.thickness
     short = length < _SHORT * gaps.width
     is_marking = (gaps.thinner > _THIN) & short | (gaps.thinner > _LINE)
-    return gaps.union(gaps.keys[is_marking | _dashes(gaps, short)])
-
-
-def _dashes(gaps: _Gaps, short: Booleans) -> Booleans:
-    """Which of the gaps (n,) are much alike, as the dashes of a line are, of those that are
-    `short` (n,)."""
     dashes = (gaps.thinner > _DASH) & short
-    if np.count_nonzero(dashes) < _REPEATED:
-        return np.zeros(len(dashes), bool)
-    areas = gaps.areas[gaps.keys].astype(np.float64)
-    usual = np.median(areas[dashes])
-    alike = dashes & (areas < _ALIKE * usual) & (areas * _ALIKE > usual)
-    return np.asarray(alike & (np.count_nonzero(alike) >= _REPEATED))
+    if _are_alike(gaps.areas[gaps.keys[dashes]]):
+        is_marking |= dashes
+    return gaps.union(gaps.keys[is_marking])
+
+
+def _are_alike(areas: NDArray[np.int32]) -> bool:
+    """Whether many of these areas (n,) are about the same, as those of the dashes of a line."""
+    if len(areas) < _REPEATED:
+        return False
+    times = areas / np.median(areas)
+    return int(np.count_nonzero((times < _ALIKE) & (times * _ALIKE > 1))) >= _REPEATED
 
 
 def _colored_gaps(mask: NDArray[np.uint8], depth: Layer, colored: Booleans) -> Booleans:

@@ -14,15 +14,14 @@ from roadlang.geometry import Booleans
 from ..colors.tones import Image, Layer, away_from, tones
 from ..networks.found_network import EDGE_LINES, FoundNetwork
 from .dashed_roads import with_dashes_joined
-from .drawing import between_lines, most_like_roads, roads_of_drawing
+from .drawing import between_lines, most_like_roads
 from .pale_roads import pale_surfaces
 from .road_markings import with_markings_filled
 from .surface_roads import roads_of_surface
 from .title_bars import without_title_bars
 
 _DOUBTFUL = 0.5
-"""Roads less sure may be names, or the title bar of a slide: then roads are sought in the ground
-between these, and in each color by itself."""
+"""Roads less sure may be names: then roads are sought in the ground between these."""
 
 
 @dataclass(frozen=True)
@@ -62,9 +61,6 @@ def roads_by_contour(image: Image, chain: ContourSteps) -> FoundNetwork:
         pale = pale_surfaces(gray, level)
         if pale is not None:
             other = roads_of_surface(with_markings_filled(_road(pale), image), "contour", *fixed)
-            found = max((found, other), key=lambda network: network.confidence)
-        if found.confidence < _DOUBTFUL and chain.spline and chain.min_length is None:
-            other = roads_of_drawing(image, chain.width)
             found = max((found, other), key=lambda network: network.confidence)
     return replace(found, scores={"threshold": round(level / 255, 4)})
 

@@ -8,7 +8,7 @@ from ..colors.tones import Layer
 from ..masks.mask_parts import parts_and_boxes, where_parts
 
 _ALONG, _THICK = 0.97, 0.25
-"""A bar extends over at least `_ALONG` of a side, and is at most `_THICK` of the other one thick."""
+"""A bar extends over at least `_ALONG` of a side, and is at most `_THICK` of the other thick."""
 _FILLED = 0.75
 """Least share of its box that it fills; letters are the rest. A road along a side bends more."""
 

@@ -11,15 +11,16 @@ from roadlang.geometry import Booleans
 
 from ..colors.counted_colors import color_codes, counted_colors
 from ..colors.fast_median import median
+from ..colors.overexposed import WHITE, is_overexposed
 from ..colors.tones import Image, Layer, thinned
 from ..drawings.drawing import between_lines
 from ..drawings.surface_roads import roads_of_surface
 from ..masks.hysteresis import hysteresis
 from ..masks.mask_parts import where_parts
 from ..networks.found_network import FoundNetwork
+from .cast_shadows import without_cast_shadows
 from .even_ground import has_even_ground
 from .grain import without_grain
-from .overexposed import WHITE, is_overexposed
 from .pale_spots import pale_spots
 from .pencil import smoothed, stroke_lengths, unbroken
 from .ruling import without_ruling
@@ -64,9 +65,9 @@ down to `_WEAK`: ruled lines are lighter. Where the ink is smoothed, a pencil's 
 _SNOW, _FEW_SPOTS, _DOUBTED = 20, 12, 0.5
 """More than `_SNOW` pale spots are trees and houses in snow; so are more than `_FEW_SPOTS` if the
 roads have a confidence below `_DOUBTED`."""
-_SHORTEST, _LITTLE = 0.12, 0.3
+_SHORTEST, _LITTLE, _OF_LONGEST = 0.12, 0.3, 0.08
 """In shorter sides of the sheet: strokes shorter than `_SHORTEST` are letters; a total length below
-`_LITTLE` is no road."""
+`_LITTLE` is no road. Strokes shorter than `_OF_LONGEST` of the longest are houses and trees."""
 
 
 @dataclass(frozen=True)
@@ -147,7 +148,7 @@ def roads_on_paper(
     if not has_even_ground(image) or (not textured and _is_flat(image, everywhere, _SCREEN)):
         return None
     outline = sheet_outline(image)
-    sheet = None if outline is None else sheet_of(image, outline)
+    sheet = None if outline is None else sheet_of(image, outline, textured)
     sheet = sheet or sheet_of(image, textured=textured)
     if sheet is None:
         return None
@@ -213,12 +214,15 @@ def _strokes(ink: Layer, least: float) -> Booleans:
     """Where long strokes of the ink (h, w) are."""
     side = min(ink.shape)
     marked = _dark_ink(ink, least)
+    lit = without_cast_shadows(ink, marked)
+    if lit is not ink:
+        ink, marked = lit, _dark_ink(lit, least)
     marked = unbroken(marked, lambda: _dark_ink(smoothed(ink), least, _FAINT), _SHORTEST * side)
     if not marked.any():
         return marked
     marked = without_grain(marked)
     lengths, parts = stroke_lengths(marked)
-    long = lengths >= _SHORTEST * side
+    long = lengths >= max(_SHORTEST * side, _OF_LONGEST * lengths.max())
     if lengths[long].sum() < _LITTLE * side:
         return np.zeros(marked.shape, bool)
     return where_parts(long, parts)

@@ -16,15 +16,15 @@ from ..masks.skeleton import skeleton
 
 _BLUR = 2.0
 """Pixels by which the ink is smoothed."""
-_BROKEN, _LONGER, _ALL = 8, 1.3, 0.9
+_BROKEN, _LONGER, _ALL = 8, 1.1, 0.9
 """Lines in at least `_BROKEN` pieces are a pencil's if the longest one is at least `_LONGER` times
 as long where the ink is smoothed, and all but letters together at least `_ALL` as long: of two
 lines side by side, smoothed into one, half is left."""
 
 
 def unbroken(marked: Booleans, of_smoothed: Callable[[], Booleans], shortest: float) -> Booleans:
-    """Strokes (h, w), those of a pencil as they are `of_smoothed` ink. What is not the `shortest`
-    number of pixels long is a letter."""
+    """Strokes (h, w), those of a pencil as they are `of_smoothed` ink. Where some are the
+    `shortest` number of pixels long, others are letters."""
     if parts_of(marked, 8)[0] <= _BROKEN:
         return marked
     lengths, _ = stroke_lengths(marked)
@@ -32,6 +32,8 @@ def unbroken(marked: Booleans, of_smoothed: Callable[[], Booleans], shortest: fl
     longer, _ = stroke_lengths(whole)
     if longer.max() < _LONGER * lengths.max():
         return marked
+    if lengths.max() < shortest:
+        shortest = 0
     before, after = (each[each >= shortest].sum() for each in (lengths, longer))
     return whole if after >= _ALL * before else marked
 

@@ -25,15 +25,17 @@ _NARROWER = 5.0
 _HALF, _DARKER = 2.5, 1.1
 """Pixels within `_HALF` of a printed line belong to it unless they are at least `_DARKER` times as
 dark: ink that crosses it."""
-_BARE, _VARIES, _ALIKE = 0.2, 1.3, 4
-"""A printed line is at most `_VARIES` times as dark as its palest `_BARE`, or something was drawn
-along it; and at least `_ALIKE` are as dark as the darkest: lines between two rows of pixels are
-paler than those on one."""
+_BARE, _VARIES, _BOLDEST, _BOLD = 0.2, 1.3, 2.7, 0.2
+"""A printed line is at most `_VARIES` times as dark as its palest `_BARE`, and `_BOLDEST` times as
+dark as most printed ones, or something was drawn along it; at least `_BOLD` of them are as dark as
+the darkest. Lines between two rows of pixels are half as dark as those on one."""
 _EVERY = 4
 """The rotation is estimated from every fourth pixel along the lines."""
 _TOP, _AS_DARK = 0.02, 0.8
 """The darkest ink is the `_TOP` quantile; lines at least `_AS_DARK` as dark as it may have been
 drawn, ..."""
+_GOES_ON = 0.5
+"""A line extends as far as it is `_GOES_ON` as dark: the printed lines that cross it are paler."""
 _MANY, _ACROSS, _UNEVEN = 12, 0.93, 0.12
 """and were if two of these hold: there are fewer than `_MANY`; they usually extend over less than
 `_ACROSS` of the sheet; they deviate from even spacing by more than `_UNEVEN` of the spacing."""
@@ -169,29 +171,34 @@ class _Lines:
 
     def are_drawn(self, ink: Layer, darkest: float) -> bool:
         """Whether they are streets that somebody drew."""
-        if np.median(self.darkness(ink)) < _AS_DARK * darkest:
+        tones = self.darkness(ink)
+        if np.median(tones) < _AS_DARK * darkest:
             return False
-        across = self._across()
+        across = self._across(ink, tones)
         apart = np.diff(self.lines) / np.median(np.diff(self.lines))
         uneven = float(np.abs(apart - np.maximum(1, np.round(apart))).max())
         signs = (len(self.lines) < _MANY, across < _ACROSS, uneven > _UNEVEN)
         return sum(signs) >= 2
 
-    def _across(self) -> float:
-        """The share of the sheet over which they usually extend."""
-        ends = [self.along[self.marked & (self.line == i)] for i in range(len(self.lines))]
+    def _across(self, ink: Layer, tones: Floats) -> float:
+        """The share of the sheet over which they usually extend, given how dark they are (n,)."""
+        seen = self.marked & (ink.ravel()[self.pixels] > _GOES_ON * tones[self.line])
+        ends = [self.along[seen & (self.line == i)] for i in range(len(self.lines))]
         return float(np.median([np.ptp(end) for end in ends])) / self.length
 
     def are_margins(self, ink: Layer, tone: float) -> bool:
         """Whether they are margins of a sheet with ruling of this darkness across them, 0 if it has
         none."""
-        darkest = float(self.darkness(ink).max())
-        return darkest < min(_MARGIN * tone, _PEN) and self._across() >= _ACROSS
+        tones = self.darkness(ink)
+        darkest = float(tones.max())
+        return darkest < min(_MARGIN * tone, _PEN) and self._across(ink, tones) >= _ACROSS
 
     def printed(self, ink: Layer) -> Booleans:
         """Where the lines are (h, w), and no darker ink upon them."""
         tones = self._middles(ink)
-        least = _DARKER * np.minimum(tones, np.sort(tones)[-_ALIKE:].min())
+        usual = np.median(tones)
+        tones = np.where(tones > _BOLDEST * usual, usual, tones)
+        least = _DARKER * np.minimum(tones, np.quantile(tones, 1 - _BOLD, method="higher"))
         result = np.zeros(self.shape, bool)
         result.ravel()[self.pixels] = ink.ravel()[self.pixels] < least[self.line]
         return result

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roadlang.geometry import Booleans
 
+from ..colors.overexposed import WHITE, is_overexposed
 from ..colors.tones import Image, away_from, away_from_each, flatness, thinned
 from ..maps.map_styles import style_of
 from ..maps.map_tones import LOSSY, flat_colors
@@ -67,6 +68,8 @@ def has_exact_colors(image: Image) -> bool:
         _has_pure_land(part, found) and flatness(image) > _MOSTLY_FLAT
     ):
         return True
+    if found and found[0].min() >= WHITE and is_overexposed(part):
+        return False
     small = np.ascontiguousarray(thinned(image, _SAMPLE))
     colors = flat_colors(small)[:_COLORS]
     if len(colors) >= _SEVERAL:

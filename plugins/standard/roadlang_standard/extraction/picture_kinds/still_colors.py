@@ -25,10 +25,6 @@ _NEARLY_ALL, _LAND, _PURE = 0.96, 0.1, 5
 """Two colors, each on more than `_LAND` of the still pixels, make up more than `_NEARLY_ALL` of
 these; one alone is at least `_PURE` gray levels from black and white, which margins of photos and
 overexposed parts are as well."""
-_CLIPPED, _WHITISH, _SHADE, _GRAY = 254, 225, 140, 0.12
-"""Two colors with a channel of at least `_CLIPPED` and none below `_WHITISH` are of an overexposed
-sheet. These count as one, and so do its shades, with no channel below `_SHADE` and all within
-`_GRAY` of the greatest."""
 _BLOCKS, _FILLED, _PRESENT = 4, 0.1, 12
 """They are everywhere: on more than `_FILLED` of at least `_PRESENT` of 4 x 4 blocks."""
 
@@ -37,17 +33,10 @@ def has_few_still_colors(image: Image) -> bool:
     """Whether what is still in a picture (h, w, 3) has a few colors, and not the shades between
     them: a map stored as JPEG, whatever lies on its land."""
     found = _frequent(image, local_spread(image) <= _STILL)
-    parts = [color for color, share in found if share > _PART]
-    return sum(share for _, share in found) > _COVERED and _different(parts) >= _PARTS
-
-
-def _different(colors: list[NDArray[np.float64]]) -> int:
-    """How many of the colors (3,) are no shades of an overexposed sheet, and that sheet if any."""
-    overexposed = sum(color.max() >= _CLIPPED and color.min() >= _WHITISH for color in colors)
-    if overexposed < 2:
-        return len(colors)
-    grays = (c for c in colors if c.min() >= _SHADE and np.ptp(c) <= _GRAY * c.max())
-    return len(colors) - sum(1 for _ in grays) + 1
+    return (
+        sum(share for _, share in found) > _COVERED
+        and sum(share > _PART for _, share in found) >= _PARTS
+    )
 
 
 def has_still_land(image: Image) -> bool:

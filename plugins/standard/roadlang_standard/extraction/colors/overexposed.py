@@ -6,9 +6,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from ..colors.local_spread import local_spread
-from ..colors.tones import Image
-from ..masks.mask_parts import opened_by_square
+from .local_spread import local_spread
+from .tones import Image
 
 WHITE = 252
 """Overexposed pixels are at least this light in all channels."""
@@ -23,8 +22,9 @@ on a screen is even."""
 def is_overexposed(image: Image) -> bool:
     """Whether a picture (h, w, 3) that is mostly white is a photo of paper."""
     least = image.min(axis=2)
-    broad = opened_by_square((least >= _SHADE) & (least < WHITE), _BROAD)
+    shade = ((least >= _SHADE) & (least < WHITE)).view(np.uint8)
+    broad = cv2.morphologyEx(shade, cv2.MORPH_OPEN, np.ones((_BROAD, _BROAD), np.uint8)) > 0
     if np.count_nonzero(broad) < _LEAST * broad.size:
         return False
-    still = cv2.countNonZero(((local_spread(image) <= _STILL) & broad).view(np.uint8))
+    still = np.count_nonzero((local_spread(image) <= _STILL) & broad)
     return bool(still < _NOISY * np.count_nonzero(broad))
