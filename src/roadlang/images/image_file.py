@@ -20,6 +20,7 @@ from .codec_output import codec_output
 from .image_header import ImageHeader, read_header
 from .image_scale import FoundScale, scale_in_file, unusable_world_file
 from .mosaic import Tile, TilesDoNotFit, mosaic
+from .no_data import on_its_ground, within_margins
 from .placed_pixels import MOST_PIXELS, Pixels, PlacedPixels, placed
 from .tiff_bands import TiffBands
 
@@ -80,7 +81,8 @@ def open_tiles(files: Sequence[tuple[Path, str]], written: str, span: Span | Non
     damage = tuple(each.damage for each in read if each.damage is not None)
     if len(read) == 1:
         path, name = files[0]
-        shown = placed(read[0].pixels, read[0].found, name, span, unusable_world_file(path))
+        fault = unusable_world_file(path)
+        shown = placed(read[0].without_margin(), read[0].found, name, span, fault)
         return OpenedImage(shown, inputs, damage)
     tiles = [
         Tile(name, each.pixels, each.found or FoundScale(None), each.shown)
@@ -101,6 +103,12 @@ class _ReadImage:
     found: FoundScale | None
     inputs: tuple[tuple[str, str], ...]
     damage: Diagnostic | None
+    beside_margin: NDArray[np.bool_] | None
+    """(height, width) where it is no margin that the file says has no data; None: everywhere."""
+
+    def without_margin(self) -> Pixels:
+        """Its pixels, of a drawing with the ground in place of a margin."""
+        return on_its_ground(self.pixels, self.beside_margin)
 
 
 def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
@@ -130,8 +138,9 @@ def _read(path: Path, written: str, span: Span | None) -> _ReadImage:
         place = None if span is not None else written
         warning = diagnose(Code.PARTLY_DAMAGED_IMAGE, span, path=place, file=written, reason=damage)
     shown = bands.shown(pixels)
-    counted = None if bands.no_data is None else shown
-    return _ReadImage(as_colors(pixels, counted), shown, found, inputs, warning)
+    beside_margin = None if bands.no_data is None else within_margins(shown)
+    colors = as_colors(pixels, beside_margin)
+    return _ReadImage(colors, shown, found, inputs, warning, beside_margin)
 
 
 def read_input(path: Path, written: str, span: Span | None, limit: int = LARGEST_INPUT) -> bytes:
