@@ -62,3 +62,14 @@ def test_broad_printed_lines_and_shadows_are_no_spots() -> None:
     assert pale_spots(ink, 0.1, 0.01) == 0
     cv2.line(ink, (0, 600), (300, 480), 0.1, 60)
     assert pale_spots(ink, 0.05, 0.01) <= 1
+
+
+def test_a_shadow_that_printed_lines_cut_into_squares_is_no_spots() -> None:
+    ink = np.zeros((400, 400), np.float32)
+    ink[195:205] = 0.8
+    ink[40:160, 40:360] = 0.2
+    for line in range(0, 400, 20):
+        ink[line : line + 5, :][ink[line : line + 5] < 0.5] = 0
+        ink[:, line : line + 5][ink[:, line : line + 5] < 0.5] = 0
+    assert pale_spots(ink, 0.1, 0.01) > 50
+    assert pale_spots(ink, 0.1, 0.01, was_ruled=True) <= 1

@@ -154,7 +154,7 @@ def roads_on_paper(
         return None
     least = max(_NOISE * sheet.noise, _FAINTEST)
     ink = without_ruling(sheet.ink, _PRINTED * least)
-    spots = pale_spots(ink, least, sheet.noise)
+    spots = pale_spots(ink, least, sheet.noise, was_ruled=ink is not sheet.ink)
     if spots > _SNOW:
         return None
     found = _roads_of_ink(ink, least, width)
